@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_command_line_h
+#define thermocontact_command_line_h
+
+#include <string>
+#include <vector>
+
+#include "parameter_file.h"
+
+namespace ThermoContact
+{
+  /** What the command line asks for. */
+  struct CommandLine
+  {
+    std::string             file_name; ///< the parameter file, may be empty
+    std::vector<Assignment> overrides; ///< --set and --output, in order
+    std::string             print_parameters; ///< prm, json, description, or ""
+    bool                    check_only   = false;
+    bool                    is_quiet     = false;
+    bool                    show_help    = false;
+    bool                    show_version = false;
+  };
+
+
+
+  /**
+   * Reads the arguments of main().
+   *
+   * @throw InputError on an unknown option, a missing or a superfluous argument
+   */
+  CommandLine
+  parse_command_line(const int argc, char **argv);
+
+  /** The text of --help. */
+  std::string
+  help_text();
+} // namespace ThermoContact
+
+#endif

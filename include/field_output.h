@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_field_output_h
+#define thermocontact_field_output_h
+
+#include <deal.II/numerics/data_out.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "discretization.h"
+#include "parameters.h"
+#include "state.h"
+
+namespace ThermoContact
+{
+  /**
+   * Snapshots of temperature, displacement, velocity and stress for ParaView:
+   * fields/fields-NNNNN.vtu and fields.pvd with their times. The PVD file is
+   * replaced in one piece after each snapshot, so that it can be opened while
+   * the run goes on.
+   *
+   * Cells of degree p are cut into p parts along each direction. The stress is
+   * $C\varepsilon(u+\zeta v)-a\theta I$, a tensor if dim > 1.
+   */
+  template <int dim>
+  class FieldOutput
+  {
+  public:
+    /** @p directory exists. */
+    FieldOutput(const std::string         &directory,
+                const Parameters          &parameters,
+                const Discretization<dim> &discretization);
+
+    /**
+     * Writes one snapshot. Collective.
+     *
+     * @throw ComputationError naming the file if it cannot be written
+     */
+    void
+    write(const State &state);
+
+  private:
+    const std::string                           directory;
+    const ModelParameters                       model;
+    const Discretization<dim>                  &discretization;
+    std::vector<std::pair<double, std::string>> times_and_names;
+
+    Vector
+    ghosted(const Vector &temperature, const Vector &displacement) const;
+
+    void
+    write_vtu(const DataOut<dim> &data_out, const std::string &path) const;
+
+    void
+    write_pvd(const std::string &path) const;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_output_directory_h
+#define thermocontact_output_directory_h
+
+#include <string>
+
+#include "types.h"
+
+namespace ThermoContact
+{
+  /**
+   * Makes @p directory ready for a run: creates it, or removes the files of an
+   * earlier run (recognised by its used.prm). Collective.
+   *
+   * @throw InputError if the directory holds anything else, or cannot be
+   *   created or emptied; nothing has been removed then
+   */
+  void
+  prepare_output_directory(const std::string &directory,
+                           const MPI_Comm     communicator);
+
+  /**
+   * Throws on all ranks if the message of rank 0 is not empty.
+   *
+   * @throw Error (InputError or ComputationError) with that message
+   */
+  template <typename Error>
+  void
+  throw_everywhere(const std::string &message, const MPI_Comm communicator)
+  {
+    const std::string shared = Utilities::MPI::broadcast(communicator, message);
+    if (!shared.empty())
+      throw Error(shared);
+  }
+} // namespace ThermoContact
+
+#endif

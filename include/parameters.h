@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_parameters_h
+#define thermocontact_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  using dealii::ParameterHandler;
+
+  /** Section Model: coefficients of doc/model.md (M.1), (M.2), (M.6). */
+  struct ModelParameters
+  {
+    double inertia       = 1.;    ///< $b>0$
+    double viscosity     = 0.2;   ///< $\zeta\ge0$
+    double coupling      = 0.017; ///< $a$
+    double poisson_ratio = 0.;    ///< $\nu$, dim > 1
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /** Section Boundary: doc/model.md (M.3). */
+  struct BoundaryParameters
+  {
+    double      fixed_end_temperature = 10.; ///< $\theta_A$
+    double      heat_exchange         = 1.;  ///< $k\ge0$
+    double      obstacle_temperature  = 0.;  ///< $\theta_{obs}$
+    std::string lateral_support       = "rollers";
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /** Section Contact: doc/model.md (M.4), (M.5). */
+  struct ContactParameters
+  {
+    std::string condition  = "normal compliance";
+    double      compliance = 0.01; ///< $\varepsilon>0$
+    double      gap        = 0.1;  ///< $g$
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    bool
+    is_none() const
+    {
+      return condition == "none";
+    }
+
+    bool
+    is_rigid() const
+    {
+      return condition == "rigid";
+    }
+  };
+
+
+
+  /** Section Initial values: expressions in x (y, z). */
+  struct InitialValuesParameters
+  {
+    std::string temperature  = "theta_A*(cos(2*pi*x)-sin(pi*x/2))";
+    std::string displacement = "0";
+    std::string velocity     = "20*x*(x-1)^2";
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /** Section Sources: expressions in x (y, z), t. */
+  struct SourceParameters
+  {
+    std::string heat_source   = "0"; ///< $q$
+    std::string body_force    = "0"; ///< $f$
+    std::string end_traction  = "0"; ///< $t$
+    std::string end_heat_flux = "0"; ///< $h$
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /** Section Mesh. */
+  struct MeshParameters
+  {
+    unsigned int cells        = 8;
+    unsigned int degree       = 4;
+    unsigned int refinements  = 0;
+    double       grading      = 1.;
+    double       width        = 0.1;
+    unsigned int cells_across = 4;
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /** Section Time. */
+  struct TimeParameters
+  {
+    std::string scheme    = "backward euler";
+    std::string start     = "automatic";
+    double      end_time  = 10.;
+    double      step_size = 0.001;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /** True if the first step has the prescribed velocity of the paper. */
+    bool
+    has_prescribed_start() const
+    {
+      return start != "consistent";
+    }
+  };
+
+
+
+  /** Section Solver. */
+  struct SolverParameters
+  {
+    std::string  step_solver            = "monolithic";
+    double       fixed_point_tolerance  = 1e-12;
+    unsigned int fixed_point_iterations = 100;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    bool
+    is_fixed_point() const
+    {
+      return step_solver == "fixed point";
+    }
+  };
+
+
+
+  /** Section Output. */
+  struct OutputParameters
+  {
+    std::string directory;
+    double      fields_interval  = 0.1;
+    double      contact_interval = 0.;
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /**
+   * Everything that a parameter file can set. The defaults are the scene of
+   * the paper's first experiment; each default and each text stands once, in
+   * the struct of its section.
+   */
+  struct Parameters
+  {
+    std::string  title;
+    unsigned int dimension = 1;
+
+    ModelParameters         model;
+    BoundaryParameters      boundary;
+    ContactParameters       contact;
+    InitialValuesParameters initial_values;
+    SourceParameters        sources;
+    MeshParameters          mesh;
+    TimeParameters          time;
+    SolverParameters        solver;
+    OutputParameters        output;
+
+    /** An entry that a scene cannot use, and the setting that says so. */
+    struct UnusedEntry
+    {
+      std::string path;   ///< "Section/Entry"
+      std::string reason; ///< e.g. "Contact/Condition = rigid"
+    };
+
+    /**
+     * Binds every member to an entry of @p prm. Parsing or `prm.set` then
+     * writes into this object, which must outlive @p prm.
+     */
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /**
+     * Checks what a pattern for one entry cannot: limits that exclude their
+     * bound, combinations, the number of steps.
+     *
+     * @throw InputError naming section path, value, what is allowed, remedy
+     */
+    void
+    check() const;
+
+    /** The entries that this scene cannot use. */
+    std::vector<UnusedEntry>
+    unused_entries() const;
+
+    /** Number of time steps: the smallest $N$ with $N\Delta t\ge T$. */
+    unsigned int
+    n_steps() const;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_problem_data_h
+#define thermocontact_problem_data_h
+
+#include <deal.II/base/function.h>
+#include <deal.II/base/function_parser.h>
+
+#include <memory>
+#include <string>
+
+#include "parameters.h"
+#include "types.h"
+
+namespace ThermoContact
+{
+  /**
+   * The functions of a scene, parsed from its expressions: initial values and
+   * sources. A source whose expression is 0 is absent, so that nothing is
+   * integrated for it.
+   */
+  template <int dim>
+  class ProblemData
+  {
+  public:
+    /**
+     * Parses and evaluates every expression once.
+     *
+     * @throw InputError naming entry and expression if one cannot be parsed,
+     *   has the wrong number of components, or is not finite inside the body
+     */
+    explicit ProblemData(const Parameters &parameters);
+
+    /**
+     * Initial temperature and displacement: 1 + dim components
+     * $(\theta_0, u_0)$.
+     */
+    const Function<dim> &
+    initial_fields() const;
+
+    /** $(0, u_1)$ with 1 + dim components. */
+    const Function<dim> &
+    initial_velocity() const;
+
+    /** Heat source $q$, or nullptr. */
+    const Function<dim> *
+    heat_source() const;
+
+    /** Body force $f$, dim components, or nullptr. */
+    const Function<dim> *
+    body_force() const;
+
+    /** End traction $t$, or nullptr. */
+    const Function<dim> *
+    end_traction() const;
+
+    /** End heat flux $h$, or nullptr. */
+    const Function<dim> *
+    end_heat_flux() const;
+
+    /** True if any source is present. */
+    bool
+    has_sources() const;
+
+    /** Sets the time at which the sources are evaluated. */
+    void
+    set_time(const double time);
+
+  private:
+    std::unique_ptr<FunctionParser<dim>> initial_fields_;
+    std::unique_ptr<FunctionParser<dim>> initial_velocity_;
+    std::unique_ptr<FunctionParser<dim>> heat_source_;
+    std::unique_ptr<FunctionParser<dim>> body_force_;
+    std::unique_ptr<FunctionParser<dim>> end_traction_;
+    std::unique_ptr<FunctionParser<dim>> end_heat_flux_;
+  };
+} // namespace ThermoContact
+
+#endif

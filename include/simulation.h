@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_simulation_h
+#define thermocontact_simulation_h
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact_events.h"
+#include "discretization.h"
+#include "energy.h"
+#include "measurements.h"
+#include "parameters.h"
+#include "problem_data.h"
+#include "step_controller.h"
+#include "step_solver.h"
+#include "thermoviscoelastic_operator.h"
+#include "time_integrator.h"
+
+namespace ThermoContact
+{
+  /**
+   * One scene from its initial state to its end time. Writes no file and
+   * prints nothing: after the initial state and after every accepted step it
+   * calls its observers, which read the state from here.
+   */
+  template <int dim>
+  class Simulation
+  {
+  public:
+    using Observer = std::function<void(const Simulation<dim> &)>;
+
+    /**
+     * Sets up mesh, matrices and the initial state. Collective on
+     * @p communicator.
+     *
+     * @throw InputError if expressions or initial values do not fit the scene
+     */
+    Simulation(const Parameters &parameters, const MPI_Comm communicator);
+
+    /** Calls @p observer at the initial state and after each step. */
+    void
+    add_observer(const Observer &observer);
+
+    /**
+     * Runs to the end time.
+     *
+     * @throw ComputationError naming step and time if a step cannot be solved
+     */
+    void
+    run();
+
+    /** The state that was accepted last. */
+    const State &
+    state() const
+    {
+      return state_;
+    }
+
+    /** The quantities of that state and the balances up to it. */
+    const StepRecord &
+    record() const
+    {
+      return record_;
+    }
+
+    /** Contact events so far, in order of time. */
+    const std::vector<ContactEvent> &
+    events() const
+    {
+      return events_.events();
+    }
+
+    /** What the user should know although the run goes on. */
+    const std::vector<std::string> &
+    warnings() const
+    {
+      return warnings_;
+    }
+
+    /** Factorisations and solves of the stages so far. */
+    SolverCounters
+    counters() const;
+
+    types::global_dof_index
+    n_factorized_unknowns() const
+    {
+      return step_solver->n_factorized_unknowns();
+    }
+
+    /**
+     * Largest $\hat E^n-\hat E^{n-1}-W$ of a step that solved a stage, where
+     * it is positive; 0 if the scheme always dissipated.
+     */
+    double
+    max_energy_increase() const
+    {
+      return max_energy_increase_;
+    }
+
+    /** Largest penetration and contact force of the states so far. */
+    double
+    max_penetration() const
+    {
+      return max_penetration_;
+    }
+
+    double
+    max_contact_force() const
+    {
+      return max_contact_force_;
+    }
+
+    const Discretization<dim> &
+    discretization() const
+    {
+      return discretization_;
+    }
+
+    const ThermoviscoelasticOperator<dim> &
+    stage_operator() const
+    {
+      return operator_;
+    }
+
+    const Energy<dim> &
+    energy() const
+    {
+      return energy_;
+    }
+
+    const Parameters &
+    parameters() const
+    {
+      return parameters_;
+    }
+
+    const ContactLaw &
+    contact_law() const
+    {
+      return law;
+    }
+
+  private:
+    const Parameters                      parameters_;
+    const ContactLaw                      law;
+    ProblemData<dim>                      data;
+    const Discretization<dim>             discretization_;
+    const ThermoviscoelasticOperator<dim> operator_;
+    const Energy<dim>                     energy_;
+    Measurements<dim>                     measurements;
+    std::unique_ptr<StepSolver>           step_solver;
+    TimeIntegrator<dim>                   integrator;
+    const StepController                  controller;
+
+    State                    state_;
+    StepRecord               record_;
+    EventDetector            events_;
+    double                   max_energy_increase_;
+    double                   max_penetration_;
+    double                   max_contact_force_;
+    std::vector<std::string> warnings_;
+    std::vector<Observer>    observers;
+
+    void
+    set_initial_state();
+
+    void
+    check_initial_values();
+
+    void
+    check_initial_contact();
+
+    void
+    accept(const TimeStep &time_step, StepResult &result);
+
+    void
+    notify() const;
+  };
+} // namespace ThermoContact
+
+#endif

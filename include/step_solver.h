@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_step_solver_h
+#define thermocontact_step_solver_h
+
+#include <string>
+#include <vector>
+
+#include "state.h"
+#include "types.h"
+
+namespace ThermoContact
+{
+  /** The solution of one implicit stage, doc/model.md (M.14). */
+  struct StageRates
+  {
+    Vector              temperature_rate; ///< $\theta'$
+    Vector              velocity;         ///< $v=u'$
+    std::vector<double> pressure;         ///< $p_i$ at the contact nodes
+    unsigned int        n_iterations = 0; ///< active sets or fixed point
+    std::string         failure;          ///< empty: solved
+  };
+
+
+
+  /** What a run has spent. */
+  struct SolverCounters
+  {
+    unsigned int factorizations = 0;
+    unsigned int solves         = 0; ///< back-substitutions of stages
+    unsigned int responses      = 0; ///< back-substitutions for $W$
+  };
+
+
+
+  /**
+   * Solves one implicit stage of length tau: finds the rates with
+   * $\theta=\tilde\theta+\tau\theta'$, $u=\tilde u+\tau v$,
+   * $v=\tilde v+\tau v'$ that satisfy the semidiscrete equations (M.11),
+   * (M.12) with contact.
+   */
+  class StepSolver
+  {
+  public:
+    virtual ~StepSolver() = default;
+
+    /**
+     * @param known $(\tilde\theta,\tilde u,\tilde v)$ and, to start the search,
+     *   nearby contact pressures
+     * @param tau stage length, positive; a new value costs a factorisation
+     * @param heat_load,momentum_load loads at the stage time
+     * @param rates out; its vectors have been given their layout by the caller;
+     *   a stage that was not solved has a non-empty failure
+     */
+    virtual void
+    solve(const State  &known,
+          const double  tau,
+          const Vector &heat_load,
+          const Vector &momentum_load,
+          StageRates   &rates) = 0;
+
+    /** Number of unknowns of the largest matrix that is factorised. */
+    virtual types::global_dof_index
+    n_factorized_unknowns() const = 0;
+
+    const SolverCounters &
+    counters() const
+    {
+      return counters_;
+    }
+
+  protected:
+    SolverCounters counters_;
+  };
+} // namespace ThermoContact
+
+#endif

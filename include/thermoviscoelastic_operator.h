@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_thermoviscoelastic_operator_h
+#define thermocontact_thermoviscoelastic_operator_h
+
+#include "discretization.h"
+#include "parameters.h"
+#include "problem_data.h"
+#include "state.h"
+#include "types.h"
+
+namespace ThermoContact
+{
+  /**
+   * The semidiscrete equations, doc/model.md (M.11), (M.12):
+   * @f[
+   *   M\theta' + (K+kB)\theta + aDv = \ell_\theta(t), \quad
+   *   bM_u v' + Su + \zeta Sv - aD^T\theta = \ell_u(t) - N p .
+   * @f]
+   *
+   * Field matrices are assembled once, without constraints; the constrained
+   * rows of stage matrices and right-hand sides say that rates vanish. Vectors
+   * have the layout of their block, without ghosts.
+   */
+  template <int dim>
+  class ThermoviscoelasticOperator
+  {
+  public:
+    /** Both references are borrowed and must outlive this object. */
+    ThermoviscoelasticOperator(const Discretization<dim> &discretization,
+                               const Parameters          &parameters);
+
+    /** $M$, $\int\eta_i\eta_j$. */
+    const SparseMatrix &
+    heat_mass() const;
+
+    /** $K+kB$, $\int\nabla\eta_i\cdot\nabla\eta_j + k\int_{\Gamma_C}\eta_i
+     * \eta_j$. */
+    const SparseMatrix &
+    conduction() const;
+
+    /** $D$, $\int\eta_i\,\mathrm{div}\,\varphi_j$; temperature rows,
+     * displacement columns. */
+    const SparseMatrix &
+    divergence() const;
+
+    /** $D^T$; displacement rows, temperature columns. */
+    const SparseMatrix &
+    thermal_stress() const;
+
+    /** $M_u$, without the inertia coefficient $b$. */
+    const SparseMatrix &
+    momentum_mass() const;
+
+    /** $S$, $\int C{:}\varepsilon(\varphi_i){:}\varepsilon(\varphi_j)$. */
+    const SparseMatrix &
+    stiffness() const;
+
+    /** Load $k\theta_{obs}\int_{\Gamma_C}\eta_i$ of the Robin condition. */
+    const Vector &
+    robin_load() const;
+
+    /**
+     * Matrix of the heat block of a stage, $M+\tau(K+kB)$, doc/model.md (M.15).
+     */
+    SparseMatrix
+    heat_stage_matrix(const double tau) const;
+
+    /** Matrix of the momentum block, $bM_u+\tau\zeta S+\tau^2S$. */
+    SparseMatrix
+    momentum_stage_matrix(const double tau) const;
+
+    /**
+     * The whole stage matrix (M.15) in the numbering of the whole system.
+     */
+    SparseMatrix
+    stage_matrix(const double tau) const;
+
+    /**
+     * Loads $\ell_\theta$, $\ell_u$ at @p time. Sources are integrated anew;
+     * without sources this is a copy.
+     *
+     * @param data sources; its time is set to @p time
+     */
+    void
+    load(ProblemData<dim> &data,
+         const double      time,
+         Vector           &heat,
+         Vector           &momentum) const;
+
+    /**
+     * Right-hand side of a stage (M.15) without contact: @p heat
+     * $\ell_\theta-(K+kB)\tilde\theta$ and @p momentum $bM_u\tilde v +
+     * \tau(\ell_u-S\tilde u+aD^T\tilde\theta)$; constrained rows are zero.
+     */
+    void
+    stage_rhs(const State  &known,
+              const double  tau,
+              const Vector &heat_load,
+              const Vector &momentum_load,
+              Vector       &heat,
+              Vector       &momentum) const;
+
+    /** @p heat $-= aDv$, with zero constrained rows. */
+    void
+    subtract_heating(const Vector &velocity, Vector &heat) const;
+
+    /** @p momentum $+=$ @p factor $aD^T\theta$, with zero constrained rows. */
+    void
+    add_thermal_stress(const Vector &temperature,
+                       const double  factor,
+                       Vector       &momentum) const;
+
+    /**
+     * @p momentum $-= \sum_i p_i w_i e_i$ times @p factor: the load $Np$ of
+     * nodal pressures.
+     */
+    void
+    subtract_pressure(const std::vector<double> &pressure,
+                      const double               factor,
+                      Vector                    &momentum) const;
+
+    /** Sets the entries of constrained degrees of freedom to zero. */
+    void
+    zero_constrained(const unsigned int block, Vector &vector) const;
+
+  private:
+    const Discretization<dim> &discretization;
+    const ModelParameters      model;
+    const BoundaryParameters   boundary;
+    BlockSparseMatrix          mass;
+    BlockSparseMatrix          stiffness_;
+    BlockSparseMatrix          coupling;
+    Vector                     robin_load_;
+    mutable Vector             heat_scratch;
+    mutable Vector             momentum_scratch;
+
+    void
+    setup_matrices();
+
+    /** Weighted sum of two matrices of a block, with constrained rows. */
+    SparseMatrix
+    combine(const SparseMatrix &first,
+            const double        first_factor,
+            const SparseMatrix &second,
+            const double        second_factor,
+            const unsigned int  block) const;
+
+    void
+    assemble_cells();
+
+    void
+    assemble_contact_end();
+
+    void
+    integrate_sources(const ProblemData<dim> &data,
+                      Vector                 &heat,
+                      Vector                 &momentum) const;
+
+    void
+    add_end_traction(const ProblemData<dim> &data, Vector &momentum) const;
+  };
+} // namespace ThermoContact
+
+#endif

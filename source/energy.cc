@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "energy.h"
+
+#include <deal.II/base/function_lib.h>
+
+#include <deal.II/numerics/vector_tools_interpolate.h>
+
+#include <cmath>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** $\theta_A - c(\theta_A-\theta_{obs})x$ in the first component. */
+    template <int dim>
+    class SteadyProfile : public Function<dim>
+    {
+    public:
+      explicit SteadyProfile(const BoundaryParameters &boundary)
+        : Function<dim>(1 + dim)
+        , left(boundary.fixed_end_temperature)
+        , slope(
+            -boundary.heat_exchange / (boundary.heat_exchange + 1.) *
+            (boundary.fixed_end_temperature - boundary.obstacle_temperature))
+      {}
+
+      double
+      value(const Point<dim> &point, const unsigned int c) const override
+      {
+        return c == 0 ? left + slope * point[0] : 0.;
+      }
+
+    private:
+      const double left;
+      const double slope;
+    };
+  } // namespace
+
+
+
+  double
+  EnergyTerms::magnitude() const
+  {
+    return thermal + kinetic + elastic + obstacle + std::abs(coupling);
+  }
+
+
+
+  template <int dim>
+  Energy<dim>::Energy(const Discretization<dim>             &discretization,
+                      const ThermoviscoelasticOperator<dim> &stage_operator,
+                      const ContactLaw                      &law,
+                      const Parameters                      &parameters)
+    : discretization(discretization)
+    , stage_operator(stage_operator)
+    , law(law)
+    , model(parameters.model)
+    , steady_profile_(discretization.make_vector(0))
+    , steady_stress(discretization.make_vector(1))
+    , heat_scratch(steady_profile_)
+    , heat_product(steady_profile_)
+    , momentum_scratch(steady_stress)
+    , momentum_product(steady_stress)
+  {
+    Vector system = discretization.make_system_vector();
+    VectorTools::interpolate(discretization.mapping(),
+                             discretization.dof_handler(),
+                             SteadyProfile<dim>(parameters.boundary),
+                             system);
+    discretization.split(system, steady_profile_, momentum_scratch);
+    stage_operator.thermal_stress().vmult(steady_stress, steady_profile_);
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::heat_form(const SparseMatrix &matrix, const Vector &vector) const
+  {
+    matrix.vmult(heat_product, vector);
+    return vector * heat_product / discretization.cross_section();
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::momentum_form(const SparseMatrix &matrix,
+                             const Vector       &vector) const
+  {
+    matrix.vmult(momentum_product, vector);
+    return vector * momentum_product / discretization.cross_section();
+  }
+
+
+
+  template <int dim>
+  EnergyTerms
+  Energy<dim>::energy(const State &state) const
+  {
+    heat_scratch = state.temperature;
+    heat_scratch -= steady_profile_;
+
+    EnergyTerms terms;
+    terms.thermal = 0.5 * heat_form(stage_operator.heat_mass(), heat_scratch);
+    terms.kinetic =
+      0.5 * model.inertia *
+      momentum_form(stage_operator.momentum_mass(), state.velocity);
+    terms.elastic =
+      0.5 * momentum_form(stage_operator.stiffness(), state.displacement);
+    for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
+      terms.obstacle += 0.5 * law.compliance *
+                        discretization.contact_nodes()[i].weight /
+                        discretization.cross_section() *
+                        state.contact_pressure[i] * state.contact_pressure[i];
+    terms.coupling = -model.coupling * (steady_stress * state.displacement) /
+                     discretization.cross_section();
+    return terms;
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::dissipation_rate(const State &state) const
+  {
+    heat_scratch = state.temperature;
+    heat_scratch -= steady_profile_;
+    return heat_form(stage_operator.conduction(), heat_scratch) +
+           model.viscosity *
+             momentum_form(stage_operator.stiffness(), state.velocity);
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::numerical_dissipation(const State &old_state,
+                                     const State &state) const
+  {
+    heat_scratch = state.temperature;
+    heat_scratch -= old_state.temperature;
+    double sum = 0.5 * heat_form(stage_operator.heat_mass(), heat_scratch);
+
+    momentum_scratch = state.velocity;
+    momentum_scratch -= old_state.velocity;
+    sum += 0.5 * model.inertia *
+           momentum_form(stage_operator.momentum_mass(), momentum_scratch);
+
+    momentum_scratch = state.displacement;
+    momentum_scratch -= old_state.displacement;
+    sum += 0.5 * momentum_form(stage_operator.stiffness(), momentum_scratch);
+
+    return sum + contact_dissipation(old_state, state);
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::contact_dissipation(const State &old_state,
+                                   const State &state) const
+  {
+    discretization.contact_values(1, state.displacement, end_displacement);
+    discretization.contact_values(1,
+                                  old_state.displacement,
+                                  old_end_displacement);
+    double sum = 0.;
+    for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
+      {
+        const double p     = state.contact_pressure[i];
+        const double p_old = old_state.contact_pressure[i];
+        const double term =
+          law.compliance == 0. ?
+            p * (law.gap - old_end_displacement[i]) :
+            p * (end_displacement[i] - old_end_displacement[i]) -
+              0.5 * law.compliance * (p * p - p_old * p_old);
+        sum += discretization.contact_nodes()[i].weight /
+               discretization.cross_section() * term;
+      }
+    return sum;
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::work_rate(const Vector &heat_load,
+                         const Vector &momentum_load,
+                         const State  &state) const
+  {
+    heat_scratch = state.temperature;
+    heat_scratch -= steady_profile_;
+    heat_product = heat_load;
+    heat_product -= stage_operator.robin_load();
+    return (heat_scratch * heat_product + momentum_load * state.velocity) /
+           discretization.cross_section();
+  }
+
+
+
+  template <int dim>
+  const Vector &
+  Energy<dim>::steady_profile() const
+  {
+    return steady_profile_;
+  }
+
+
+
+  template class Energy<1>;
+  template class Energy<2>;
+  template class Energy<3>;
+} // namespace ThermoContact

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "fixed_point_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace ThermoContact
+{
+  template <int dim>
+  FixedPointSolver<dim>::FixedPointSolver(
+    const Discretization<dim>             &discretization,
+    const ThermoviscoelasticOperator<dim> &stage_operator,
+    const ContactLaw                      &law,
+    const Parameters                      &parameters)
+    : discretization(discretization)
+    , stage_operator(stage_operator)
+    , law(law)
+    , model(parameters.model)
+    , tolerance(parameters.solver.fixed_point_tolerance)
+    , max_iterations(parameters.solver.fixed_point_iterations)
+    , factorized_tau(0.)
+    , displacement_scale(law.is_active ? std::abs(law.gap) : 0.)
+    , heat_rhs(discretization.make_vector(0))
+    , momentum_rhs(discretization.make_vector(1))
+    , rhs(heat_rhs)
+    , momentum_stage_rhs(momentum_rhs)
+    , last_velocity(momentum_rhs)
+  {}
+
+
+
+  template <int dim>
+  types::global_dof_index
+  FixedPointSolver<dim>::n_factorized_unknowns() const
+  {
+    return std::max(discretization.n_temperature_dofs(),
+                    discretization.n_displacement_dofs());
+  }
+
+
+
+  template <int dim>
+  void
+  FixedPointSolver<dim>::factorize(const double tau)
+  {
+    heat_solver =
+      std::make_unique<DirectSolver>(stage_operator.heat_stage_matrix(tau));
+    momentum_solver =
+      std::make_unique<DirectSolver>(stage_operator.momentum_stage_matrix(tau));
+    counters_.factorizations += 2;
+    factorized_tau = tau;
+  }
+
+
+
+  template <int dim>
+  void
+  FixedPointSolver<dim>::update_pressure(const double tau, StageRates &rates)
+  {
+    discretization.contact_values(1, rates.velocity, contact_velocity);
+    rates.pressure.resize(contact_velocity.size());
+    for (unsigned int i = 0; i < rates.pressure.size(); ++i)
+      rates.pressure[i] =
+        law.pressure(known_displacement[i] + tau * contact_velocity[i], 0.);
+  }
+
+
+
+  template <int dim>
+  void
+  FixedPointSolver<dim>::solve(const State  &known,
+                               const double  tau,
+                               const Vector &heat_load,
+                               const Vector &momentum_load,
+                               StageRates   &rates)
+  {
+    if (tau != factorized_tau)
+      factorize(tau);
+    stage_operator.stage_rhs(
+      known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
+    discretization.contact_values(1, known.displacement, known_displacement);
+
+    rates.velocity = 0.; // the paper's start: the last displacement
+    rates.failure.clear();
+    update_pressure(tau, rates);
+
+    double change = 0., last_change = 0.;
+    for (unsigned int iteration = 1; iteration <= max_iterations; ++iteration)
+      {
+        last_velocity = rates.velocity;
+
+        rhs = heat_rhs;
+        stage_operator.subtract_heating(last_velocity, rhs);
+        heat_solver->solve(rates.temperature_rate, rhs);
+
+        momentum_stage_rhs = momentum_rhs;
+        stage_operator.add_thermal_stress(rates.temperature_rate,
+                                          tau * tau,
+                                          momentum_stage_rhs);
+        stage_operator.subtract_pressure(rates.pressure,
+                                         tau,
+                                         momentum_stage_rhs);
+        momentum_solver->solve(rates.velocity, momentum_stage_rhs);
+        ++counters_.solves;
+        update_pressure(tau, rates);
+
+        last_velocity -= rates.velocity;
+        last_change = change;
+        change      = tau * last_velocity.linfty_norm();
+        displacement_scale =
+          std::max(displacement_scale, tau * rates.velocity.linfty_norm());
+        rates.n_iterations = iteration;
+        if (change <= tolerance * std::max(displacement_scale,
+                                           known.displacement.linfty_norm()))
+          return;
+        if (!std::isfinite(change))
+          break;
+      }
+    rates.failure = describe_failure(tau, change / last_change);
+  }
+
+
+
+  template <int dim>
+  double
+  FixedPointSolver<dim>::contraction_factor(const double tau)
+  {
+    if (!law.is_active)
+      return 0.;
+    if (tau != factorized_tau)
+      factorize(tau);
+    const std::vector<double> unit_pressure(
+      discretization.contact_nodes().size(), 1.);
+    momentum_stage_rhs = 0.;
+    stage_operator.subtract_pressure(unit_pressure, -tau, momentum_stage_rhs);
+    Vector velocity(momentum_stage_rhs);
+    momentum_solver->solve(velocity, momentum_stage_rhs);
+    ++counters_.responses;
+    std::vector<double> response;
+    discretization.contact_values(1, velocity, response);
+    return tau * *std::max_element(response.begin(), response.end()) /
+           law.compliance;
+  }
+
+
+
+  template <int dim>
+  std::string
+  FixedPointSolver<dim>::describe_failure(const double tau,
+                                          const double observed_factor)
+  {
+    const double       rho = contraction_factor(tau);
+    std::ostringstream message;
+    message << "the fixed point iteration did not converge in "
+            << max_iterations
+            << " iterations\n  contraction factor rho = " << rho
+            << " (chi / epsilon; it must be below 1), last two changes: "
+            << "ratio " << observed_factor << "\n  remedy:  ";
+    if (rho >= 1.)
+      message << "Time/Step size below "
+              << critical_step_size(model.inertia,
+                                    model.viscosity,
+                                    law.compliance)
+              << ", or ";
+    else
+      message << "a smaller Time/Step size, more Solver/Fixed point "
+                 "iterations, or ";
+    message << "Solver/Step solver = monolithic, which has no such limit";
+    return message.str();
+  }
+
+
+
+  double
+  critical_step_size(const double inertia,
+                     const double viscosity,
+                     const double compliance)
+  {
+    // The only positive root of a convex-concave cubic: the iteration
+    // dt <- (b eps^2 (dt + zeta))^(1/3) is a monotone contraction from above.
+    const double factor = inertia * compliance * compliance;
+    double       dt     = std::cbrt(factor * viscosity) + std::sqrt(factor);
+    for (unsigned int i = 0; i < 200; ++i)
+      dt = std::cbrt(factor * (dt + viscosity));
+    return dt;
+  }
+
+
+
+  template class FixedPointSolver<1>;
+  template class FixedPointSolver<2>;
+  template class FixedPointSolver<3>;
+} // namespace ThermoContact

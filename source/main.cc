@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/timer.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <set>
+
+#include "command_line.h"
+#include "exceptions.h"
+#include "log.h"
+#include "output.h"
+#include "output_directory.h"
+#include "parameter_file.h"
+#include "parameters.h"
+#include "report.h"
+#include "simulation.h"
+#include "version.h"
+
+namespace ThermoContact
+{
+  namespace
+  {
+    std::string
+    output_directory(const Parameters &parameters, const CommandLine &command)
+    {
+      if (!parameters.output.directory.empty())
+        return parameters.output.directory;
+      return "results/" +
+             std::filesystem::path(command.file_name).stem().string();
+    }
+
+
+
+    /** All entries as used; the scene is the same when it is run again. */
+    void
+    write_used_parameters(const std::string &directory,
+                          const Parameters  &parameters,
+                          ParameterHandler  &prm,
+                          const MPI_Comm     communicator)
+    {
+      std::string fault;
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        {
+          std::set<std::string> unused;
+          for (const auto &entry : parameters.unused_entries())
+            unused.insert(entry.path);
+          prm.enter_subsection("Output");
+          prm.set("Directory", directory);
+          prm.leave_subsection();
+
+          const std::string path = directory + "/used.prm";
+          std::ofstream     file(path);
+          file << "# thermocontact " << version() << ": every entry as used\n";
+          write_entries(prm, unused, file);
+          file.close();
+          if (!file)
+            fault = path + ": cannot be written\n  remedy:  check free space "
+                           "and rights, or give another Output/Directory";
+        }
+      throw_everywhere<ComputationError>(fault, communicator);
+    }
+
+
+
+    /** Runs one scene with all its files. */
+    template <int dim>
+    void
+    run_scene(const Parameters  &parameters,
+              ParameterHandler  &prm,
+              const CommandLine &command,
+              const Timer       &since_start,
+              Log               &log)
+    {
+      const MPI_Comm  communicator = MPI_COMM_WORLD;
+      Simulation<dim> simulation(parameters, communicator);
+      if (command.check_only)
+        {
+          report_scene(simulation, log);
+          return;
+        }
+
+      const std::string directory = output_directory(parameters, command);
+      prepare_output_directory(directory, communicator);
+      write_used_parameters(directory, parameters, prm, communicator);
+      log.open_file(directory + "/log.txt");
+      log.line(std::string("thermocontact ") + version() + ", deal.II " +
+               DEAL_II_PACKAGE_VERSION + ", ranks: " +
+               std::to_string(Utilities::MPI::n_mpi_processes(communicator)));
+      report_scene(simulation, log);
+
+      Output<dim> output(directory, simulation);
+      simulation.add_observer(
+        [&](const Simulation<dim> &s) { output.observe(s); });
+      simulation.add_observer(
+        [&](const Simulation<dim> &s) { report_progress(s, log); });
+
+      RunTimes times;
+      times.set_up            = since_start.wall_time();
+      const auto finish_times = [&]() {
+        times.output = output.output_seconds();
+        times.loop   = since_start.wall_time() - times.set_up - times.output;
+        times.wall   = since_start.wall_time();
+      };
+      const std::string summary = directory + "/summary.json";
+      try
+        {
+          simulation.run();
+          output.flush();
+        }
+      catch (const ComputationError &error)
+        {
+          finish_times();
+          write_summary(summary,
+                        std::string("failed: ") + error.what(),
+                        simulation,
+                        times);
+          throw;
+        }
+      finish_times();
+      report_result(simulation, times, log);
+      write_summary(summary, "done", simulation, times);
+      log.line("  files     " + directory);
+    }
+
+
+
+    void
+    print_parameters(ParameterHandler &prm, const std::string &format)
+    {
+      const auto style = format == "json" ? ParameterHandler::JSON :
+                                            (format == "description" ?
+                                               ParameterHandler::Description :
+                                               ParameterHandler::PRM);
+      prm.print_parameters(std::cout,
+                           style | ParameterHandler::KeepDeclarationOrder);
+    }
+
+
+
+    void
+    run(const CommandLine &command, const Timer &since_start, Log &log)
+    {
+      if (command.show_help || command.show_version)
+        {
+          log.line(command.show_help ?
+                     help_text() :
+                     std::string("thermocontact ") + version());
+          return;
+        }
+
+      Parameters       parameters;
+      ParameterHandler prm;
+      parameters.add_parameters(prm);
+      if (!command.file_name.empty())
+        assign_entries(read_parameter_file(command.file_name), prm);
+      else if (command.print_parameters.empty())
+        throw InputError("no parameter file is given\n  remedy:  thermocontact "
+                         "FILE.prm, e.g. prm/paper/experiment-1.prm");
+      assign_entries(command.overrides, prm);
+      if (!command.print_parameters.empty())
+        {
+          if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+            print_parameters(prm, command.print_parameters);
+          return;
+        }
+      check_unused_entries(parameters, prm);
+      parameters.check();
+
+      switch (parameters.dimension)
+        {
+          case 1:
+            return run_scene<1>(parameters, prm, command, since_start, log);
+          case 2:
+            return run_scene<2>(parameters, prm, command, since_start, log);
+          default:
+            return run_scene<3>(parameters, prm, command, since_start, log);
+        }
+    }
+  } // namespace
+} // namespace ThermoContact
+
+
+
+int
+main(int argc, char **argv)
+{
+  using namespace ThermoContact;
+
+  const Timer                      since_start;
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const bool                       is_first_rank =
+    Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  const auto print_error = [is_first_rank](const std::string &message) {
+    if (is_first_rank)
+      std::cerr << "thermocontact: " << message << std::endl;
+  };
+
+  try
+    {
+      const CommandLine command = parse_command_line(argc, argv);
+      Log               log(is_first_rank, command.is_quiet);
+      run(command, since_start, log);
+      return 0;
+    }
+  catch (const InputError &error)
+    {
+      print_error(error.what());
+      return 2;
+    }
+  catch (const ComputationError &error)
+    {
+      print_error(error.what());
+      return 1;
+    }
+  catch (const std::exception &error)
+    {
+      // Not foreseen, perhaps on this rank alone: the others must not wait.
+      std::cerr << "thermocontact: unexpected error\n"
+                << error.what() << std::endl;
+      if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+        MPI_Abort(MPI_COMM_WORLD, 1);
+      return 1;
+    }
+}

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "report.h"
+
+#include <deal.II/base/utilities.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "exceptions.h"
+#include "output_directory.h"
+#include "version.h"
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Concatenates its arguments as a stream prints them. */
+    template <typename... Arguments>
+    std::string
+    text(const Arguments &...arguments)
+    {
+      std::ostringstream stream;
+      (stream << ... << arguments);
+      return stream.str();
+    }
+
+
+
+    unsigned int
+    n_begins(const std::vector<ContactEvent> &events)
+    {
+      unsigned int n = 0;
+      for (const ContactEvent &event : events)
+        n += event.kind == ContactEvent::begin;
+      return n;
+    }
+
+
+
+    template <int dim>
+    std::string
+    describe_body(const Simulation<dim> &simulation)
+    {
+      const MeshParameters &mesh = simulation.parameters().mesh;
+      const unsigned int    n    = simulation.discretization().n_active_cells();
+      if (dim == 1)
+        return text("rod of length 1, ", n, " cells of degree ", mesh.degree);
+      return text(dim,
+                  "-D body of length 1 and width ",
+                  mesh.width,
+                  ", ",
+                  n,
+                  " cells of degree ",
+                  mesh.degree,
+                  ", lateral faces: ",
+                  simulation.parameters().boundary.lateral_support);
+    }
+
+
+
+    std::string
+    describe_contact(const ContactParameters &contact)
+    {
+      if (contact.is_none())
+        return "none: free end";
+      if (contact.is_rigid())
+        return text("rigid obstacle, g = ", contact.gap);
+      return text("elastic obstacle, epsilon = ",
+                  contact.compliance,
+                  ", g = ",
+                  contact.gap);
+    }
+
+
+
+    std::string
+    describe_time(const Parameters &parameters)
+    {
+      const TimeParameters &time = parameters.time;
+      return text(time.scheme,
+                  ", dt = ",
+                  time.step_size,
+                  ", T = ",
+                  time.end_time,
+                  ": ",
+                  parameters.n_steps(),
+                  " steps, ",
+                  time.has_prescribed_start() ? "start of the paper" :
+                                                "consistent start",
+                  ", ",
+                  parameters.solver.step_solver,
+                  " solver");
+    }
+
+
+
+    template <int dim>
+    std::string
+    join_events(const Simulation<dim> &simulation)
+    {
+      const auto &events = simulation.events();
+      std::string line   = text(n_begins(events), " times");
+      if (!events.empty())
+        line += text(", first at t = ", events.front().time);
+      return line + text(", peak force ",
+                         simulation.max_contact_force(),
+                         ", peak penetration ",
+                         simulation.max_penetration());
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  scene_terms(const Parameters &parameters)
+  {
+    std::vector<std::string> terms = {"heat conduction"};
+    const auto add_if = [&terms](const bool condition, const char *term) {
+      if (condition)
+        terms.emplace_back(term);
+    };
+    const auto is_source = [](const std::string &expression) {
+      return Utilities::trim(expression) != "0";
+    };
+    const SourceParameters  &sources = parameters.sources;
+    const ContactParameters &contact = parameters.contact;
+    add_if(parameters.boundary.heat_exchange > 0., "heat exchange");
+    add_if(true, "inertia");
+    add_if(true, "elasticity");
+    add_if(parameters.model.viscosity > 0., "viscosity");
+    add_if(parameters.model.coupling != 0., "thermal stress");
+    add_if(parameters.model.coupling != 0., "thermoelastic heating");
+    add_if(contact.is_rigid(), "rigid contact");
+    add_if(!contact.is_rigid() && !contact.is_none(), "normal compliance");
+    add_if(is_source(sources.heat_source), "heat source");
+    add_if(is_source(sources.body_force), "body force");
+    add_if(is_source(sources.end_traction), "end traction");
+    add_if(is_source(sources.end_heat_flux), "end heat flux");
+    return terms;
+  }
+
+
+
+  template <int dim>
+  void
+  report_scene(const Simulation<dim> &simulation, Log &log)
+  {
+    const Parameters &parameters = simulation.parameters();
+    const auto       &model      = parameters.model;
+    const auto       &boundary   = parameters.boundary;
+    const auto       &space      = simulation.discretization();
+
+    if (!parameters.title.empty())
+      log.line(parameters.title);
+    log.line("  body      " + describe_body(simulation));
+    log.line(text("  unknowns  ",
+                  space.n_temperature_dofs(),
+                  " temperature + ",
+                  space.n_displacement_dofs(),
+                  " displacement; factorised at once: ",
+                  simulation.n_factorized_unknowns()));
+    log.line(text("  model     a = ",
+                  model.coupling,
+                  ", b = ",
+                  model.inertia,
+                  ", zeta = ",
+                  model.viscosity,
+                  dim == 1 ? "" : text(", nu = ", model.poisson_ratio)));
+    log.line(text("  heat      theta_A = ",
+                  boundary.fixed_end_temperature,
+                  ", k = ",
+                  boundary.heat_exchange,
+                  ", theta_obs = ",
+                  boundary.obstacle_temperature));
+    log.line("  contact   " + describe_contact(parameters.contact));
+    log.line("  time      " + describe_time(parameters));
+    for (const std::string &warning : simulation.warnings())
+      log.line("  warning:  " + warning);
+  }
+
+
+
+  template <int dim>
+  void
+  report_progress(const Simulation<dim> &simulation, Log &log)
+  {
+    const StepRecord  &record  = simulation.record();
+    const unsigned int n_steps = simulation.parameters().n_steps();
+    if (record.step == 0 || (10ull * record.step) / n_steps ==
+                              (10ull * (record.step - 1)) / n_steps)
+      return;
+    char line[160];
+    std::snprintf(line,
+                  sizeof(line),
+                  "  %3u %%   t = %-10.6g  u(1) = %-12.6g  gap = %-12.6g  "
+                  "force = %.6g",
+                  10 * static_cast<unsigned int>(10ull * record.step / n_steps),
+                  record.time,
+                  record.displacement_end,
+                  record.gap,
+                  record.contact_force);
+    log.line(line);
+  }
+
+
+
+  template <int dim>
+  void
+  report_result(const Simulation<dim> &simulation,
+                const RunTimes        &times,
+                Log                   &log)
+  {
+    const StepRecord    &record   = simulation.record();
+    const SolverCounters counters = simulation.counters();
+    log.line("  contact   " + join_events(simulation) +
+             text(", impulse ", record.contact_impulse));
+    log.line(text("  final     u(1) = ",
+                  record.displacement_end,
+                  ", theta(1) = ",
+                  record.temperature_end,
+                  ", force ",
+                  record.contact_force,
+                  record.in_contact ? ", in contact" : ", open"));
+    log.line(text("  energy    ",
+                  record.energy,
+                  ", dissipated ",
+                  record.dissipation,
+                  ", lost to the scheme ",
+                  record.numerical_dissipation,
+                  ", work ",
+                  record.work));
+    log.line(text("  cost      ",
+                  record.step,
+                  " steps, ",
+                  counters.factorizations,
+                  " factorisations, ",
+                  counters.solves,
+                  " solves; set-up ",
+                  times.set_up,
+                  " s, loop ",
+                  times.loop,
+                  " s (",
+                  record.step == 0 ? 0. : 1e6 * times.loop / record.step,
+                  " us per step), fields ",
+                  times.output,
+                  " s"));
+  }
+
+
+
+  template <int dim>
+  void
+  write_summary(const std::string     &file_name,
+                const std::string     &status,
+                const Simulation<dim> &simulation,
+                const RunTimes        &times)
+  {
+    const Parameters    &parameters = simulation.parameters();
+    const StepRecord    &record     = simulation.record();
+    const SolverCounters counters   = simulation.counters();
+    const auto          &space      = simulation.discretization();
+    const auto          &events     = simulation.events();
+
+    Utilities::System::MemoryStats memory;
+    Utilities::System::get_memory_stats(memory);
+    const double peak_memory =
+      Utilities::MPI::sum(memory.VmHWM / 1024., space.communicator());
+
+    nlohmann::ordered_json summary = {
+      {"title", parameters.title},
+      {"status", status},
+      {"version", version()},
+      {"dimension", dim},
+      {"ranks", Utilities::MPI::n_mpi_processes(space.communicator())},
+      {"fields", {"temperature", "displacement"}},
+      {"terms", scene_terms(parameters)},
+      {"dofs", space.n_temperature_dofs() + space.n_displacement_dofs()},
+      {"factorized_unknowns", simulation.n_factorized_unknowns()},
+      {"scheme", parameters.time.scheme},
+      {"steps", record.step},
+      {"rejected_steps", 0},
+      {"factorizations", counters.factorizations},
+      {"responses", counters.responses},
+      {"solves", counters.solves},
+      {"contact_begins", n_begins(events)},
+      {"first_contact_time", nullptr},
+      {"max_penetration", simulation.max_penetration()},
+      {"max_contact_force", simulation.max_contact_force()},
+      {"final_time", record.time},
+      {"final_displacement_end", record.displacement_end},
+      {"final_energy", record.energy},
+      {"max_energy_increase", simulation.max_energy_increase()},
+      {"set_up_seconds", times.set_up},
+      {"loop_seconds", times.loop},
+      {"output_seconds", times.output},
+      {"wall_seconds", times.wall},
+      {"peak_memory_mb", peak_memory},
+      {"warnings", simulation.warnings()}};
+    if (!events.empty())
+      summary["first_contact_time"] = events.front().time;
+
+    std::string fault;
+    if (Utilities::MPI::this_mpi_process(space.communicator()) == 0)
+      {
+        std::ofstream file(file_name);
+        file << summary.dump(2,
+                             ' ',
+                             false,
+                             nlohmann::json::error_handler_t::replace)
+             << '\n';
+        file.close();
+        if (!file)
+          fault = file_name +
+                  ": cannot be written\n  remedy:  check free space "
+                  "and rights";
+      }
+    throw_everywhere<ComputationError>(fault, space.communicator());
+  }
+
+
+
+#define INSTANTIATE(dim)                                              \
+  template void report_scene<dim>(const Simulation<dim> &, Log &);    \
+  template void report_progress<dim>(const Simulation<dim> &, Log &); \
+  template void report_result<dim>(const Simulation<dim> &,           \
+                                   const RunTimes &,                  \
+                                   Log &);                            \
+  template void write_summary<dim>(const std::string &,               \
+                                   const std::string &,               \
+                                   const Simulation<dim> &,           \
+                                   const RunTimes &)
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace ThermoContact

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// usage: thermocontact_test_driver TEST.prm
+//
+// Runs the program as the lines of TEST.prm that begin with "#$ " say, e.g.
+//
+//   #$ FILE --set 'Time/Step size=0.03'
+//
+// where FILE stands for TEST.prm itself and PRM for the folder of published
+// parameter files; without such a line it runs "FILE" once. Prints each
+// command, what the program wrote to standard error, its exit status and, for
+// an output directory, the names of its files and the entries of summary.json
+// that a line "#? key key ..." names.
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+  namespace fs = std::filesystem;
+
+  std::string
+  replace_all(std::string text, const std::string &from, const std::string &to)
+  {
+    for (auto at = text.find(from); at != std::string::npos;
+         at      = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+    return text;
+  }
+
+
+
+  /** The rests of all lines that begin with @p mark. */
+  std::vector<std::string>
+  marked_lines(const fs::path &file_name, const std::string &mark)
+  {
+    std::vector<std::string> lines;
+    std::ifstream            file(file_name);
+    for (std::string line; std::getline(file, line);)
+      if (line.rfind(mark, 0) == 0)
+        lines.push_back(line.substr(mark.size()));
+    return lines;
+  }
+
+
+
+  void
+  print_output_directory(const fs::path &directory, const std::string &keys)
+  {
+    std::vector<std::string> names;
+    for (const auto &entry : fs::directory_iterator(directory))
+      names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    std::cout << "files:";
+    for (const std::string &name : names)
+      std::cout << ' ' << name;
+    std::cout << '\n';
+
+    std::ifstream      file(directory / "summary.json");
+    const auto         summary = nlohmann::json::parse(file);
+    std::istringstream stream(keys);
+    for (std::string key; stream >> key;)
+      std::cout << key << ": " << summary.at(key) << '\n';
+  }
+} // namespace
+
+
+
+int
+main(int, char **argv)
+{
+  const fs::path    test       = argv[1];
+  const std::string test_dir   = test.parent_path().string() + "/";
+  const std::string prm_dir    = PRM_DIR;
+  const auto        questions  = marked_lines(test, "#? ");
+  auto              arguments  = marked_lines(test, "#$ ");
+  const fs::path    output_dir = "results";
+  if (arguments.empty())
+    arguments.emplace_back("FILE");
+
+  // one process: no MPI daemon, no warnings about root
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
+  setenv("OMPI_MCA_btl", "self", 1);
+  for (const std::string &argument : arguments)
+    {
+      fs::remove_all(output_dir);
+      const std::string command =
+        std::string(PROGRAM) + " --quiet --output results " +
+        replace_all(replace_all(argument, "FILE", test.string()),
+                    "PRM",
+                    prm_dir) +
+        " 2> stderr";
+      std::cout << "$ thermocontact " << argument << '\n';
+      const int         status = WEXITSTATUS(std::system(command.c_str()));
+      std::ifstream     file("stderr");
+      std::stringstream message;
+      message << file.rdbuf();
+      std::cout << replace_all(replace_all(message.str(), test_dir, ""),
+                               prm_dir + "/",
+                               "prm/")
+                << "exit status " << status << '\n';
+      if (fs::exists(output_dir / "summary.json"))
+        print_output_directory(output_dir,
+                               questions.empty() ? "" : questions[0]);
+      else
+        std::cout << "no output directory: " << !fs::exists(output_dir)
+                  << '\n';
+    }
+}
