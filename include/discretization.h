@@ -96,6 +96,13 @@ namespace ThermoContact
       return owned_;
     }
 
+    /** Locally relevant indices of the whole system. */
+    const IndexSet &
+    relevant() const
+    {
+      return relevant_;
+    }
+
     /** Locally owned and locally relevant indices within each block. */
     const std::vector<IndexSet> &
     owned_by_block() const
@@ -224,6 +231,7 @@ namespace ThermoContact
     DoFHandler<dim>               dof_handler_;
     AffineConstraints<double>     constraints_;
     IndexSet                      owned_;
+    IndexSet                      relevant_;
     std::vector<IndexSet>         owned_by_block_;
     std::vector<IndexSet>         relevant_by_block_;
     std::vector<Vector>           prototypes;

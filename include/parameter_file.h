@@ -60,7 +60,8 @@ namespace ThermoContact
    *   value does not fit, or the same place sets an entry twice
    */
   void
-  assign_entries(const std::vector<Assignment> &assignments, ParameterHandler &prm);
+  assign_entries(const std::vector<Assignment> &assignments,
+                 ParameterHandler              &prm);
 
   /**
    * Refuses values that the scene would ignore.

@@ -100,14 +100,13 @@ namespace ThermoContact
     const std::vector<types::global_dof_index> n_dofs =
       DoFTools::count_dofs_per_fe_block(dof_handler_, block_of_component);
     owned_ = dof_handler_.locally_owned_dofs();
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler_, relevant);
+    DoFTools::extract_locally_relevant_dofs(dof_handler_, relevant_);
     for (const auto &[first, last] :
          {std::pair(types::global_dof_index(0), n_dofs[0]),
           std::pair(n_dofs[0], n_dofs[0] + n_dofs[1])})
       {
         owned_by_block_.push_back(owned_.get_view(first, last));
-        relevant_by_block_.push_back(relevant.get_view(first, last));
+        relevant_by_block_.push_back(relevant_.get_view(first, last));
         prototypes.emplace_back(owned_by_block_.back(), communicator_);
       }
     system_prototype.reinit(owned_, communicator_);
@@ -119,9 +118,7 @@ namespace ThermoContact
   void
   Discretization<dim>::make_constraints(const bool has_rollers)
   {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler_, relevant);
-    constraints_.reinit(relevant);
+    constraints_.reinit(relevant_);
 
     const Functions::ZeroFunction<dim> zero(1 + dim);
     VectorTools::interpolate_boundary_values(

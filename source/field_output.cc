@@ -4,8 +4,6 @@
 
 #include <deal.II/base/data_out_base.h>
 
-#include <deal.II/dofs/dof_tools.h>
-
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
@@ -154,11 +152,8 @@ namespace ThermoContact
   {
     Vector system = discretization.make_system_vector();
     discretization.join(temperature, displacement, system);
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(discretization.dof_handler(),
-                                            relevant);
     Vector result(discretization.owned(),
-                  relevant,
+                  discretization.relevant(),
                   discretization.communicator());
     result = system;
     return result;

@@ -34,6 +34,8 @@ namespace ThermoContact
     for (unsigned int c = 0; c < 1 + dim; ++c)
       coupling(c, c) = DoFTools::always;
     TrilinosWrappers::SparsityPattern pattern(discretization.owned(),
+                                              discretization.owned(),
+                                              discretization.relevant(),
                                               discretization.communicator());
     DoFTools::make_sparsity_pattern(discretization.dof_handler(),
                                     coupling,
@@ -97,11 +99,8 @@ namespace ThermoContact
                                     update_quadrature_points |
                                     update_JxW_values);
 
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(discretization.dof_handler(),
-                                            relevant);
     Vector ghosted(discretization.owned(),
-                   relevant,
+                   discretization.relevant(),
                    discretization.communicator());
     ghosted    = interpolant;
     Vector rhs = discretization.make_system_vector();

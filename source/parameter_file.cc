@@ -130,8 +130,10 @@ namespace ThermoContact
       replace("-MAX_DOUBLE...MAX_DOUBLE", "");
       replace("...MAX_DOUBLE", " or more");
       replace("...", " to ");
-      replace("Double", "a number");
-      replace("Integer", "a whole number");
+      const bool is_range = pattern.find(" to ") != std::string::npos;
+      replace("Integer range", "Integer");
+      replace("Double", is_range ? "a number from" : "a number");
+      replace("Integer", is_range ? "a whole number from" : "a whole number");
       replace("Bool", "true | false");
       replace("Anything", "any text");
       if (pattern.rfind("Selection ", 0) == 0)
@@ -294,7 +296,8 @@ namespace ThermoContact
 
 
   void
-  assign_entries(const std::vector<Assignment> &assignments, ParameterHandler &prm)
+  assign_entries(const std::vector<Assignment> &assignments,
+                 ParameterHandler              &prm)
   {
     const std::vector<Entry>           entries = declared_entries(prm);
     std::map<std::string, std::string> earlier_places;

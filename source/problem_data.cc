@@ -6,7 +6,9 @@
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
+#include <iostream>
 #include <map>
+#include <sstream>
 
 #include "exceptions.h"
 
@@ -14,109 +16,132 @@ namespace ThermoContact
 {
   namespace
   {
-    constexpr bool with_time    = true;
-    constexpr bool without_time = false;
-
-    /**
-     * Splits a vector expression at ';' and fills it up with zeros: one
-     * component alone is the axial one.
-     */
-    std::string
-    complete_components(const std::string &path,
-                        const std::string &expression,
-                        const unsigned int dim)
+    /** An expression of the parameter file and the entry it comes from. */
+    struct Expression
     {
-      const unsigned int n_components =
-        Utilities::split_string_list(expression, ';').size();
-      if (n_components != 1 && n_components != dim)
-        throw InputError(path + " = " + expression + ": " +
-                         std::to_string(n_components) +
-                         " components\n  allowed: 1 (axial) or " +
-                         std::to_string(dim) + ", separated by ';'");
-      std::string completed = expression;
-      for (unsigned int c = n_components; c < dim; ++c)
-        completed += "; 0";
-      return completed;
+      std::string path;
+      std::string text;
+    };
+
+
+
+    bool
+    is_zero(const Expression &expression)
+    {
+      return Utilities::trim(expression.text) == "0";
     }
 
 
 
-    /** Evaluates @p function on a few points along the body's axis. */
+    /**
+     * The components of a vector expression, separated by ';' and filled up
+     * with zeros: one component alone is the axial one.
+     */
+    std::string
+    vector_components(const Expression &expression, const unsigned int dim)
+    {
+      const unsigned int n_components =
+        Utilities::split_string_list(expression.text, ';').size();
+      if (n_components != 1 && n_components != dim)
+        throw InputError(
+          expression.path + " = " + expression.text + ": " +
+          std::to_string(n_components) + " components\n  allowed: 1 (axial)" +
+          (dim > 1 ? " or " + std::to_string(dim) + ", separated by ';'" :
+                     ", since Dimension = 1"));
+      std::string components = expression.text;
+      for (unsigned int c = n_components; c < dim; ++c)
+        components += "; 0";
+      return components;
+    }
+
+
+
+    /** deal.II prints a parser's fault to std::cerr before it throws. */
+    class SilencedErrorStream
+    {
+    public:
+      SilencedErrorStream()
+        : old_buffer(std::cerr.rdbuf(nullptr))
+      {}
+
+      ~SilencedErrorStream()
+      {
+        std::cerr.rdbuf(old_buffer);
+      }
+
+    private:
+      std::streambuf *const old_buffer;
+    };
+
+
+
+    /** Evaluates @p function, parsed from @p expression, along the axis. */
     template <int dim>
     void
-    check_evaluation(const std::string         &path,
-                     const std::string         &expression,
-                     const FunctionParser<dim> &function,
-                     const BoundaryParameters  &boundary)
+    check_evaluation(const Expression          &expression,
+                     const FunctionParser<dim> &function)
     {
-      const std::string place = path + " = " + expression;
+      const std::string place = expression.path + " = " + expression.text;
       for (unsigned int i = 0; i <= 16; ++i)
         {
           Point<dim> point;
           point[0]     = i / 16.;
           double value = 0.;
-          for (unsigned int c = 0; c < function.n_components; ++c)
-            try
-              {
+          try
+            {
+              const SilencedErrorStream silence;
+              for (unsigned int c = 0; c < function.n_components; ++c)
                 value += function.value(point, c);
-              }
-            catch (const ExceptionBase &exception)
-              {
-                // deal.II repeats muParser's own words in its message
-                std::ostringstream reason;
-                exception.print_info(reason);
-                throw InputError(
-                  place + ": cannot be evaluated\n" + reason.str() +
-                  "  allowed: an expression in the coordinates (and t for a "
-                  "source), pi and theta_A, e.g. theta_A*cos(2*pi*x)");
-              }
+            }
+          catch (const ExceptionBase &exception)
+            {
+              // the last words are muParser's own
+              std::ostringstream reason;
+              exception.print_info(reason);
+              const std::string words = reason.str();
+              const auto        said  = words.find("said: ");
+              throw InputError(
+                place + ": cannot be read: " +
+                Utilities::trim(
+                  said == std::string::npos ? words : words.substr(said + 6)) +
+                "\n  allowed: an expression in the coordinates (and t for a "
+                "source), pi and theta_A, e.g. theta_A*cos(2*pi*x)");
+            }
           if (!std::isfinite(value))
             throw InputError(
               place + ": not finite at x = " + std::to_string(point[0]) +
-              ", theta_A = " + std::to_string(boundary.fixed_end_temperature) +
               "\n  allowed: expressions that are finite on 0 <= x <= 1");
         }
     }
 
 
 
+    /**
+     * Parses and evaluates.
+     *
+     * @param components what the parser reads, made from @p expression
+     * @param theta_A value of that name in expressions
+     */
     template <int dim>
     std::unique_ptr<FunctionParser<dim>>
-    parse(const std::string        &path,
-          const std::string        &expression,
-          const unsigned int        n_components,
-          const bool                is_time_dependent,
-          const BoundaryParameters &boundary)
+    parse(const Expression  &expression,
+          const std::string &components,
+          const bool         is_time_dependent,
+          const double       theta_A)
     {
       static const std::map<int, std::string> coordinates = {{1, "x"},
                                                              {2, "x,y"},
                                                              {3, "x,y,z"}};
-      const std::map<std::string, double>     constants   = {
-              {"pi", numbers::PI}, {"theta_A", boundary.fixed_end_temperature}};
 
-      auto function = std::make_unique<FunctionParser<dim>>(n_components);
+      auto function = std::make_unique<FunctionParser<dim>>(
+        Utilities::split_string_list(components, ';').size());
       function->initialize(coordinates.at(dim) +
                              (is_time_dependent ? ",t" : ""),
-                           expression,
-                           constants,
+                           components,
+                           {{"pi", numbers::PI}, {"theta_A", theta_A}},
                            is_time_dependent);
-      check_evaluation(path, expression, *function, boundary);
+      check_evaluation(expression, *function);
       return function;
-    }
-
-
-
-    /** Like parse(), but nullptr for the expression 0. */
-    template <int dim>
-    std::unique_ptr<FunctionParser<dim>>
-    parse_source(const std::string        &path,
-                 const std::string        &expression,
-                 const unsigned int        n_components,
-                 const BoundaryParameters &boundary)
-    {
-      if (Utilities::trim(expression) == "0")
-        return nullptr;
-      return parse<dim>(path, expression, n_components, with_time, boundary);
     }
   } // namespace
 
@@ -125,53 +150,43 @@ namespace ThermoContact
   template <int dim>
   ProblemData<dim>::ProblemData(const Parameters &parameters)
   {
-    const BoundaryParameters &boundary = parameters.boundary;
-    const auto               &initial  = parameters.initial_values;
-    const auto               &sources  = parameters.sources;
+    const double     theta_A = parameters.boundary.fixed_end_temperature;
+    const auto      &initial = parameters.initial_values;
+    const Expression temperature{"Initial values/Temperature",
+                                 initial.temperature};
+    const Expression displacement{"Initial values/Displacement",
+                                  initial.displacement};
+    const Expression velocity{"Initial values/Velocity", initial.velocity};
 
-    const std::string displacement =
-      complete_components("Initial values/Displacement",
-                          initial.displacement,
-                          dim);
-    const std::string velocity =
-      complete_components("Initial values/Velocity", initial.velocity, dim);
-    const std::string body_force =
-      complete_components("Sources/Body force", sources.body_force, dim);
+    // alone first, so that a message names the entry that is wrong
+    parse<dim>(temperature, temperature.text, false, theta_A);
+    initial_fields_ =
+      parse<dim>(displacement,
+                 temperature.text + ";" + vector_components(displacement, dim),
+                 false,
+                 theta_A);
+    initial_velocity_ = parse<dim>(velocity,
+                                   "0;" + vector_components(velocity, dim),
+                                   false,
+                                   theta_A);
 
-    // each expression alone first, so that a message names its entry
-    parse<dim>("Initial values/Temperature",
-               initial.temperature,
-               1,
-               without_time,
-               boundary);
-    parse<dim>(
-      "Initial values/Displacement", displacement, dim, without_time, boundary);
-
-    initial_fields_   = parse<dim>("Initial values",
-                                 initial.temperature + ";" + displacement,
-                                 1 + dim,
-                                 without_time,
-                                 boundary);
-    initial_velocity_ = parse<dim>("Initial values/Velocity",
-                                   "0;" + velocity,
-                                   1 + dim,
-                                   without_time,
-                                   boundary);
-    heat_source_      = parse_source<dim>("Sources/Heat source",
-                                     sources.heat_source,
-                                     1,
-                                     boundary);
-    if (Utilities::trim(sources.body_force) != "0")
-      body_force_ =
-        parse_source<dim>("Sources/Body force", body_force, dim, boundary);
-    end_traction_  = parse_source<dim>("Sources/End traction",
-                                      sources.end_traction,
-                                      1,
-                                      boundary);
-    end_heat_flux_ = parse_source<dim>("Sources/End heat flux",
-                                       sources.end_heat_flux,
-                                       1,
-                                       boundary);
+    const auto      &sources = parameters.sources;
+    const Expression body_force{"Sources/Body force", sources.body_force};
+    if (!is_zero(body_force))
+      body_force_ = parse<dim>(body_force,
+                               vector_components(body_force, dim),
+                               true,
+                               theta_A);
+    const auto parse_scalar = [&](const Expression &expression) {
+      return is_zero(expression) ?
+               nullptr :
+               parse<dim>(expression, expression.text, true, theta_A);
+    };
+    heat_source_ = parse_scalar({"Sources/Heat source", sources.heat_source});
+    end_traction_ =
+      parse_scalar({"Sources/End traction", sources.end_traction});
+    end_heat_flux_ =
+      parse_scalar({"Sources/End heat flux", sources.end_heat_flux});
   }
 
 

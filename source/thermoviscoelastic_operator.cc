@@ -19,6 +19,17 @@ namespace ThermoContact
     const FEValuesExtractors::Scalar temperature(0);
     const FEValuesExtractors::Vector displacement(1);
 
+    /** Field matrices know nothing of the fixed end. */
+    AffineConstraints<double>
+    no_constraints()
+    {
+      AffineConstraints<double> constraints;
+      constraints.close();
+      return constraints;
+    }
+
+
+
     /**
      * Adds @p factor times @p block to @p target at the offsets of the block
      * in the whole system. Rows in @p skipped are left out; columns of
@@ -41,11 +52,14 @@ namespace ThermoContact
             continue;
           columns.clear();
           values.clear();
+          // On several ranks Trilinos adds zero entries of its own to the
+          // pattern of a block, which the whole matrix does not have.
           for (auto entry = block.begin(row); entry != block.end(row); ++entry)
-            {
-              columns.push_back(entry->column() + column_offset);
-              values.push_back(factor * entry->value());
-            }
+            if (entry->value() != 0.)
+              {
+                columns.push_back(entry->column() + column_offset);
+                values.push_back(factor * entry->value());
+              }
           target.add(row + row_offset,
                      columns.size(),
                      columns.data(),
@@ -119,7 +133,7 @@ namespace ThermoContact
                             QGauss<dim>(fe.degree + 1),
                             update_values | update_gradients |
                               update_JxW_values);
-    const AffineConstraints<double> unconstrained;
+    const AffineConstraints<double> unconstrained = no_constraints();
 
     const unsigned int                   n = fe.dofs_per_cell;
     FullMatrix<double>                   cell_mass(n, n);
@@ -185,7 +199,7 @@ namespace ThermoContact
                                   fe,
                                   QGauss<dim - 1>(fe.degree + 1),
                                   update_values | update_JxW_values);
-    const AffineConstraints<double> unconstrained;
+    const AffineConstraints<double> unconstrained = no_constraints();
 
     FullMatrix<double>     cell_matrix(fe.dofs_per_cell, fe.dofs_per_cell);
     dealii::Vector<double> cell_rhs(fe.dofs_per_cell);
@@ -338,6 +352,8 @@ namespace ThermoContact
   ThermoviscoelasticOperator<dim>::stage_matrix(const double tau) const
   {
     TrilinosWrappers::SparsityPattern pattern(discretization.owned(),
+                                              discretization.owned(),
+                                              discretization.relevant(),
                                               discretization.communicator());
     DoFTools::make_sparsity_pattern(discretization.dof_handler(),
                                     pattern,
@@ -406,7 +422,7 @@ namespace ThermoContact
                                   QGauss<dim - 1>(n_points),
                                   update_values | update_quadrature_points |
                                     update_JxW_values);
-    const AffineConstraints<double>      unconstrained;
+    const AffineConstraints<double>      unconstrained = no_constraints();
     dealii::Vector<double>               cell_rhs(fe.dofs_per_cell);
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     TrilinosWrappers::MPI::BlockVector   rhs(discretization.owned_by_block(),

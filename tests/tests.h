@@ -6,10 +6,14 @@
 #include <deal.II/base/logstream.h>
 #include <deal.II/base/parameter_handler.h>
 
+#include <array>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "measurements.h"
 #include "parameter_file.h"
 #include "parameters.h"
 
@@ -26,23 +30,60 @@ initlog()
 
 
 
+/** Raises @p largest to @p value; a NaN counts as infinitely large. */
+inline void
+raise(double &largest, const double value)
+{
+  if (!(value <= largest))
+    largest =
+      std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+}
+
+
+
+/** All columns of contact.csv but the two counters. */
+inline std::array<double, 18>
+all_columns(const ThermoContact::StepRecord &r)
+{
+  return {{r.time,
+           r.step_size,
+           r.displacement_end,
+           r.displacement_mid,
+           r.velocity_end,
+           r.stress_end,
+           r.gap,
+           r.penetration,
+           r.contact_force,
+           r.contact_impulse,
+           r.temperature_end,
+           r.heat_flux_end,
+           r.energy,
+           r.dissipation,
+           r.numerical_dissipation,
+           static_cast<double>(r.in_contact),
+           r.work,
+           r.temperature_mean}};
+}
+
+
+
 /**
  * The parameters of a published file, e.g. "paper/experiment-1.prm", with
  * overrides 'Section/Entry=value' and all checks that the program makes.
  */
 inline ThermoContact::Parameters
-read_parameters(const std::string &             name,
+read_parameters(const std::string              &name,
                 const std::vector<std::string> &overrides = {})
 {
   ThermoContact::Parameters parameters;
   dealii::ParameterHandler  prm;
   parameters.add_parameters(prm);
   if (!name.empty())
-    assign_entries(
-      ThermoContact::read_parameter_file(std::string(PRM_DIR) + "/" + name),
-      prm);
+    ThermoContact::assign_entries(ThermoContact::read_parameter_file(
+                                    std::string(PRM_DIR) + "/" + name),
+                                  prm);
   for (const std::string &text : overrides)
-    assign_entries({ThermoContact::parse_override(text)}, prm);
+    ThermoContact::assign_entries({ThermoContact::parse_override(text)}, prm);
   check_unused_entries(parameters, prm);
   parameters.check();
   return parameters;

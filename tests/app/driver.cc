@@ -12,6 +12,7 @@
 // an output directory, the names of its files and the entries of summary.json
 // that a line "#? key key ..." names.
 
+#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -20,7 +21,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -114,7 +114,6 @@ main(int, char **argv)
         print_output_directory(output_dir,
                                questions.empty() ? "" : questions[0]);
       else
-        std::cout << "no output directory: " << !fs::exists(output_dir)
-                  << '\n';
+        std::cout << "no output directory: " << !fs::exists(output_dir) << '\n';
     }
 }

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Contact law and contact solver, no mesh.
+//
+// 1. One node, receptance 0.03, gap 0.1. By hand:
+//      compliance 0.01, free displacement 0.12: p = 0.02/0.04 = 0.5
+//      rigid,           free displacement 0.13: p = 0.03/0.03 = 1
+//      free displacement 0.1 (touching) or less: p = 0; no obstacle: p = 0
+// 2. Two nodes, W = [2 1; 1 2], rigid, g = 0. By hand:
+//      free (3, 3): both active, p = (1, 1)
+//      free (2, 0.5): node 1 alone would reach 0.5 - 1 < 0: p = (1, 0)
+// 3. 200 random problems with 6 nodes, W = A^T A + 0.01 I with columns scaled
+// by
+//    positive weights, random compliance (0 in every third) and free
+//    displacements of both signs: the solution satisfies p >= 0,
+//    s = g - u + (W + eps I) p >= 0, p s = 0 to 1e-10 of the data, whatever the
+//    pressures the search starts from, and Murty's theorem says it is unique:
+//    two starts give the same to 1e-10.
+// 4. Ties: 5 nodes that just touch (free displacement = gap), uncoupled and
+//    coupled: zero pressure, one or two iterations.
+
+#include "contact_solver.h"
+
+#include <cmath>
+#include <random>
+
+#include "../tests.h"
+
+using namespace ThermoContact;
+using dealii::FullMatrix;
+
+namespace
+{
+  void
+  test_one_node()
+  {
+    for (const double compliance : {0.01, 0.})
+      for (const double free_displacement : {0.12, 0.13, 0.1, -1.})
+        deallog << "compliance " << compliance << ", free displacement "
+                << free_displacement << ": p "
+                << ContactLaw{true, compliance, 0.1}.pressure(free_displacement,
+                                                              0.03)
+                << std::endl;
+    deallog << "no obstacle: p "
+            << ContactLaw{false, 0., 0.1}.pressure(0.12, 0.03) << std::endl;
+  }
+
+
+
+  void
+  test_two_nodes()
+  {
+    FullMatrix<double> response(2, 2);
+    response(0, 0) = response(1, 1) = 2.;
+    response(0, 1) = response(1, 0) = 1.;
+    const ContactSolver solver(ContactLaw{true, 0., 0.});
+    for (const std::vector<double> &free_displacement :
+         {std::vector<double>{3., 3.}, std::vector<double>{2., 0.5}})
+      {
+        std::vector<double> pressure(2, 0.);
+        solver.solve(response, free_displacement, pressure);
+        deallog << "free displacement " << free_displacement[0] << ' '
+                << free_displacement[1] << ": p " << pressure[0] << ' '
+                << pressure[1] << std::endl;
+      }
+  }
+
+
+
+  /** Largest violation of the complementarity problem. */
+  double
+  violation(const FullMatrix<double>  &response,
+            const ContactLaw          &law,
+            const std::vector<double> &free_displacement,
+            const std::vector<double> &pressure)
+  {
+    double worst = 0.;
+    for (unsigned int i = 0; i < pressure.size(); ++i)
+      {
+        double slack =
+          law.gap - free_displacement[i] + law.compliance * pressure[i];
+        for (unsigned int j = 0; j < pressure.size(); ++j)
+          slack += response(i, j) * pressure[j];
+        raise(worst, -slack);
+        raise(worst, -pressure[i]);
+        raise(worst, std::abs(pressure[i] * slack));
+      }
+    return worst;
+  }
+
+
+
+  void
+  test_random_problems()
+  {
+    std::mt19937                           generator(1);
+    std::uniform_real_distribution<double> uniform(-1., 1.);
+    const unsigned int                     n = 6;
+
+    double       worst = 0., worst_difference = 0.;
+    unsigned int n_mixed = 0;
+    for (unsigned int k = 0; k < 200; ++k)
+      {
+        FullMatrix<double> factor(n, n), response(n, n);
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            factor(i, j) = uniform(generator);
+        factor.Tmmult(response, factor);
+        for (unsigned int j = 0; j < n; ++j)
+          {
+            response(j, j) += 0.01;
+            const double weight = 1.5 + uniform(generator);
+            for (unsigned int i = 0; i < n; ++i)
+              response(i, j) *= weight;
+          }
+        const ContactLaw    law{true,
+                             k % 3 == 0 ? 0. : 0.1 * (k % 7),
+                             0.3 * uniform(generator)};
+        std::vector<double> free_displacement(n);
+        for (double &u : free_displacement)
+          u = uniform(generator);
+
+        const ContactSolver solver(law);
+        std::vector<double> from_open(n, 0.), from_closed(n, 1.);
+        solver.solve(response, free_displacement, from_open);
+        solver.solve(response, free_displacement, from_closed);
+        unsigned int n_active = 0;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            raise(worst_difference,
+                  std::abs(from_open[i] - from_closed[i]) /
+                    (1. + from_open[i]));
+            n_active += from_open[i] > 0.;
+          }
+        n_mixed += n_active > 0 && n_active < n;
+        raise(worst, violation(response, law, free_displacement, from_open));
+      }
+    deallog << "random problems: active and inactive nodes in most "
+            << (n_mixed > 100) << ", conditions hold to 1e-10 "
+            << (worst < 1e-10) << ", solution is unique "
+            << (worst_difference < 1e-10) << std::endl;
+  }
+
+
+
+  void
+  test_ties()
+  {
+    const unsigned int n = 5;
+    for (const double coupling : {0., 0.3})
+      {
+        FullMatrix<double> response(n, n);
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            response(i, j) = i == j ? 1. : coupling;
+        const ContactSolver solver(ContactLaw{true, 0., 0.1});
+        // the same number, but for rounding of either sign
+        const std::vector<double> free_displacement = {
+          0.1, 0.1 * (1. + 2e-16), 0.1 * (1. - 2e-16), 0.1, 0.1};
+        for (const double start : {0., 1.})
+          {
+            std::vector<double> pressure(n, start);
+            const unsigned int  n_iterations =
+              solver.solve(response, free_displacement, pressure);
+            double largest = 0.;
+            for (const double p : pressure)
+              raise(largest, std::abs(p));
+            deallog << "tie: pressure is zero " << (largest < 1e-15)
+                    << ", few iterations " << (n_iterations <= 2) << std::endl;
+          }
+      }
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  initlog();
+  test_one_node();
+  test_two_nodes();
+  test_random_problems();
+  test_ties();
+}

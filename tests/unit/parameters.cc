@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Reading parameter files: every fault has a message with its line, and what is
+// written is read back. Number of steps and their sizes by hand:
+//   T = 1,    dt = 0.1:  10 steps of 0.1 (rounding makes no eleventh)
+//   T = 1,    dt = 0.3:  3 steps of 0.3, one of 0.1
+//   T = 0.05, dt = 0.1:  one step of 0.05
+//   T = 0:               no step
+
+#include <cmath>
+#include <sstream>
+
+#include "../tests.h"
+
+#include "exceptions.h"
+#include "step_controller.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  void
+  read(const std::string &text)
+  {
+    Parameters               parameters;
+    dealii::ParameterHandler prm;
+    parameters.add_parameters(prm);
+    std::istringstream input(text);
+    try
+      {
+        ThermoContact::assign_entries(read_assignments(input, "rod.prm"), prm);
+        check_unused_entries(parameters, prm);
+        parameters.check();
+        deallog << "read; viscosity " << parameters.model.viscosity
+                << ", title '" << parameters.title << "'" << std::endl;
+      }
+    catch (const InputError &error)
+      {
+        deallog << error.what() << std::endl;
+      }
+  }
+
+
+
+  void
+  test_files()
+  {
+    read("# a comment\nset Title = A = B # another\n"
+         "subsection Model\n  set Viscosity = \\\n  0.5\nend\n");
+    read("subsection Model\n  set Viscosity = 0.5\n  set Viscosity = 1\nend\n");
+    read("subsection Model\n  set Viscosity = 0.5\n");
+    read("set Title = x\nend\n");
+    read("subsection Model\n  sett Viscosity = 0.5\nend\n");
+    read("set Title\n");
+    read("include other.prm\n");
+    read(std::string("set Title = \0", 13));
+    read("subsection Model\n  set Viskosity = 0.5\nend\n");
+    read("set Viscosity = 0.5\n");
+    read("subsection Modell\n  set Viscosity = 0.5\nend\n");
+    read("subsection Model\n  set Viscosity = half\nend\n");
+    read("subsection Model\n  set Poisson ratio = 0.3\nend\n");
+    read(
+      "set Dimension = 2\nsubsection Model\n  set Poisson ratio = 0.5\nend\n");
+  }
+
+
+
+  /** What is written can be read, and says the same. */
+  void
+  test_round_trip()
+  {
+    Parameters               parameters;
+    dealii::ParameterHandler prm;
+    parameters.add_parameters(prm);
+    ThermoContact::assign_entries(
+      {{"here", "Model/Viscosity", "0.12345678901234567"},
+       {"here", "Contact/Condition", "rigid"},
+       {"here", "Title", "a = b"}},
+      prm);
+    std::stringstream written;
+    write_entries(prm, {"Contact/Compliance"}, written);
+
+    Parameters               again;
+    dealii::ParameterHandler prm_again;
+    again.add_parameters(prm_again);
+    const auto assignments = read_assignments(written, "used.prm");
+    ThermoContact::assign_entries(assignments, prm_again);
+    bool omitted = true;
+    for (const Assignment &assignment : assignments)
+      omitted &= assignment.path != "Contact/Compliance";
+    std::stringstream written_again;
+    write_entries(prm_again, {"Contact/Compliance"}, written_again);
+    deallog << "round trip: same number "
+            << (again.model.viscosity == 0.12345678901234567) << ", same text "
+            << (written.str() == written_again.str()) << ", omitted " << omitted
+            << std::endl;
+  }
+
+
+
+  void
+  test_steps(const double end_time, const double step_size)
+  {
+    Parameters parameters;
+    parameters.time.end_time  = end_time;
+    parameters.time.step_size = step_size;
+    const StepController controller(parameters);
+    deallog << "T = " << end_time << ", dt = " << step_size << ":";
+    double time = 0.;
+    for (unsigned int n = 0; !controller.is_finished(n);)
+      {
+        const TimeStep step = controller.propose(n);
+        deallog << ' ' << step.size;
+        time = step.end;
+        n    = step.number;
+      }
+    deallog << "; ends at T exactly " << (time == end_time) << std::endl;
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  initlog();
+  test_files();
+  test_round_trip();
+  test_steps(1., 0.1);
+  test_steps(1., 0.3);
+  test_steps(0.05, 0.1);
+  test_steps(0., 0.1);
+}

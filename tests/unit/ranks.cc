@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The same numbers on one rank and on two, to 1e-10, in every column of every
+// step: each rank runs the scene alone (MPI_COMM_SELF) and both run it together
+// (MPI_COMM_WORLD). Dimensions 1, 2 and 3; elastic and rigid obstacle; the
+// paper's iteration; sources. Contact occurs in all of them.
+
+#include <deal.II/base/mpi.h>
+
+#include <array>
+#include <cmath>
+
+#include "../tests.h"
+
+#include "simulation.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  template <int dim>
+  std::vector<StepRecord>
+  run(const Parameters &parameters, const MPI_Comm communicator)
+  {
+    std::vector<StepRecord> records;
+    Simulation<dim>         simulation(parameters, communicator);
+    simulation.add_observer(
+      [&](const Simulation<dim> &s) { records.push_back(s.record()); });
+    simulation.run();
+    return records;
+  }
+
+
+
+  template <int dim>
+  void
+  compare(const std::string &name, std::vector<std::string> overrides)
+  {
+    overrides.insert(overrides.end(),
+                     {"Dimension=" + std::to_string(dim),
+                      "Mesh/Degree=2",
+                      "Mesh/Cells=6",
+                      "Time/Step size=0.02",
+                      "Time/End time=0.6"});
+    if (dim > 1)
+      overrides.insert(overrides.end(),
+                       {"Mesh/Cells across=2",
+                        "Mesh/Width=0.4",
+                        "Model/Poisson ratio=0.3",
+                        "Boundary/Lateral support=free"});
+    const Parameters parameters = read_parameters("", overrides);
+    const auto       alone      = run<dim>(parameters, MPI_COMM_SELF);
+    const auto       together   = run<dim>(parameters, MPI_COMM_WORLD);
+
+    double       difference = alone.size() == together.size() ? 0. : 1.;
+    unsigned int n_contact  = 0;
+    for (unsigned int n = 0; n < alone.size(); ++n)
+      {
+        const auto a = all_columns(alone[n]), b = all_columns(together[n]);
+        for (unsigned int i = 0; i < a.size(); ++i)
+          raise(difference,
+                std::abs(a[i] - b[i]) / std::max(1., std::abs(a[i])));
+        n_contact += alone[n].in_contact;
+      }
+    difference = Utilities::MPI::max(difference, MPI_COMM_WORLD);
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      deallog << dim << "-D, " << name << ": contact occurs " << (n_contact > 0)
+              << ", one rank equals two to 1e-10 " << (difference < 1e-10)
+              << std::endl;
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      initlog();
+      deallog << "ranks " << Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)
+              << std::endl;
+    }
+
+  compare<1>("elastic obstacle", {});
+  compare<1>("rigid obstacle", {"Contact/Condition=rigid"});
+  compare<1>("fixed point", {"Solver/Step solver=fixed point"});
+  compare<1>("sources",
+             {"Sources/Heat source=x*t",
+              "Sources/Body force=sin(t)*x",
+              "Sources/End traction=0.3*t",
+              "Sources/End heat flux=1+t"});
+  compare<2>("elastic obstacle", {});
+  compare<2>("rigid obstacle", {"Contact/Condition=rigid"});
+  compare<3>("elastic obstacle", {});
+}
