@@ -107,8 +107,8 @@ main(int, char **argv)
       std::stringstream message;
       message << file.rdbuf();
       std::cout << replace_all(replace_all(message.str(), test_dir, ""),
-                               prm_dir + "/",
-                               "prm/")
+                               prm_dir,
+                               "prm")
                 << "exit status " << status << '\n';
       if (fs::exists(output_dir / "summary.json"))
         print_output_directory(output_dir,
