@@ -111,7 +111,7 @@ namespace ThermoContact
   /** Section Time. */
   struct TimeParameters
   {
-    std::string scheme    = "backward euler";
+    std::string scheme    = "sdirk4";
     std::string start     = "automatic";
     double      end_time  = 10.;
     double      step_size = 0.001;
@@ -123,7 +123,8 @@ namespace ThermoContact
     bool
     has_prescribed_start() const
     {
-      return start != "consistent";
+      return start == "paper" ||
+             (start == "automatic" && scheme == "backward euler");
     }
   };
 

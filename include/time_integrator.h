@@ -4,7 +4,9 @@
 #define thermocontact_time_integrator_h
 
 #include <string>
+#include <vector>
 
+#include "butcher_tableau.h"
 #include "energy.h"
 #include "problem_data.h"
 #include "step_controller.h"
@@ -18,19 +20,30 @@ namespace ThermoContact
   {
     State        state;                      ///< at the end of the step
     EnergyTerms  energy;                     ///< of that state
-    double       work                  = 0.; ///< $W$ of (M.25)
-    double       dissipation           = 0.; ///< $D$ of (M.23)
-    double       numerical_dissipation = 0.; ///< $N$ of (M.24)
-    unsigned int n_iterations          = 0;
-    bool         is_prescribed = false; ///< the paper's first step, (M.26)
-    std::string  failure;               ///< empty: the step is solved
+    double       work                  = 0.; ///< $W$
+    double       dissipation           = 0.; ///< $D$
+    double       numerical_dissipation = 0.; ///< $N$
+    double       impulse               = 0.; ///< of the contact force
+    unsigned int n_iterations          = 0;  ///< of the stages, added up
+    bool         is_prescribed = false;      ///< the paper's first step, (M.26)
+    std::string  failure;                    ///< empty: the step is solved
   };
 
 
 
   /**
-   * Backward Euler: one stage of length $\Delta t$ whose known values are the
-   * old state, equations (3.1), (3.2) of the paper; and the paper's first step.
+   * One step of a stiffly accurate SDIRK scheme, and the paper's first step.
+   *
+   * Stage i of a step by $\Delta t$ starts from the known values
+   * $\tilde\theta=\theta^n+\Delta t\sum_{j<i}a_{ij}\theta'_j$ and likewise
+   * $\tilde u$, $\tilde v$, and has length $\tau=a_{ii}\Delta t$; the last
+   * stage is the new state. Backward Euler, one stage that starts from the old
+   * state, is the scheme (3.1), (3.2) of the paper.
+   *
+   * Work, dissipation and impulse are sums over the stages with the weights of
+   * the scheme. The numerical dissipation of backward Euler has its own formula
+   * (M.24); that of the other schemes is what the balance lacks, has no sign,
+   * and vanishes with the order of the scheme.
    */
   template <int dim>
   class TimeIntegrator
@@ -41,6 +54,7 @@ namespace ThermoContact
                    const ThermoviscoelasticOperator<dim> &stage_operator,
                    const Energy<dim>                     &energy,
                    const ContactLaw                      &law,
+                   const ButcherTableau                  &tableau,
                    ProblemData<dim>                      &data,
                    StepSolver                            &step_solver);
 
@@ -76,16 +90,29 @@ namespace ThermoContact
     const ThermoviscoelasticOperator<dim> &stage_operator;
     const Energy<dim>                     &energy;
     const ContactLaw                       law;
+    const ButcherTableau                  &tableau;
     ProblemData<dim>                      &data;
     StepSolver                            &step_solver;
     SolverCounters                         counters_;
-    StageRates                             rates;
+    std::vector<StageRates>                stages;
+    std::vector<Vector>                    accelerations; ///< $v'$ of a stage
+    State                                  known;
     Vector                                 heat_load;
     Vector                                 momentum_load;
 
-    /** Energy, dissipation and work of a step whose end state is known. */
+    /** The known values of stage @p i of a step by @p step_size. */
     void
-    balance(const TimeStep &time_step, StepResult &result) const;
+    set_known_values(const State       &state,
+                     const double       step_size,
+                     const unsigned int i);
+
+    /** Adds what the stage that ends in @p stage_state weighs. */
+    void
+    book(const State &stage_state, const double weight, StepResult &result);
+
+    /** Mean contact pressure over the contact end. */
+    double
+    contact_force(const State &state) const;
   };
 } // namespace ThermoContact
 

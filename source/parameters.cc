@@ -221,10 +221,13 @@ namespace ThermoContact
   TimeParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Time");
-    prm.add_parameter("Scheme",
-                      scheme,
-                      "Time integrator; backward euler is the paper's.",
-                      Selection("backward euler"));
+    prm.add_parameter(
+      "Scheme",
+      scheme,
+      "Time integrator: backward euler (order 1, the paper's), "
+      "or the L-stable schemes sdirk2, sdirk3, sdirk4 of orders "
+      "2, 3, 4 with 2, 3, 5 solves per step.",
+      Selection("sdirk4|sdirk3|sdirk2|backward euler"));
     prm.add_parameter("Start",
                       start,
                       "First step: paper (the end of the step is u_0 + dt u_1, "
@@ -338,11 +341,22 @@ namespace ThermoContact
              time.step_size,
              "dt > 0",
              "the paper uses 0.001");
+    if (time.start == "paper" && time.scheme != "backward euler")
+      refuse("Time/Start",
+             time.start,
+             "consistent or automatic, since Time/Scheme = " + time.scheme,
+             "the prescribed first step of the paper is of order 1");
     if (time.end_time / time.step_size > 1e9)
       refuse("Time/Step size",
              time.step_size,
              "at most 1e9 steps up to Time/End time",
              "enlarge the step or shorten the run");
+    if (solver.is_fixed_point() && time.scheme != "backward euler")
+      refuse("Solver/Step solver",
+             solver.step_solver,
+             "monolithic, since Time/Scheme = " + time.scheme,
+             "the iteration of the paper belongs to Time/Scheme = backward "
+             "euler");
     if (solver.is_fixed_point() && contact.is_rigid())
       refuse("Solver/Step solver",
              solver.step_solver,

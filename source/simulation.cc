@@ -60,7 +60,13 @@ namespace ThermoContact
     , energy_(discretization_, operator_, law, parameters)
     , measurements(discretization_, operator_, law, parameters)
     , step_solver(make_step_solver(discretization_, operator_, law, parameters))
-    , integrator(discretization_, operator_, energy_, law, data, *step_solver)
+    , integrator(discretization_,
+                 operator_,
+                 energy_,
+                 law,
+                 butcher_tableau(parameters.time.scheme),
+                 data,
+                 *step_solver)
     , controller(parameters)
     , max_energy_increase_(0.)
     , max_penetration_(0.)
@@ -264,7 +270,7 @@ namespace ThermoContact
     record_.work += result.work;
     record_.dissipation += result.dissipation;
     record_.numerical_dissipation += result.numerical_dissipation;
-    record_.contact_impulse += time_step.size * record_.contact_force;
+    record_.contact_impulse += result.impulse;
 
     events_.observe(old_record, record_);
     max_penetration_   = std::max(max_penetration_, record_.penetration);

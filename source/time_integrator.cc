@@ -12,19 +12,47 @@ namespace ThermoContact
     const ThermoviscoelasticOperator<dim> &stage_operator,
     const Energy<dim>                     &energy,
     const ContactLaw                      &law,
+    const ButcherTableau                  &tableau,
     ProblemData<dim>                      &data,
     StepSolver                            &step_solver)
     : discretization(discretization)
     , stage_operator(stage_operator)
     , energy(energy)
     , law(law)
+    , tableau(tableau)
     , data(data)
     , step_solver(step_solver)
-    , heat_load(stage_operator.robin_load())
+    , stages(tableau.n_stages())
+    , accelerations(tableau.n_stages(), discretization.make_vector(1))
+    , known(discretization.make_state())
+    , heat_load(discretization.make_vector(0))
     , momentum_load(discretization.make_vector(1))
   {
-    rates.temperature_rate.reinit(heat_load);
-    rates.velocity.reinit(momentum_load);
+    for (StageRates &stage : stages)
+      {
+        stage.temperature_rate = heat_load;
+        stage.velocity         = momentum_load;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  TimeIntegrator<dim>::set_known_values(const State       &state,
+                                        const double       step_size,
+                                        const unsigned int i)
+  {
+    known = state;
+    for (unsigned int j = 0; j < i; ++j)
+      {
+        const double factor = step_size * tableau.a[i][j];
+        known.temperature.add(factor, stages[j].temperature_rate);
+        known.displacement.add(factor, stages[j].velocity);
+        known.velocity.add(factor, accelerations[j]);
+      }
+    if (i > 0)
+      known.contact_pressure = stages[i - 1].pressure;
   }
 
 
@@ -35,25 +63,46 @@ namespace ThermoContact
                             const TimeStep &time_step,
                             StepResult     &result)
   {
-    stage_operator.load(data, time_step.end, heat_load, momentum_load);
-    step_solver.solve(state, time_step.size, heat_load, momentum_load, rates);
+    const double tau = tableau.gamma() * time_step.size;
 
-    result.failure       = rates.failure;
-    result.n_iterations  = rates.n_iterations;
-    result.is_prescribed = false;
-    if (!result.failure.empty())
-      return;
+    result.work = result.dissipation = result.impulse = 0.;
+    result.n_iterations                               = 0;
+    result.is_prescribed                              = false;
+    for (unsigned int i = 0; i < tableau.n_stages(); ++i)
+      {
+        const bool   is_last = i + 1 == tableau.n_stages();
+        const double time =
+          is_last ? time_step.end : state.time + tableau.c[i] * time_step.size;
+        StageRates &stage = stages[i];
 
-    result.state                  = state;
-    result.state.time             = time_step.end;
-    result.state.velocity         = rates.velocity;
-    result.state.contact_pressure = rates.pressure;
-    result.state.temperature.add(time_step.size, rates.temperature_rate);
-    result.state.displacement.add(time_step.size, rates.velocity);
+        set_known_values(state, time_step.size, i);
+        stage_operator.load(data, time, heat_load, momentum_load);
+        step_solver.solve(known, tau, heat_load, momentum_load, stage);
+        result.failure = stage.failure;
+        result.n_iterations += stage.n_iterations;
+        if (!result.failure.empty())
+          return;
 
-    balance(time_step, result);
+        if (!is_last)
+          {
+            accelerations[i] = stage.velocity;
+            accelerations[i].add(-1., known.velocity);
+            accelerations[i] /= tau;
+          }
+        known.time             = time;
+        known.velocity         = stage.velocity;
+        known.contact_pressure = stage.pressure;
+        known.temperature.add(tau, stage.temperature_rate);
+        known.displacement.add(tau, stage.velocity);
+        book(known, tableau.b()[i] * time_step.size, result);
+      }
+    result.state  = known;
+    result.energy = energy.energy(result.state);
     result.numerical_dissipation =
-      energy.numerical_dissipation(state, result.state);
+      tableau.n_stages() == 1 ?
+        energy.numerical_dissipation(state, result.state) :
+        energy.energy(state).sum() - result.energy.sum() + result.work -
+          result.dissipation;
   }
 
 
@@ -64,7 +113,8 @@ namespace ThermoContact
                                        const TimeStep &time_step,
                                        StepResult     &result)
   {
-    const double tau = time_step.size;
+    const double tau   = time_step.size;
+    StageRates  &stage = stages[0];
     DirectSolver heat_solver(stage_operator.heat_stage_matrix(tau));
     ++counters_.factorizations;
 
@@ -73,7 +123,7 @@ namespace ThermoContact
     stage_operator.stage_rhs(
       state, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
     stage_operator.subtract_heating(state.velocity, heat_rhs);
-    heat_solver.solve(rates.temperature_rate, heat_rhs);
+    heat_solver.solve(stage.temperature_rate, heat_rhs);
     ++counters_.solves;
 
     result.failure.clear();
@@ -81,7 +131,7 @@ namespace ThermoContact
     result.is_prescribed = true;
     result.state         = state;
     result.state.time    = time_step.end;
-    result.state.temperature.add(tau, rates.temperature_rate);
+    result.state.temperature.add(tau, stage.temperature_rate);
     result.state.displacement.add(tau, state.velocity);
 
     std::vector<double> end_displacement;
@@ -93,7 +143,9 @@ namespace ThermoContact
         result.state.contact_pressure[i] =
           law.pressure(end_displacement[i], 0.);
 
-    balance(time_step, result);
+    result.work = result.dissipation = result.impulse = 0.;
+    book(result.state, tau, result);
+    result.energy                = energy.energy(result.state);
     result.numerical_dissipation = energy.energy(state).sum() -
                                    result.energy.sum() + result.work -
                                    result.dissipation;
@@ -103,15 +155,28 @@ namespace ThermoContact
 
   template <int dim>
   void
-  TimeIntegrator<dim>::balance(const TimeStep &time_step,
-                               StepResult     &result) const
+  TimeIntegrator<dim>::book(const State &stage_state,
+                            const double weight,
+                            StepResult  &result)
   {
-    result.energy      = energy.energy(result.state);
-    result.dissipation = time_step.size * energy.dissipation_rate(result.state);
-    result.work        = data.has_sources() ?
-                           time_step.size *
-                      energy.work_rate(heat_load, momentum_load, result.state) :
-                           0.;
+    result.dissipation += weight * energy.dissipation_rate(stage_state);
+    result.impulse += weight * contact_force(stage_state);
+    if (data.has_sources())
+      result.work +=
+        weight * energy.work_rate(heat_load, momentum_load, stage_state);
+  }
+
+
+
+  template <int dim>
+  double
+  TimeIntegrator<dim>::contact_force(const State &state) const
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
+      sum +=
+        discretization.contact_nodes()[i].weight * state.contact_pressure[i];
+    return sum / discretization.cross_section();
   }
 
 

@@ -39,6 +39,7 @@ namespace
     Parameters parameters         = read_parameters("");
     parameters.mesh.cells         = 32;
     parameters.mesh.degree        = 1;
+    parameters.time.scheme        = "backward euler";
     parameters.time.step_size     = dt;
     parameters.time.end_time      = 50. * dt;
     parameters.contact.compliance = epsilon;

@@ -308,6 +308,7 @@ namespace
     parameters.mesh.cells_across              = resolution.cells;
     parameters.mesh.width                     = 1.;
     parameters.mesh.degree                    = resolution.degree;
+    parameters.time.scheme                    = "backward euler";
     parameters.time.start                     = "consistent";
     parameters.time.end_time                  = end_time;
     parameters.time.step_size                 = end_time / resolution.n_steps;

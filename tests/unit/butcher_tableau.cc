@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The tableaux against the definitions (Hairer, Norsett, Wanner, II.2 and
+// Hairer, Wanner, IV.3):
+// * order p: all conditions of the rooted trees up to order p hold to 1e-14,
+//   and one of order p + 1 does not, so that the order is p exactly;
+// * equal diagonal entries; stiffly accurate: c of the last stage is 1;
+// * A-stable: the poles 1/gamma of the stability function are positive and
+//   |R(iy)| <= 1; L-stable: R(z) -> 0 for z -> -infinity.
+
+#include "butcher_tableau.h"
+
+#include <complex>
+
+#include "../tests.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  using Values = std::vector<double>;
+
+  /** a x, the sum over the earlier stages and the stage itself. */
+  Values
+  apply(const ButcherTableau &tableau, const Values &x)
+  {
+    Values result(x.size(), 0.);
+    for (unsigned int i = 0; i < x.size(); ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        result[i] += tableau.a[i][j] * x[j];
+    return result;
+  }
+
+
+
+  Values
+  product(const Values &x, const Values &y)
+  {
+    Values result(x);
+    for (unsigned int i = 0; i < x.size(); ++i)
+      result[i] *= y[i];
+    return result;
+  }
+
+
+
+  double
+  weigh(const ButcherTableau &tableau, const Values &x)
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < x.size(); ++i)
+      sum += tableau.b()[i] * x[i];
+    return sum;
+  }
+
+
+
+  /** Largest defect of the conditions of one order. */
+  double
+  defect(const ButcherTableau &t, const unsigned int order)
+  {
+    const Values one(t.n_stages(), 1.);
+    const Values c       = apply(t, one);
+    const Values c2      = product(c, c);
+    const Values ac      = apply(t, c);
+    const Values ac2     = apply(t, c2);
+    double       worst   = 0.;
+    const auto   require = [&](const Values &x, const double expected) {
+      raise(worst, std::abs(weigh(t, x) - expected));
+    };
+    switch (order)
+      {
+        case 1:
+          require(one, 1.);
+          break;
+        case 2:
+          require(c, 1. / 2.);
+          break;
+        case 3:
+          require(c2, 1. / 3.);
+          require(ac, 1. / 6.);
+          break;
+        case 4:
+          require(product(c, c2), 1. / 4.);
+          require(product(c, ac), 1. / 8.);
+          require(ac2, 1. / 12.);
+          require(apply(t, ac), 1. / 24.);
+          break;
+        default: // one of the nine of order 5
+          require(product(c2, c2), 1. / 5.);
+      }
+    return worst;
+  }
+
+
+
+  /** R(z) = 1 + z b (I - z a)^{-1} 1, by forward substitution. */
+  std::complex<double>
+  stability_function(const ButcherTableau &t, const std::complex<double> z)
+  {
+    std::vector<std::complex<double>> k(t.n_stages());
+    std::complex<double>              r = 1.;
+    for (unsigned int i = 0; i < t.n_stages(); ++i)
+      {
+        std::complex<double> value = 1.;
+        for (unsigned int j = 0; j < i; ++j)
+          value += z * t.a[i][j] * k[j];
+        k[i] = value / (1. - z * t.a[i][i]);
+        r += z * t.b()[i] * k[i];
+      }
+    return r;
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  initlog();
+  for (const ButcherTableau &t : butcher_tableaus())
+    {
+      double worst = 0.;
+      for (unsigned int order = 1; order <= t.order; ++order)
+        raise(worst, defect(t, order));
+      bool is_sdirk = true;
+      for (unsigned int i = 0; i < t.n_stages(); ++i)
+        is_sdirk &=
+          t.a[i].size() == i + 1 && t.a[i][i] == t.gamma() &&
+          std::abs(t.c[i] - apply(t, Values(t.n_stages(), 1.))[i]) < 1e-15;
+      double largest = 0.;
+      for (double y = 1e-3; y < 1e6; y *= 1.1)
+        raise(largest, std::abs(stability_function(t, {0., y})));
+
+      deallog << t.name << ": stages " << t.n_stages() << ", order " << t.order
+              << " holds " << (worst < 1e-14) << ", order " << t.order + 1
+              << " does not " << (defect(t, t.order + 1) > 1e-3)
+              << ", equal diagonal " << is_sdirk << ", stiffly accurate "
+              << (std::abs(t.c.back() - 1.) < 1e-14) << ", A-stable "
+              << (t.gamma() > 0. && largest < 1. + 1e-12) << ", L-stable "
+              << (std::abs(stability_function(t, -1e12)) < 1e-10) << std::endl;
+    }
+}
