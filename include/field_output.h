@@ -3,7 +3,9 @@
 #ifndef thermocontact_field_output_h
 #define thermocontact_field_output_h
 
-#include <deal.II/numerics/data_out.h>
+#include <deal.II/base/data_out_base.h>
+
+#include <deal.II/lac/trilinos_parallel_block_vector.h>
 
 #include <string>
 #include <utility>
@@ -47,13 +49,24 @@ namespace ThermoContact
     const Discretization<dim>                  &discretization;
     std::vector<std::pair<double, std::string>> times_and_names;
 
-    Vector
-    ghosted(const Vector &temperature, const Vector &displacement) const;
+    /**
+     * Both fields in one vector. By blocks: DataOut takes other vectors only if
+     * the owned indices are contiguous.
+     */
+    TrilinosWrappers::MPI::BlockVector
+    joined(const Vector &temperature, const Vector &displacement) const;
 
-    void
-    write_vtu(const DataOut<dim> &data_out, const std::string &path) const;
+    /**
+     * Writes a snapshot from the parts of all ranks, and the PVD file. Rank 0
+     * does; returns what is wrong, or nothing.
+     */
+    std::string
+    write_files(const double                    time,
+                const std::vector<std::string> &pieces,
+                const DataOutBase::VtkFlags    &flags);
 
-    void
+    /** Returns what is wrong, or nothing. On one rank. */
+    std::string
     write_pvd(const std::string &path) const;
   };
 } // namespace ThermoContact

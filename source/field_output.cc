@@ -38,9 +38,7 @@ namespace ThermoContact
       get_data_component_interpretation() const override
       {
         return std::vector<Interpretation>(
-          dim,
-          dim == 1 ? DataComponentInterpretation::component_is_scalar :
-                     DataComponentInterpretation::component_is_part_of_vector);
+          dim, DataComponentInterpretation::component_is_part_of_vector);
       }
 
       UpdateFlags
@@ -123,9 +121,43 @@ namespace ThermoContact
 
 
 
-    std::string
-    describe_fault(const std::string &path)
+    /** DataOut whose part of a file can be had as text. */
+    template <int dim>
+    class Snapshot : public DataOut<dim>
     {
+    public:
+      /**
+       * This rank's part of a VTU file, without header and footer. None if the
+       * rank has no cells: ParaView does not read a file that starts so.
+       */
+      std::string
+      vtu_piece(const DataOutBase::VtkFlags &flags) const
+      {
+        if (this->get_patches().empty())
+          return "";
+        std::ostringstream text;
+        DataOutBase::write_vtu_main(this->get_patches(),
+                                    this->get_dataset_names(),
+                                    this->get_nonscalar_data_ranges(),
+                                    flags,
+                                    text);
+        return text.str();
+      }
+    };
+
+
+
+    /** Returns what is wrong, or nothing; nothing is left of a bad file. */
+    std::string
+    write_file(const std::string &path, const std::string &text)
+    {
+      std::ofstream file(path);
+      file << text;
+      file.close();
+      if (file)
+        return "";
+      std::error_code error;
+      std::filesystem::remove(path, error);
       return path +
              ": cannot be written\n  remedy:  check free space and rights, or "
              "set Output/Fields interval = 0";
@@ -146,16 +178,14 @@ namespace ThermoContact
 
 
   template <int dim>
-  Vector
-  FieldOutput<dim>::ghosted(const Vector &temperature,
-                            const Vector &displacement) const
+  TrilinosWrappers::MPI::BlockVector
+  FieldOutput<dim>::joined(const Vector &temperature,
+                           const Vector &displacement) const
   {
-    Vector system = discretization.make_system_vector();
-    discretization.join(temperature, displacement, system);
-    Vector result(discretization.owned(),
-                  discretization.relevant(),
-                  discretization.communicator());
-    result = system;
+    TrilinosWrappers::MPI::BlockVector result(discretization.owned_by_block(),
+                                              discretization.communicator());
+    result.block(0) = temperature;
+    result.block(1) = displacement;
     return result;
   }
 
@@ -170,19 +200,17 @@ namespace ThermoContact
     Vector                           viscous_displacement = state.displacement;
     viscous_displacement.add(model.viscosity, state.velocity);
 
-    const Vector fields   = ghosted(state.temperature, state.displacement);
-    const Vector velocity = ghosted(state.temperature, state.velocity);
-    const Vector strain   = ghosted(state.temperature, viscous_displacement);
+    const auto fields   = joined(state.temperature, state.displacement);
+    const auto velocity = joined(state.temperature, state.velocity);
+    const auto strain   = joined(state.temperature, viscous_displacement);
 
     std::vector<std::string> names(1 + dim, "displacement");
     names[0] = "temperature";
     std::vector<Interpretation> interpretation(
-      1 + dim,
-      dim == 1 ? DataComponentInterpretation::component_is_scalar :
-                 DataComponentInterpretation::component_is_part_of_vector);
+      1 + dim, DataComponentInterpretation::component_is_part_of_vector);
     interpretation[0] = DataComponentInterpretation::component_is_scalar;
 
-    DataOut<dim> data_out;
+    Snapshot<dim> data_out;
     data_out.attach_dof_handler(discretization.dof_handler());
     data_out.add_data_vector(fields,
                              names,
@@ -196,57 +224,62 @@ namespace ThermoContact
     flags.cycle               = times_and_names.size();
     flags.print_date_and_time = false;
     flags.compression_level   = DataOutBase::VtkFlags::best_speed;
-    data_out.set_flags(flags);
     data_out.build_patches(discretization.mapping(), discretization.degree());
 
+    const std::string fault =
+      write_files(state.time,
+                  Utilities::MPI::gather(discretization.communicator(),
+                                         data_out.vtu_piece(flags)),
+                  flags);
+    throw_everywhere<ComputationError>(fault, discretization.communicator());
+  }
+
+
+
+  template <int dim>
+  std::string
+  FieldOutput<dim>::write_files(const double                    time,
+                                const std::vector<std::string> &pieces,
+                                const DataOutBase::VtkFlags    &flags)
+  {
     std::ostringstream name;
     name << "fields/fields-" << std::setw(5) << std::setfill('0')
          << times_and_names.size() << ".vtu";
-    times_and_names.emplace_back(state.time, name.str());
-    write_vtu(data_out, directory + "/" + name.str());
-    write_pvd(directory + "/fields.pvd");
+    times_and_names.emplace_back(time, name.str());
+    if (Utilities::MPI::this_mpi_process(discretization.communicator()) != 0)
+      return "";
+
+    std::ostringstream text;
+    DataOutBase::write_vtu_header(text, flags);
+    for (const std::string &piece : pieces)
+      text << piece;
+    DataOutBase::write_vtu_footer(text);
+    const std::string fault =
+      write_file(directory + "/" + name.str(), text.str());
+    return fault.empty() ? write_pvd(directory + "/fields.pvd") : fault;
   }
 
 
 
   template <int dim>
-  void
-  FieldOutput<dim>::write_vtu(const DataOut<dim> &data_out,
-                              const std::string  &path) const
-  {
-    const MPI_Comm communicator = discretization.communicator();
-    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
-      data_out.write_vtu_in_parallel(path, communicator);
-    else
-      {
-        std::ofstream file(path);
-        data_out.write_vtu(file);
-        file.close();
-        throw_everywhere<ComputationError>(file ? "" : describe_fault(path),
-                                           communicator);
-      }
-  }
-
-
-
-  template <int dim>
-  void
+  std::string
   FieldOutput<dim>::write_pvd(const std::string &path) const
   {
-    const MPI_Comm communicator = discretization.communicator();
-    std::string    fault;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        std::ofstream file(path + ".part");
-        DataOutBase::write_pvd_record(file, times_and_names);
-        file.close();
-        std::error_code error;
-        if (file)
-          std::filesystem::rename(path + ".part", path, error);
-        if (!file || error)
-          fault = describe_fault(path);
-      }
-    throw_everywhere<ComputationError>(fault, communicator);
+    std::ostringstream text;
+    text << "<?xml version=\"1.0\"?>\n"
+            "<VTKFile type=\"Collection\" version=\"0.1\">\n"
+            "  <Collection>\n"
+         << std::setprecision(17);
+    for (const auto &[time, name] : times_and_names)
+      text << "    <DataSet timestep=\"" << time
+           << "\" group=\"\" part=\"0\" file=\"" << name << "\"/>\n";
+    text << "  </Collection>\n</VTKFile>\n";
+
+    const std::string fault = write_file(path + ".part", text.str());
+    std::error_code   error;
+    if (fault.empty())
+      std::filesystem::rename(path + ".part", path, error);
+    return error ? path + ": " + error.message() : fault;
   }
 
 

@@ -114,10 +114,15 @@ namespace ThermoContact
       catch (const ComputationError &error)
         {
           finish_times();
-          write_summary(summary,
-                        std::string("failed: ") + error.what(),
-                        simulation,
-                        times);
+          try
+            {
+              write_summary(summary,
+                            std::string("failed: ") + error.what(),
+                            simulation,
+                            times);
+            }
+          catch (const ComputationError &)
+            {} // the first fault is the one to tell, e.g. a full disk
           throw;
         }
       finish_times();

@@ -2,6 +2,11 @@
 
 #include "output_directory.h"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
 #include <filesystem>
 
 #include "exceptions.h"
@@ -16,8 +21,36 @@ namespace ThermoContact
     const char *const run_files[] = {"contact.csv",
                                      "events.csv",
                                      "fields.pvd",
+                                     "fields.pvd.part",
                                      "log.txt",
                                      "summary.json"};
+
+    /** fields-NNNNN.vtu */
+    bool
+    is_snapshot(const fs::path &file)
+    {
+      const std::string stem = file.stem().string();
+      return file.extension() == ".vtu" && stem.size() > 7 &&
+             stem.compare(0, 7, "fields-") == 0 &&
+             std::all_of(stem.begin() + 7, stem.end(), [](unsigned char c) {
+               return std::isdigit(c);
+             });
+    }
+
+
+
+    /** Throws if files cannot be created or removed in an existing directory.
+     */
+    void
+    check_rights(const fs::path &directory)
+    {
+      if (fs::is_directory(directory) &&
+          access(directory.c_str(), W_OK | X_OK) != 0)
+        throw fs::filesystem_error(
+          "access", directory, std::error_code(errno, std::generic_category()));
+    }
+
+
 
     void
     remove_earlier_run(const fs::path &directory)
@@ -27,7 +60,7 @@ namespace ThermoContact
       if (fs::is_directory(directory / "fields"))
         {
           for (const auto &entry : fs::directory_iterator(directory / "fields"))
-            if (entry.path().extension() == ".vtu")
+            if (is_snapshot(entry.path()))
               fs::remove(entry.path());
           if (fs::is_empty(directory / "fields"))
             fs::remove(directory / "fields");
@@ -44,6 +77,8 @@ namespace ThermoContact
     {
       try
         {
+          check_rights(directory);
+          check_rights(directory / "fields");
           if (!fs::exists(directory))
             fs::create_directories(directory);
           else if (!fs::is_directory(directory))
