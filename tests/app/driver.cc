@@ -7,10 +7,11 @@
 //   #$ FILE --set 'Time/Step size=0.03'
 //
 // where FILE stands for TEST.prm itself and PRM for the folder of published
-// parameter files; without such a line it runs "FILE" once. Prints each
-// command, what the program wrote to standard error, its exit status and, for
-// an output directory, the names of its files and the entries of summary.json
-// that a line "#? key key ..." names.
+// parameter files; without such a line it runs "FILE" once. "#$ -n 2 ..." runs
+// on two ranks. Prints each command, what the program wrote to standard error,
+// its exit status and, for an output directory, the names of its files, the
+// entries of summary.json that a line "#? key key ..." names, and what the
+// script of a line "#! SCRIPT" beside TEST.prm says about it.
 
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
@@ -89,15 +90,19 @@ main(int, char **argv)
   if (arguments.empty())
     arguments.emplace_back("FILE");
 
-  // one process: no MPI daemon, no warnings about root
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
-  setenv("OMPI_MCA_btl", "self", 1);
   for (const std::string &argument : arguments)
     {
       fs::remove_all(output_dir);
+      const bool        on_ranks = argument.rfind("-n ", 0) == 0;
+      const std::string launcher =
+        on_ranks ? "mpirun --allow-run-as-root --oversubscribe " +
+                     argument.substr(0, 4) + " " :
+                   "OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_btl=self ";
       const std::string command =
-        std::string(PROGRAM) + " --quiet --output results " +
-        replace_all(replace_all(argument, "FILE", test.string()),
+        launcher + PROGRAM + " --quiet --output results " +
+        replace_all(replace_all(on_ranks ? argument.substr(5) : argument,
+                                "FILE",
+                                test.string()),
                     "PRM",
                     prm_dir) +
         " 2> stderr";
@@ -111,8 +116,18 @@ main(int, char **argv)
                                "prm")
                 << "exit status " << status << '\n';
       if (fs::exists(output_dir / "summary.json"))
-        print_output_directory(output_dir,
-                               questions.empty() ? "" : questions[0]);
+        {
+          print_output_directory(output_dir,
+                                 questions.empty() ? "" : questions[0]);
+          for (const std::string &script : marked_lines(test, "#! "))
+            {
+              std::cout << std::flush;
+              if (std::system(
+                    ("/usr/bin/python3 " + test_dir + script + " results 2>&1")
+                      .c_str()) != 0)
+                std::cout << script << " failed" << std::endl;
+            }
+        }
       else
         std::cout << "no output directory: " << !fs::exists(output_dir) << '\n';
     }
