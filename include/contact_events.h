@@ -3,7 +3,6 @@
 #ifndef thermocontact_contact_events_h
 #define thermocontact_contact_events_h
 
-#include <string>
 #include <vector>
 
 #include "measurements.h"
@@ -21,16 +20,17 @@ namespace ThermoContact
 
     double time     = 0.;
     Kind   kind     = begin;
-    double velocity = 0.; ///< $u_t(1)$ at that time
+    double velocity = 0.; ///< $u_t(1)$ of the free end next to that time
   };
 
 
 
   /**
    * Finds the contact events of a sequence of records. Between two steps the
-   * gap is interpolated linearly. With several contact nodes the events are
-   * those of the first node to touch and the last to leave. A body that is in
-   * contact at the start begins contact there.
+   * gap is interpolated linearly; the velocity is that of the step end without
+   * contact, since contact changes it within the step. With several contact
+   * nodes the events are those of the first node to touch and the last to
+   * leave. A body that is in contact at the start begins contact there.
    */
   class EventDetector
   {

@@ -4,6 +4,7 @@
 #define thermocontact_energy_h
 
 #include "contact_law.h"
+#include "loads.h"
 #include "thermoviscoelastic_operator.h"
 
 namespace ThermoContact
@@ -40,6 +41,7 @@ namespace ThermoContact
   public:
     Energy(const Discretization<dim>             &discretization,
            const ThermoviscoelasticOperator<dim> &stage_operator,
+           const Loads<dim>                      &loads,
            const ContactLaw                      &law,
            const Parameters                      &parameters);
 
@@ -66,7 +68,7 @@ namespace ThermoContact
      * Rate of work of the sources, (M.25) without its $\Delta t$.
      *
      * @param heat_load,momentum_load loads at the time of @p state as
-     *   ThermoviscoelasticOperator::load() gives them
+     *   Loads::assemble() gives them
      */
     double
     work_rate(const Vector &heat_load,
@@ -80,6 +82,7 @@ namespace ThermoContact
   private:
     const Discretization<dim>             &discretization;
     const ThermoviscoelasticOperator<dim> &stage_operator;
+    const Loads<dim>                      &loads;
     const ContactLaw                       law;
     const ModelParameters                  model;
     Vector                                 steady_profile_;

@@ -59,7 +59,6 @@ namespace ThermoContact
     const unsigned int                     max_iterations;
 
     double                        factorized_tau;
-    double                        displacement_scale;
     std::unique_ptr<DirectSolver> heat_solver;
     std::unique_ptr<DirectSolver> momentum_solver;
 
@@ -79,7 +78,9 @@ namespace ThermoContact
     update_pressure(const double tau, StageRates &rates);
 
     std::string
-    describe_failure(const double tau, const double observed_factor);
+    describe_failure(const double       tau,
+                     const unsigned int n_iterations,
+                     const double       observed_factor);
   };
 
 

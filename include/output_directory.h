@@ -10,6 +10,14 @@
 namespace ThermoContact
 {
   /**
+   * Looks whether prepare_output_directory() would refuse @p directory; changes
+   * nothing. Collective, same exceptions.
+   */
+  void
+  check_output_directory(const std::string &directory,
+                         const MPI_Comm     communicator);
+
+  /**
    * Makes @p directory ready for a run: creates it, or removes the files of an
    * earlier run (recognised by its used.prm). Collective.
    *

@@ -14,10 +14,15 @@
 
 namespace ThermoContact
 {
+  /** The place of assignments on the command line, which override others. */
+  constexpr const char *command_line_place = "command line";
+
+
+
   /** One `set` statement of a parameter file or of the command line. */
   struct Assignment
   {
-    std::string place; ///< "rod.prm, line 12" or "--set"
+    std::string place; ///< "rod.prm, line 12" or the command line
     std::string path;  ///< "Section/Entry", or "Entry" outside sections
     std::string value;
   };
@@ -36,12 +41,12 @@ namespace ThermoContact
   read_assignments(std::istream &input, const std::string &name);
 
   /**
-   * Opens and reads @p file_name.
+   * The text of a file.
    *
-   * @throw InputError if it cannot be opened, is a directory, or is malformed
+   * @throw InputError if it cannot be opened or read, or is a directory
    */
-  std::vector<Assignment>
-  read_parameter_file(const std::string &file_name);
+  std::string
+  read_text(const std::string &file_name);
 
   /**
    * Reads 'Section/Entry=value', the argument of the option --set.
@@ -57,11 +62,19 @@ namespace ThermoContact
    *
    * @throw InputError with place, path, value, what is allowed and the meaning
    *   of the entry if a name is unknown (then with the nearest known one), a
-   *   value does not fit, or the same place sets an entry twice
+   *   value does not fit, or a file sets an entry twice
    */
   void
   assign_entries(const std::vector<Assignment> &assignments,
                  ParameterHandler              &prm);
+
+  /**
+   * Puts the place of the last assignment to an entry before a message that
+   * begins with the path of that entry; other messages stay as they are.
+   */
+  std::string
+  add_place(const std::string             &message,
+            const std::vector<Assignment> &assignments);
 
   /**
    * Refuses values that the scene would ignore.

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -126,6 +128,18 @@ namespace ThermoContact
       return start == "paper" ||
              (start == "automatic" && scheme == "backward euler");
     }
+
+    /** Number of time steps: the smallest $N$ with $N\Delta t\ge T$. */
+    unsigned int
+    n_steps() const
+    {
+      if (end_time <= 0.)
+        return 0;
+      // a remainder below the slack is rounding of T / dt
+      const double count = end_time / step_size;
+      const double slack = 1e-9 + 4e-16 * count;
+      return std::max(1u, static_cast<unsigned int>(std::ceil(count - slack)));
+    }
   };
 
 
@@ -208,10 +222,6 @@ namespace ThermoContact
     /** The entries that this scene cannot use. */
     std::vector<UnusedEntry>
     unused_entries() const;
-
-    /** Number of time steps: the smallest $N$ with $N\Delta t\ge T$. */
-    unsigned int
-    n_steps() const;
   };
 } // namespace ThermoContact
 

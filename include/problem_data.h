@@ -27,7 +27,8 @@ namespace ThermoContact
      * Parses and evaluates every expression once.
      *
      * @throw InputError naming entry and expression if one cannot be parsed,
-     *   has the wrong number of components, or is not finite inside the body
+     *   has the wrong number of components, or is not finite at a sample of
+     *   points at $t=0$
      */
     explicit ProblemData(const Parameters &parameters);
 

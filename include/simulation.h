@@ -11,6 +11,7 @@
 #include "contact_events.h"
 #include "discretization.h"
 #include "energy.h"
+#include "loads.h"
 #include "measurements.h"
 #include "parameters.h"
 #include "problem_data.h"
@@ -137,18 +138,13 @@ namespace ThermoContact
       return parameters_;
     }
 
-    const ContactLaw &
-    contact_law() const
-    {
-      return law;
-    }
-
   private:
     const Parameters                      parameters_;
     const ContactLaw                      law;
     ProblemData<dim>                      data;
     const Discretization<dim>             discretization_;
     const ThermoviscoelasticOperator<dim> operator_;
+    Loads<dim>                            loads;
     const Energy<dim>                     energy_;
     Measurements<dim>                     measurements;
     std::unique_ptr<StepSolver>           step_solver;
@@ -172,6 +168,10 @@ namespace ThermoContact
 
     void
     check_initial_contact();
+
+    /** @throw ComputationError naming step and time if it is not solved */
+    void
+    compute_step(const TimeStep &time_step, StepResult &result);
 
     void
     accept(const TimeStep &time_step, StepResult &result);

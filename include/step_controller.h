@@ -29,7 +29,7 @@ namespace ThermoContact
     explicit StepController(const Parameters &parameters)
       : step_size(parameters.time.step_size)
       , end_time(parameters.time.end_time)
-      , n_steps(parameters.n_steps())
+      , n_steps(parameters.time.n_steps())
     {}
 
     /** The step after step @p number; number < n_steps(). */

@@ -5,7 +5,6 @@
 
 #include "discretization.h"
 #include "parameters.h"
-#include "problem_data.h"
 #include "state.h"
 #include "types.h"
 
@@ -32,33 +31,47 @@ namespace ThermoContact
 
     /** $M$, $\int\eta_i\eta_j$. */
     const SparseMatrix &
-    heat_mass() const;
+    heat_mass() const
+    {
+      return mass.block(0, 0);
+    }
 
     /** $K+kB$, $\int\nabla\eta_i\cdot\nabla\eta_j + k\int_{\Gamma_C}\eta_i
      * \eta_j$. */
     const SparseMatrix &
-    conduction() const;
+    conduction() const
+    {
+      return stiffness_.block(0, 0);
+    }
 
     /** $D$, $\int\eta_i\,\mathrm{div}\,\varphi_j$; temperature rows,
      * displacement columns. */
     const SparseMatrix &
-    divergence() const;
+    divergence() const
+    {
+      return coupling.block(0, 1);
+    }
 
     /** $D^T$; displacement rows, temperature columns. */
     const SparseMatrix &
-    thermal_stress() const;
+    thermal_stress() const
+    {
+      return coupling.block(1, 0);
+    }
 
     /** $M_u$, without the inertia coefficient $b$. */
     const SparseMatrix &
-    momentum_mass() const;
+    momentum_mass() const
+    {
+      return mass.block(1, 1);
+    }
 
     /** $S$, $\int C{:}\varepsilon(\varphi_i){:}\varepsilon(\varphi_j)$. */
     const SparseMatrix &
-    stiffness() const;
-
-    /** Load $k\theta_{obs}\int_{\Gamma_C}\eta_i$ of the Robin condition. */
-    const Vector &
-    robin_load() const;
+    stiffness() const
+    {
+      return stiffness_.block(1, 1);
+    }
 
     /**
      * Matrix of the heat block of a stage, $M+\tau(K+kB)$, doc/model.md (M.15).
@@ -75,18 +88,6 @@ namespace ThermoContact
      */
     SparseMatrix
     stage_matrix(const double tau) const;
-
-    /**
-     * Loads $\ell_\theta$, $\ell_u$ at @p time. Sources are integrated anew;
-     * without sources this is a copy.
-     *
-     * @param data sources; its time is set to @p time
-     */
-    void
-    load(ProblemData<dim> &data,
-         const double      time,
-         Vector           &heat,
-         Vector           &momentum) const;
 
     /**
      * Right-hand side of a stage (M.15) without contact: @p heat
@@ -131,7 +132,6 @@ namespace ThermoContact
     BlockSparseMatrix          mass;
     BlockSparseMatrix          stiffness_;
     BlockSparseMatrix          coupling;
-    Vector                     robin_load_;
     mutable Vector             heat_scratch;
     mutable Vector             momentum_scratch;
 
@@ -151,14 +151,6 @@ namespace ThermoContact
 
     void
     assemble_contact_end();
-
-    void
-    integrate_sources(const ProblemData<dim> &data,
-                      Vector                 &heat,
-                      Vector                 &momentum) const;
-
-    void
-    add_end_traction(const ProblemData<dim> &data, Vector &momentum) const;
   };
 } // namespace ThermoContact
 

@@ -8,7 +8,7 @@
 
 #include "butcher_tableau.h"
 #include "energy.h"
-#include "problem_data.h"
+#include "loads.h"
 #include "step_controller.h"
 #include "step_solver.h"
 #include "thermoviscoelastic_operator.h"
@@ -55,7 +55,7 @@ namespace ThermoContact
                    const Energy<dim>                     &energy,
                    const ContactLaw                      &law,
                    const ButcherTableau                  &tableau,
-                   ProblemData<dim>                      &data,
+                   Loads<dim>                            &loads,
                    StepSolver                            &step_solver);
 
     /**
@@ -91,7 +91,7 @@ namespace ThermoContact
     const Energy<dim>                     &energy;
     const ContactLaw                       law;
     const ButcherTableau                  &tableau;
-    ProblemData<dim>                      &data;
+    Loads<dim>                            &loads;
     StepSolver                            &step_solver;
     SolverCounters                         counters_;
     std::vector<StageRates>                stages;

@@ -64,7 +64,7 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
             break;
           case output:
             command_line.overrides.push_back(
-              {"--output", "Output/Directory", optarg});
+              {command_line_place, "Output/Directory", optarg});
             break;
           case check:
             command_line.check_only = true;

@@ -33,6 +33,6 @@ namespace ThermoContact
     events_.push_back(
       {old_record.time + fraction * step,
        record.in_contact ? ContactEvent::begin : ContactEvent::end,
-       -(record.gap - old_record.gap) / step});
+       record.in_contact ? old_record.velocity_end : record.velocity_end});
   }
 } // namespace ThermoContact

@@ -50,10 +50,12 @@ namespace ThermoContact
   template <int dim>
   Energy<dim>::Energy(const Discretization<dim>             &discretization,
                       const ThermoviscoelasticOperator<dim> &stage_operator,
+                      const Loads<dim>                      &loads,
                       const ContactLaw                      &law,
                       const Parameters                      &parameters)
     : discretization(discretization)
     , stage_operator(stage_operator)
+    , loads(loads)
     , law(law)
     , model(parameters.model)
     , steady_profile_(discretization.make_vector(0))
@@ -193,7 +195,7 @@ namespace ThermoContact
     heat_scratch = state.temperature;
     heat_scratch -= steady_profile_;
     heat_product = heat_load;
-    heat_product -= stage_operator.robin_load();
+    heat_product -= loads.obstacle_heat();
     return (heat_scratch * heat_product + momentum_load * state.velocity) /
            discretization.cross_section();
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace ThermoContact
@@ -22,7 +21,6 @@ namespace ThermoContact
     , tolerance(parameters.solver.fixed_point_tolerance)
     , max_iterations(parameters.solver.fixed_point_iterations)
     , factorized_tau(0.)
-    , displacement_scale(law.is_active ? std::abs(law.gap) : 0.)
     , heat_rhs(discretization.make_vector(0))
     , momentum_rhs(discretization.make_vector(1))
     , rhs(heat_rhs)
@@ -83,6 +81,12 @@ namespace ThermoContact
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
     discretization.contact_values(1, known.displacement, known_displacement);
 
+    // the gap may be far beyond reach; it counts only if nothing moves
+    const double reach =
+      known.displacement.linfty_norm() + tau * known.velocity.linfty_norm();
+    const double scale =
+      reach > 0. ? reach : (law.is_active ? std::abs(law.gap) : 0.);
+
     rates.velocity = 0.; // the paper's start: the last displacement
     rates.failure.clear();
     update_pressure(tau, rates);
@@ -108,18 +112,16 @@ namespace ThermoContact
         update_pressure(tau, rates);
 
         last_velocity -= rates.velocity;
-        last_change = change;
-        change      = tau * last_velocity.linfty_norm();
-        displacement_scale =
-          std::max(displacement_scale, tau * rates.velocity.linfty_norm());
+        last_change        = change;
+        change             = tau * last_velocity.linfty_norm();
         rates.n_iterations = iteration;
-        if (change <= tolerance * std::max(displacement_scale,
-                                           known.displacement.linfty_norm()))
+        if (change <= tolerance * scale)
           return;
         if (!std::isfinite(change))
           break;
       }
-    rates.failure = describe_failure(tau, change / last_change);
+    rates.failure =
+      describe_failure(tau, rates.n_iterations, change / last_change);
   }
 
 
@@ -149,16 +151,23 @@ namespace ThermoContact
 
   template <int dim>
   std::string
-  FixedPointSolver<dim>::describe_failure(const double tau,
-                                          const double observed_factor)
+  FixedPointSolver<dim>::describe_failure(const double       tau,
+                                          const unsigned int n_iterations,
+                                          const double       observed_factor)
   {
     const double       rho = contraction_factor(tau);
     std::ostringstream message;
-    message << "the fixed point iteration did not converge in "
-            << max_iterations
-            << " iterations\n  contraction factor rho = " << rho
-            << " (chi / epsilon; it must be below 1), last two changes: "
-            << "ratio " << observed_factor << "\n  remedy:  ";
+    message << "the fixed point iteration "
+            << (std::isfinite(observed_factor) ? "did not converge" :
+                                                 "diverged")
+            << " in " << n_iterations << " iterations";
+    if (law.is_active)
+      message << "\n  contraction factor rho = " << rho
+              << " of the contact (chi / epsilon; it must be below 1)";
+    if (std::isfinite(observed_factor) && n_iterations > 1)
+      message << "\n  the last change was " << observed_factor
+              << " times the one before";
+    message << "\n  remedy:  ";
     if (rho >= 1.)
       message << "Time/Step size below "
               << critical_step_size(model.inertia,
@@ -166,8 +175,9 @@ namespace ThermoContact
                                     law.compliance)
               << ", or ";
     else
-      message << "a smaller Time/Step size, more Solver/Fixed point "
-                 "iterations, or ";
+      message << "more Solver/Fixed point iterations, a smaller Time/Step size "
+                 "if the thermal coupling a = "
+              << model.coupling << " is strong, or ";
     message << "Solver/Step solver = monolithic, which has no such limit";
     return message.str();
   }

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 #include <set>
+#include <sstream>
 
 #include "command_line.h"
 #include "exceptions.h"
@@ -75,15 +76,16 @@ namespace ThermoContact
               const Timer       &since_start,
               Log               &log)
     {
-      const MPI_Comm  communicator = MPI_COMM_WORLD;
-      Simulation<dim> simulation(parameters, communicator);
+      const MPI_Comm    communicator = MPI_COMM_WORLD;
+      Simulation<dim>   simulation(parameters, communicator);
+      const std::string directory = output_directory(parameters, command);
+      check_output_directory(directory, communicator);
       if (command.check_only)
         {
           report_scene(simulation, log);
           return;
         }
 
-      const std::string directory = output_directory(parameters, command);
       prepare_output_directory(directory, communicator);
       write_used_parameters(directory, parameters, prm, communicator);
       log.open_file(directory + "/log.txt");
@@ -114,6 +116,7 @@ namespace ThermoContact
       catch (const ComputationError &error)
         {
           finish_times();
+          log.line(std::string("  failed:   ") + error.what());
           try
             {
               write_summary(summary,
@@ -146,6 +149,59 @@ namespace ThermoContact
 
 
 
+    /**
+     * The statements of the parameter file, then those of the command line.
+     * Rank 0 reads the file, so that all ranks see the same or fail together.
+     */
+    std::vector<Assignment>
+    all_assignments(const CommandLine &command)
+    {
+      std::vector<Assignment> assignments;
+      if (!command.file_name.empty())
+        {
+          std::string text, fault;
+          if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+            try
+              {
+                text = read_text(command.file_name);
+              }
+            catch (const InputError &error)
+              {
+                fault = error.what();
+              }
+          throw_everywhere<InputError>(fault, MPI_COMM_WORLD);
+          std::istringstream stream(
+            Utilities::MPI::broadcast(MPI_COMM_WORLD, text));
+          assignments = read_assignments(stream, command.file_name);
+        }
+      assignments.insert(assignments.end(),
+                         command.overrides.begin(),
+                         command.overrides.end());
+      return assignments;
+    }
+
+
+
+    void
+    run_dimension(const Parameters  &parameters,
+                  ParameterHandler  &prm,
+                  const CommandLine &command,
+                  const Timer       &since_start,
+                  Log               &log)
+    {
+      switch (parameters.dimension)
+        {
+          case 1:
+            return run_scene<1>(parameters, prm, command, since_start, log);
+          case 2:
+            return run_scene<2>(parameters, prm, command, since_start, log);
+          default:
+            return run_scene<3>(parameters, prm, command, since_start, log);
+        }
+    }
+
+
+
     void
     run(const CommandLine &command, const Timer &since_start, Log &log)
     {
@@ -157,32 +213,31 @@ namespace ThermoContact
           return;
         }
 
+      if (command.file_name.empty() && command.print_parameters.empty())
+        throw InputError("no parameter file is given\n  remedy:  thermocontact "
+                         "FILE.prm, e.g. prm/paper/experiment-1.prm");
+
       Parameters       parameters;
       ParameterHandler prm;
       parameters.add_parameters(prm);
-      if (!command.file_name.empty())
-        assign_entries(read_parameter_file(command.file_name), prm);
-      else if (command.print_parameters.empty())
-        throw InputError("no parameter file is given\n  remedy:  thermocontact "
-                         "FILE.prm, e.g. prm/paper/experiment-1.prm");
-      assign_entries(command.overrides, prm);
+      const std::vector<Assignment> assignments = all_assignments(command);
+      assign_entries(assignments, prm);
       if (!command.print_parameters.empty())
         {
           if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
             print_parameters(prm, command.print_parameters);
           return;
         }
-      check_unused_entries(parameters, prm);
-      parameters.check();
 
-      switch (parameters.dimension)
+      try
         {
-          case 1:
-            return run_scene<1>(parameters, prm, command, since_start, log);
-          case 2:
-            return run_scene<2>(parameters, prm, command, since_start, log);
-          default:
-            return run_scene<3>(parameters, prm, command, since_start, log);
+          check_unused_entries(parameters, prm);
+          parameters.check();
+          run_dimension(parameters, prm, command, since_start, log);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(add_place(error.what(), assignments));
         }
     }
   } // namespace

@@ -18,7 +18,7 @@ namespace ThermoContact
     : discretization(discretization)
     , law(law)
     , boundary(parameters.boundary)
-    , mean_weights(stage_operator.robin_load())
+    , mean_weights(discretization.make_vector(0))
   {
     find_mid_point(parameters.mesh.width);
 

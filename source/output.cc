@@ -85,7 +85,7 @@ namespace ThermoContact
   {
     // Times are multiples of the step up to rounding, so that a multiple of
     // the interval may be missed by a hair.
-    const double slack = 1e-9;
+    const double slack = 1e-9 + 4e-16 * time / interval;
     const double count = std::floor(time / interval + slack);
     if (count < next && time < end_time)
       return false;

@@ -71,32 +71,69 @@ namespace ThermoContact
 
 
 
-    /** Returns what is wrong, or nothing. */
+    /** Returns what is wrong, or nothing; changes nothing. */
     std::string
-    prepare_on_this_rank(const fs::path &directory)
+    find_fault(const fs::path &directory)
     {
-      try
-        {
-          check_rights(directory);
-          check_rights(directory / "fields");
-          if (!fs::exists(directory))
-            fs::create_directories(directory);
-          else if (!fs::is_directory(directory))
-            return "is a file\n  remedy:  give another directory";
-          else if (fs::exists(directory / "used.prm"))
-            remove_earlier_run(directory);
-          else if (!fs::is_empty(directory))
-            return "holds files that are not from an earlier run (no used.prm)"
-                   "\n  remedy:  give a new or an empty directory";
-          return "";
-        }
-      catch (const fs::filesystem_error &error)
-        {
-          return error.code().message() +
-                 "\n  remedy:  give a directory that can be written";
-        }
+      if (!fs::exists(directory))
+        return "";
+      if (!fs::is_directory(directory))
+        return "is a file\n  remedy:  give another directory";
+      check_rights(directory);
+      check_rights(directory / "fields");
+      if (!fs::exists(directory / "used.prm") && !fs::is_empty(directory))
+        return "holds files that are not from an earlier run (no used.prm)"
+               "\n  remedy:  give a new or an empty directory";
+      return "";
+    }
+
+
+
+    void
+    make_ready(const fs::path &directory)
+    {
+      if (fs::exists(directory))
+        remove_earlier_run(directory);
+      else
+        fs::create_directories(directory);
+    }
+
+
+
+    /** Calls @p action on rank 0; what it returns or throws is a fault. */
+    template <typename Action>
+    void
+    on_first_rank(const std::string &directory,
+                  const MPI_Comm     communicator,
+                  const Action      &action)
+    {
+      std::string fault;
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        try
+          {
+            fault = action();
+          }
+        catch (const fs::filesystem_error &error)
+          {
+            fault = error.code().message() +
+                    "\n  remedy:  give a directory that can be written";
+          }
+      if (!fault.empty())
+        fault = "Output/Directory = " + directory + ": " + fault;
+      throw_everywhere<InputError>(fault, communicator);
     }
   } // namespace
+
+
+
+  void
+  check_output_directory(const std::string &directory,
+                         const MPI_Comm     communicator)
+  {
+    on_first_rank(directory, communicator, [&]() {
+      return find_fault(directory);
+    });
+  }
 
 
 
@@ -104,13 +141,11 @@ namespace ThermoContact
   prepare_output_directory(const std::string &directory,
                            const MPI_Comm     communicator)
   {
-    std::string fault;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        fault = prepare_on_this_rank(directory);
-        if (!fault.empty())
-          fault = "Output/Directory = " + directory + ": " + fault;
-      }
-    throw_everywhere<InputError>(fault, communicator);
+    on_first_rank(directory, communicator, [&]() {
+      const std::string fault = find_fault(directory);
+      if (fault.empty())
+        make_ready(directory);
+      return fault;
+    });
   }
 } // namespace ThermoContact

@@ -11,9 +11,9 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <numeric>
 #include <sstream>
 
+#include "edit_distance.h"
 #include "exceptions.h"
 
 namespace ThermoContact
@@ -68,34 +68,13 @@ namespace ThermoContact
 
 
 
-    /** Number of single-letter edits between two names (Levenshtein). */
-    unsigned int
-    edit_distance(const std::string &a, const std::string &b)
-    {
-      std::vector<unsigned int> row(b.size() + 1);
-      std::iota(row.begin(), row.end(), 0u);
-      for (unsigned int i = 0; i < a.size(); ++i)
-        {
-          unsigned int diagonal = row[0]++;
-          for (unsigned int j = 0; j < b.size(); ++j)
-            {
-              const unsigned int substituted =
-                diagonal + (std::tolower(a[i]) == std::tolower(b[j]) ? 0 : 1);
-              diagonal   = row[j + 1];
-              row[j + 1] = std::min({substituted, row[j] + 1, row[j + 1] + 1});
-            }
-        }
-      return row.back();
-    }
-
-
-
     /**
-     * The known path that @p path most likely means: nearest in letters,
-     * where the right entry name in a wrong section counts as near.
+     * Asks for the known path that @p path most likely means: nearest in
+     * letters, where the right entry name in a wrong section counts as near.
+     * Nothing if none is near.
      */
     std::string
-    nearest_path(const std::string &path, const std::vector<Entry> &entries)
+    suggest_path(const std::string &path, const std::vector<Entry> &entries)
     {
       const auto name = [](const std::string &p) {
         return p.substr(p.rfind('/') + 1);
@@ -104,12 +83,15 @@ namespace ThermoContact
         return std::min(edit_distance(path, entry.path),
                         1 + edit_distance(name(path), name(entry.path)));
       };
-      return std::min_element(entries.begin(),
-                              entries.end(),
-                              [&](const Entry &a, const Entry &b) {
-                                return distance(a) < distance(b);
-                              })
-        ->path;
+      const auto nearest =
+        std::min_element(entries.begin(),
+                         entries.end(),
+                         [&](const Entry &a, const Entry &b) {
+                           return distance(a) < distance(b);
+                         });
+      return distance(*nearest) <= path.size() / 3 ?
+               "did you mean " + nearest->path + "? " :
+               "";
     }
 
 
@@ -253,9 +235,9 @@ namespace ThermoContact
                "comment after '#', or empty");
       }
 
-    if (input.bad())
-      throw InputError(name + ": cannot be read to its end\n  remedy:  check "
-                              "the file and the disk");
+    if (!trim(line).empty())
+      throw InputError(name + ": the last line ends in '\\'\n  remedy:  "
+                              "complete the line or remove the '\\'");
     if (!sections.empty())
       throw InputError(name + ": 'end' is missing for subsection " +
                        sections.back() +
@@ -265,8 +247,8 @@ namespace ThermoContact
 
 
 
-  std::vector<Assignment>
-  read_parameter_file(const std::string &file_name)
+  std::string
+  read_text(const std::string &file_name)
   {
     if (std::filesystem::is_directory(file_name))
       throw InputError(file_name + ": is a directory\n  remedy:  give a "
@@ -276,7 +258,13 @@ namespace ThermoContact
       throw InputError(file_name +
                        ": cannot be opened: " + std::strerror(errno) +
                        "\n  remedy:  check the path of the parameter file");
-    return read_assignments(input, file_name);
+    std::ostringstream text;
+    if (input.peek() != EOF)
+      text << input.rdbuf();
+    if (input.bad() || text.fail())
+      throw InputError(file_name + ": cannot be read to its end\n  remedy:  "
+                                   "check the file and the disk");
+    return text.str();
   }
 
 
@@ -288,7 +276,7 @@ namespace ThermoContact
     if (equal_sign == std::string::npos)
       throw InputError("--set " + argument +
                        ": no '='\n  allowed: --set 'Section/Entry=value'");
-    return {"--set",
+    return {command_line_place,
             trim(argument.substr(0, equal_sign)),
             trim(argument.substr(equal_sign + 1))};
   }
@@ -300,7 +288,7 @@ namespace ThermoContact
                  ParameterHandler              &prm)
   {
     const std::vector<Entry>           entries = declared_entries(prm);
-    std::map<std::string, std::string> earlier_places;
+    std::map<std::string, std::string> places;
 
     for (const Assignment &assignment : assignments)
       {
@@ -309,19 +297,26 @@ namespace ThermoContact
             return e.path == assignment.path;
           });
         if (entry == entries.end())
-          throw InputError(assignment.place + ": unknown entry " +
-                           assignment.path + "\n  remedy:  did you mean " +
-                           nearest_path(assignment.path, entries) +
-                           "? --print-parameters lists all entries");
+          throw InputError(
+            assignment.place + ": unknown entry " + assignment.path +
+            "\n  remedy:  " + suggest_path(assignment.path, entries) +
+            "--print-parameters lists all entries");
 
         // The command line may override what a file sets, and itself.
-        const bool is_override = assignment.place == "--set";
+        const bool is_override = assignment.place == command_line_place;
         const auto [earlier, is_new] =
-          earlier_places.emplace(assignment.path, assignment.place);
+          places.emplace(assignment.path, assignment.place);
         if (!is_new && !is_override)
           throw InputError(assignment.place + ": " + assignment.path +
                            " is set a second time, first at " +
                            earlier->second + "\n  remedy:  remove one of them");
+
+        if (assignment.value.find_first_of("#\n") != std::string::npos ||
+            (!assignment.value.empty() && assignment.value.back() == '\\'))
+          throw InputError(assignment.place + ": " + assignment.path + " = " +
+                           assignment.value +
+                           "\n  allowed: one line without '#', not ending in "
+                           "'\\', since used.prm repeats it");
 
         try
           {
@@ -336,6 +331,19 @@ namespace ThermoContact
                              "\n  default: " + entry->default_value);
           }
       }
+  }
+
+
+
+  std::string
+  add_place(const std::string             &message,
+            const std::vector<Assignment> &assignments)
+  {
+    for (auto a = assignments.rbegin(); a != assignments.rend(); ++a)
+      if (message.rfind(a->path + " =", 0) == 0 ||
+          message.rfind(a->path + ":", 0) == 0)
+        return a->place + ": " + message;
+    return message;
   }
 
 

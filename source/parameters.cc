@@ -4,7 +4,6 @@
 
 #include <deal.II/base/patterns.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -17,19 +16,12 @@ namespace ThermoContact
   {
     using namespace dealii::Patterns;
 
-    const double largest = std::numeric_limits<double>::max();
-
-    Double
-    any_number()
-    {
-      return Double(-largest, largest);
-    }
-
-    Double
-    not_negative()
-    {
-      return Double(0., largest);
-    }
+    // Beyond 1e15 a coefficient leaves nothing of the others in a sum.
+    const Double coefficient(0., 1e15);
+    const Double signed_coefficient(-1e15, 1e15);
+    const Double duration(0., 1e15);
+    const Double any_number(-std::numeric_limits<double>::max(),
+                            std::numeric_limits<double>::max());
 
     /**
      * Throws for an entry whose value a pattern accepts but the program does
@@ -58,16 +50,16 @@ namespace ThermoContact
     prm.add_parameter("Inertia",
                       inertia,
                       "Inertia coefficient b > 0 of the momentum equation.",
-                      not_negative());
+                      coefficient);
     prm.add_parameter("Viscosity",
                       viscosity,
                       "Kelvin-Voigt viscosity zeta >= 0.",
-                      not_negative());
+                      coefficient);
     prm.add_parameter("Coupling",
                       coupling,
                       "Thermoelastic coupling a: thermal stress -a theta and "
                       "heating -a div u_t.",
-                      any_number());
+                      signed_coefficient);
     prm.add_parameter("Poisson ratio",
                       poisson_ratio,
                       "Poisson ratio nu, for Dimension > 1; the P-wave modulus "
@@ -85,16 +77,16 @@ namespace ThermoContact
     prm.add_parameter("Fixed end temperature",
                       fixed_end_temperature,
                       "Temperature theta_A of the fixed end x = 0.",
-                      any_number());
+                      any_number);
     prm.add_parameter("Heat exchange",
                       heat_exchange,
                       "Heat exchange coefficient k >= 0 of the contact end: "
                       "-d theta/dn = k (theta - theta_obs).",
-                      not_negative());
+                      coefficient);
     prm.add_parameter("Obstacle temperature",
                       obstacle_temperature,
                       "Temperature theta_obs of the obstacle.",
-                      any_number());
+                      any_number);
     prm.add_parameter("Lateral support",
                       lateral_support,
                       "Lateral faces, for Dimension > 1: rollers (no normal "
@@ -118,12 +110,12 @@ namespace ThermoContact
                       compliance,
                       "Compliance epsilon > 0 of an elastic obstacle: pressure "
                       "= penetration / epsilon.",
-                      not_negative());
+                      coefficient);
     prm.add_parameter("Gap",
                       gap,
                       "Initial gap g between the undeformed rod and the "
                       "obstacle; negative is a preload.",
-                      any_number());
+                      any_number);
     prm.leave_subsection();
   }
 
@@ -207,7 +199,7 @@ namespace ThermoContact
                       width,
                       "Width (and height) of the body, for Dimension > 1; its "
                       "length is 1.",
-                      Double(1e-6, 1e6));
+                      Double(1e-3, 1e3));
     prm.add_parameter("Cells across",
                       cells_across,
                       "Number of cells across the body, for Dimension > 1.",
@@ -234,12 +226,12 @@ namespace ThermoContact
                       "then the heat equation alone), consistent (a step like "
                       "all others), automatic (paper for backward euler).",
                       Selection("automatic|paper|consistent"));
-    prm.add_parameter("End time", end_time, "End time T >= 0.", not_negative());
+    prm.add_parameter("End time", end_time, "End time T >= 0.", duration);
     prm.add_parameter("Step size",
                       step_size,
                       "Time step dt > 0; the last step is shortened to end at "
                       "T. The paper: 0.001.",
-                      not_negative());
+                      duration);
     prm.leave_subsection();
   }
 
@@ -282,13 +274,13 @@ namespace ThermoContact
                       fields_interval,
                       "Fields (VTU) are written at the first step end at or "
                       "after each multiple of this time, and at T; 0: none.",
-                      not_negative());
+                      duration);
     prm.add_parameter("Contact interval",
                       contact_interval,
                       "Rows of contact.csv are written at the first step end "
                       "at or after each multiple of this time, and at T; 0: "
                       "every step.",
-                      not_negative());
+                      duration);
     prm.leave_subsection();
   }
 
@@ -336,6 +328,16 @@ namespace ThermoContact
              contact.compliance,
              "epsilon > 0",
              "for a rigid obstacle set Contact/Condition = rigid");
+    const double n_nodes =
+      (mesh.degree * std::ldexp(mesh.cells, mesh.refinements) + 1.) *
+      std::pow(mesh.degree * std::ldexp(mesh.cells_across, mesh.refinements) +
+                 1.,
+               dimension - 1.);
+    if ((1. + dimension) * n_nodes > 1e9)
+      refuse("Mesh/Cells",
+             mesh.cells,
+             "at most 1e9 unknowns with Degree, Refinements and Cells across",
+             "a coarser mesh");
     if (!(time.step_size > 0.))
       refuse("Time/Step size",
              time.step_size,
@@ -381,24 +383,13 @@ namespace ThermoContact
         {"Contact/Compliance", "Contact/Condition = " + contact.condition});
     if (contact.is_none())
       unused.push_back({"Contact/Gap", "Contact/Condition = none"});
+    if (boundary.heat_exchange == 0.)
+      unused.push_back(
+        {"Boundary/Obstacle temperature", "Boundary/Heat exchange = 0"});
     if (!solver.is_fixed_point())
       for (const char *path :
            {"Solver/Fixed point tolerance", "Solver/Fixed point iterations"})
         unused.push_back({path, "Solver/Step solver = monolithic"});
     return unused;
-  }
-
-
-
-  unsigned int
-  Parameters::n_steps() const
-  {
-    // A remainder below this fraction of a step is rounding of T / dt.
-    const double slack = 1e-9;
-    if (time.end_time <= 0.)
-      return 0;
-    return std::max(1u,
-                    static_cast<unsigned int>(
-                      std::ceil(time.end_time / time.step_size - slack)));
   }
 } // namespace ThermoContact

@@ -33,6 +33,63 @@ namespace ThermoContact
 
 
 
+    [[noreturn]] void
+    refuse(const Expression  &expression,
+           const std::string &fault,
+           const std::string &allowed)
+    {
+      throw InputError(expression.path + " = " + expression.text + ": " +
+                       fault + "\n  allowed: " + allowed);
+    }
+
+
+
+    /**
+     * Splits an expression at ';'.
+     *
+     * @throw InputError if a part is empty or has a ',' that separates no
+     *   arguments: muParser would evaluate both sides and keep the last
+     */
+    std::vector<std::string>
+    split_components(const Expression &expression)
+    {
+      const std::string        text = expression.text + ";";
+      std::vector<std::string> components;
+      std::string              component;
+      int                      depth = 0;
+      for (const char letter : text)
+        {
+          depth += (letter == '(') - (letter == ')');
+          if (letter == ',' && depth <= 0)
+            refuse(expression,
+                   "a ',' outside of parentheses",
+                   "a decimal point, and ';' between components");
+          if (letter != ';')
+            component += letter;
+          else if (Utilities::trim(component).empty())
+            refuse(expression, "an empty expression", "0 for none");
+          else
+            {
+              components.push_back(component);
+              component.clear();
+            }
+        }
+      return components;
+    }
+
+
+
+    /** The expression of a scalar. */
+    std::string
+    scalar_component(const Expression &expression)
+    {
+      if (split_components(expression).size() != 1)
+        refuse(expression, "several components", "one expression, without ';'");
+      return expression.text;
+    }
+
+
+
     /**
      * The components of a vector expression, separated by ';' and filled up
      * with zeros: one component alone is the axial one.
@@ -40,14 +97,13 @@ namespace ThermoContact
     std::string
     vector_components(const Expression &expression, const unsigned int dim)
     {
-      const unsigned int n_components =
-        Utilities::split_string_list(expression.text, ';').size();
+      const unsigned int n_components = split_components(expression).size();
       if (n_components != 1 && n_components != dim)
-        throw InputError(
-          expression.path + " = " + expression.text + ": " +
-          std::to_string(n_components) + " components\n  allowed: 1 (axial)" +
-          (dim > 1 ? " or " + std::to_string(dim) + ", separated by ';'" :
-                     ", since Dimension = 1"));
+        refuse(expression,
+               std::to_string(n_components) + " components",
+               dim > 1 ?
+                 "1 (axial) or " + std::to_string(dim) + ", separated by ';'" :
+                 "1, since Dimension = 1");
       std::string components = expression.text;
       for (unsigned int c = n_components; c < dim; ++c)
         components += "; 0";
@@ -75,7 +131,7 @@ namespace ThermoContact
 
 
 
-    /** Evaluates @p function, parsed from @p expression, along the axis. */
+    /** Evaluates @p function, parsed from @p expression, at 17 points, t = 0. */
     template <int dim>
     void
     check_evaluation(const Expression          &expression,
@@ -110,6 +166,7 @@ namespace ThermoContact
           if (!std::isfinite(value))
             throw InputError(
               place + ": not finite at x = " + std::to_string(point[0]) +
+              ", t = 0" +
               "\n  allowed: expressions that are finite on 0 <= x <= 1");
         }
     }
@@ -159,7 +216,7 @@ namespace ThermoContact
     const Expression velocity{"Initial values/Velocity", initial.velocity};
 
     // alone first, so that a message names the entry that is wrong
-    parse<dim>(temperature, temperature.text, false, theta_A);
+    parse<dim>(temperature, scalar_component(temperature), false, theta_A);
     initial_fields_ =
       parse<dim>(displacement,
                  temperature.text + ";" + vector_components(displacement, dim),
@@ -178,9 +235,11 @@ namespace ThermoContact
                                true,
                                theta_A);
     const auto parse_scalar = [&](const Expression &expression) {
-      return is_zero(expression) ?
-               nullptr :
-               parse<dim>(expression, expression.text, true, theta_A);
+      return is_zero(expression) ? nullptr :
+                                   parse<dim>(expression,
+                                              scalar_component(expression),
+                                              true,
+                                              theta_A);
     };
     heat_source_ = parse_scalar({"Sources/Heat source", sources.heat_source});
     end_traction_ =

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -87,7 +87,7 @@ namespace ThermoContact
                   ", T = ",
                   time.end_time,
                   ": ",
-                  parameters.n_steps(),
+                  parameters.time.n_steps(),
                   " steps, ",
                   time.has_prescribed_start() ? "start of the paper" :
                                                 "consistent start",
@@ -189,7 +189,7 @@ namespace ThermoContact
   report_progress(const Simulation<dim> &simulation, Log &log)
   {
     const StepRecord  &record  = simulation.record();
-    const unsigned int n_steps = simulation.parameters().n_steps();
+    const unsigned int n_steps = simulation.parameters().time.n_steps();
     if (record.step == 0 || (10ull * record.step) / n_steps ==
                               (10ull * (record.step - 1)) / n_steps)
       return;

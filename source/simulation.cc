@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "exceptions.h"
@@ -57,7 +56,8 @@ namespace ThermoContact
     , data(parameters)
     , discretization_(parameters, communicator)
     , operator_(discretization_, parameters)
-    , energy_(discretization_, operator_, law, parameters)
+    , loads(discretization_, parameters, data)
+    , energy_(discretization_, operator_, loads, law, parameters)
     , measurements(discretization_, operator_, law, parameters)
     , step_solver(make_step_solver(discretization_, operator_, law, parameters))
     , integrator(discretization_,
@@ -65,7 +65,7 @@ namespace ThermoContact
                  energy_,
                  law,
                  butcher_tableau(parameters.time.scheme),
-                 data,
+                 loads,
                  *step_solver)
     , controller(parameters)
     , max_energy_increase_(0.)
@@ -106,6 +106,11 @@ namespace ThermoContact
     measurements.measure(state_, data, record_);
     record_.energy_terms = energy_.energy(state_);
     record_.energy       = record_.energy_terms.sum();
+    if (!std::isfinite(record_.energy))
+      throw InputError("Initial values: the energy of the initial state is " +
+                       std::to_string(record_.energy) +
+                       "\n  allowed: expressions that are finite, with their "
+                       "gradients, in the whole body");
     events_.start(record_);
     max_penetration_   = record_.penetration;
     max_contact_force_ = record_.contact_force;
@@ -232,10 +237,7 @@ namespace ThermoContact
     while (!controller.is_finished(record_.step))
       {
         const TimeStep time_step = controller.propose(record_.step);
-        if (record_.step == 0 && parameters_.time.has_prescribed_start())
-          integrator.prescribed_step(state_, time_step, result);
-        else
-          integrator.step(state_, time_step, result);
+        compute_step(time_step, result);
         accept(time_step, result);
         notify();
       }
@@ -245,20 +247,37 @@ namespace ThermoContact
 
   template <int dim>
   void
+  Simulation<dim>::compute_step(const TimeStep &time_step, StepResult &result)
+  {
+    try
+      {
+        if (record_.step == 0 && parameters_.time.has_prescribed_start())
+          integrator.prescribed_step(state_, time_step, result);
+        else
+          integrator.step(state_, time_step, result);
+      }
+    catch (const ComputationError &error)
+      {
+        result.failure = error.what();
+      }
+    if (result.failure.empty() && !std::isfinite(result.energy.sum()))
+      result.failure = "the solution is not finite\n  remedy:  smaller initial "
+                       "values and sources, or a smaller Time/Step size";
+    if (result.failure.empty())
+      return;
+
+    std::ostringstream place;
+    place << "step " << time_step.number << ", from t = " << state_.time
+          << " to " << time_step.end << ": ";
+    throw ComputationError(place.str() + result.failure);
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::accept(const TimeStep &time_step, StepResult &result)
   {
-    const auto fail = [&](const std::string &reason) {
-      std::ostringstream message;
-      message << "step " << time_step.number << ", from t = " << state_.time
-              << " to " << time_step.end << ": " << reason;
-      throw ComputationError(message.str());
-    };
-    if (!result.failure.empty())
-      fail(result.failure);
-    if (!std::isfinite(result.energy.sum()))
-      fail("the solution is not finite\n  remedy:  smaller initial values and "
-           "sources, or a smaller Time/Step size");
-
     const StepRecord old_record = record_;
     state_.swap(result.state);
     measurements.measure(state_, data, record_);

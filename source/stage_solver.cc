@@ -103,15 +103,14 @@ namespace ThermoContact
         reaches_obstacle |= free_displacement[i] > law.gap;
       }
 
+    rates.failure.clear();
     rates.n_iterations = 0;
     rates.pressure.assign(free_displacement.size(), 0.);
     if (!law.is_active || !reaches_obstacle)
       return; // no node is pushed back: zero pressures solve (M.18)
 
     if (unit_responses.empty())
-      {
-        compute_response();
-      }
+      compute_response();
     std::copy(known.contact_pressure.begin(),
               known.contact_pressure.end(),
               rates.pressure.begin());

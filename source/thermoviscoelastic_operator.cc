@@ -78,8 +78,7 @@ namespace ThermoContact
     : discretization(discretization)
     , model(parameters.model)
     , boundary(parameters.boundary)
-    , robin_load_(discretization.make_vector(0))
-    , heat_scratch(robin_load_)
+    , heat_scratch(discretization.make_vector(0))
     , momentum_scratch(discretization.make_vector(1))
   {
     setup_matrices();
@@ -201,11 +200,9 @@ namespace ThermoContact
                                   update_values | update_JxW_values);
     const AffineConstraints<double> unconstrained = no_constraints();
 
-    FullMatrix<double>     cell_matrix(fe.dofs_per_cell, fe.dofs_per_cell);
-    dealii::Vector<double> cell_rhs(fe.dofs_per_cell);
+    FullMatrix<double> cell_matrix(fe.dofs_per_cell, fe.dofs_per_cell);
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
-    TrilinosWrappers::MPI::BlockVector   rhs(discretization.owned_by_block(),
-                                           discretization.communicator());
+    const auto                          &theta = face_values[temperature];
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
@@ -214,92 +211,20 @@ namespace ThermoContact
               cell->face(f)->boundary_id() == contact_boundary_id)
             {
               face_values.reinit(cell, f);
-              cell_matrix        = 0.;
-              cell_rhs           = 0.;
-              const auto  &theta = face_values[temperature];
-              const double k     = boundary.heat_exchange;
+              cell_matrix = 0.;
               for (const unsigned int q :
                    face_values.quadrature_point_indices())
                 for (const unsigned int i : face_values.dof_indices())
-                  {
-                    const double k_eta_JxW =
-                      k * theta.value(i, q) * face_values.JxW(q);
-                    cell_rhs(i) += k_eta_JxW * boundary.obstacle_temperature;
-                    for (const unsigned int j : face_values.dof_indices())
-                      cell_matrix(i, j) += k_eta_JxW * theta.value(j, q);
-                  }
+                  for (const unsigned int j : face_values.dof_indices())
+                    cell_matrix(i, j) += boundary.heat_exchange *
+                                         theta.value(i, q) * theta.value(j, q) *
+                                         face_values.JxW(q);
               cell->get_dof_indices(dofs);
               unconstrained.distribute_local_to_global(cell_matrix,
                                                        dofs,
                                                        stiffness_);
-              unconstrained.distribute_local_to_global(cell_rhs, dofs, rhs);
             }
     stiffness_.compress(VectorOperation::add);
-    rhs.compress(VectorOperation::add);
-    robin_load_ = rhs.block(0);
-  }
-
-
-
-  template <int dim>
-  const SparseMatrix &
-  ThermoviscoelasticOperator<dim>::heat_mass() const
-  {
-    return mass.block(0, 0);
-  }
-
-
-
-  template <int dim>
-  const SparseMatrix &
-  ThermoviscoelasticOperator<dim>::conduction() const
-  {
-    return stiffness_.block(0, 0);
-  }
-
-
-
-  template <int dim>
-  const SparseMatrix &
-  ThermoviscoelasticOperator<dim>::divergence() const
-  {
-    return coupling.block(0, 1);
-  }
-
-
-
-  template <int dim>
-  const SparseMatrix &
-  ThermoviscoelasticOperator<dim>::thermal_stress() const
-  {
-    return coupling.block(1, 0);
-  }
-
-
-
-  template <int dim>
-  const SparseMatrix &
-  ThermoviscoelasticOperator<dim>::momentum_mass() const
-  {
-    return mass.block(1, 1);
-  }
-
-
-
-  template <int dim>
-  const SparseMatrix &
-  ThermoviscoelasticOperator<dim>::stiffness() const
-  {
-    return stiffness_.block(1, 1);
-  }
-
-
-
-  template <int dim>
-  const Vector &
-  ThermoviscoelasticOperator<dim>::robin_load() const
-  {
-    return robin_load_;
   }
 
 
@@ -380,114 +305,6 @@ namespace ThermoContact
     add_block(momentum_stage_matrix(tau), 1., n, n, none_of_momentum, matrix);
     matrix.compress(VectorOperation::add);
     return matrix;
-  }
-
-
-
-  template <int dim>
-  void
-  ThermoviscoelasticOperator<dim>::load(ProblemData<dim> &data,
-                                        const double      time,
-                                        Vector           &heat,
-                                        Vector           &momentum) const
-  {
-    heat     = robin_load_;
-    momentum = 0.;
-    if (!data.has_sources())
-      return;
-    data.set_time(time);
-    integrate_sources(data, heat, momentum);
-    add_end_traction(data, momentum);
-  }
-
-
-
-  template <int dim>
-  void
-  ThermoviscoelasticOperator<dim>::integrate_sources(
-    const ProblemData<dim> &data,
-    Vector                 &heat,
-    Vector                 &momentum) const
-  {
-    const FiniteElement<dim> &fe = discretization.finite_element();
-    // Sources are no polynomials: more points than the products need.
-    const unsigned int                   n_points = fe.degree + 3;
-    FEValues<dim>                        fe_values(discretization.mapping(),
-                            fe,
-                            QGauss<dim>(n_points),
-                            update_values | update_quadrature_points |
-                              update_JxW_values);
-    FEFaceValues<dim>                    face_values(discretization.mapping(),
-                                  fe,
-                                  QGauss<dim - 1>(n_points),
-                                  update_values | update_quadrature_points |
-                                    update_JxW_values);
-    const AffineConstraints<double>      unconstrained = no_constraints();
-    dealii::Vector<double>               cell_rhs(fe.dofs_per_cell);
-    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
-    TrilinosWrappers::MPI::BlockVector   rhs(discretization.owned_by_block(),
-                                           discretization.communicator());
-
-    const auto add_scalar = [&](const auto &values, const Function<dim> &f) {
-      for (const unsigned int q : values.quadrature_point_indices())
-        {
-          const double f_JxW =
-            f.value(values.quadrature_point(q)) * values.JxW(q);
-          for (const unsigned int i : values.dof_indices())
-            cell_rhs(i) += f_JxW * values[temperature].value(i, q);
-        }
-    };
-    const auto add_vector = [&](const auto &values, const Function<dim> &f) {
-      for (const unsigned int q : values.quadrature_point_indices())
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            const double f_JxW =
-              f.value(values.quadrature_point(q), c) * values.JxW(q);
-            for (const unsigned int i : values.dof_indices())
-              cell_rhs(i) += f_JxW * values[displacement].value(i, q)[c];
-          }
-    };
-
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          cell_rhs = 0.;
-          fe_values.reinit(cell);
-          if (data.heat_source() != nullptr)
-            add_scalar(fe_values, *data.heat_source());
-          if (data.body_force() != nullptr)
-            add_vector(fe_values, *data.body_force());
-          for (const unsigned int f : cell->face_indices())
-            if (data.end_heat_flux() != nullptr &&
-                cell->face(f)->at_boundary() &&
-                cell->face(f)->boundary_id() == contact_boundary_id)
-              {
-                face_values.reinit(cell, f);
-                add_scalar(face_values, *data.end_heat_flux());
-              }
-          cell->get_dof_indices(dofs);
-          unconstrained.distribute_local_to_global(cell_rhs, dofs, rhs);
-        }
-    rhs.compress(VectorOperation::add);
-    heat += rhs.block(0);
-    momentum += rhs.block(1);
-  }
-
-
-
-  template <int dim>
-  void
-  ThermoviscoelasticOperator<dim>::add_end_traction(
-    const ProblemData<dim> &data,
-    Vector                 &momentum) const
-  {
-    if (data.end_traction() == nullptr)
-      return;
-    std::vector<double> traction;
-    for (const ContactNode<dim> &node : discretization.contact_nodes())
-      traction.push_back(data.end_traction()->value(node.position));
-    subtract_pressure(traction, -1., momentum);
   }
 
 

@@ -13,14 +13,14 @@ namespace ThermoContact
     const Energy<dim>                     &energy,
     const ContactLaw                      &law,
     const ButcherTableau                  &tableau,
-    ProblemData<dim>                      &data,
+    Loads<dim>                            &loads,
     StepSolver                            &step_solver)
     : discretization(discretization)
     , stage_operator(stage_operator)
     , energy(energy)
     , law(law)
     , tableau(tableau)
-    , data(data)
+    , loads(loads)
     , step_solver(step_solver)
     , stages(tableau.n_stages())
     , accelerations(tableau.n_stages(), discretization.make_vector(1))
@@ -76,7 +76,7 @@ namespace ThermoContact
         StageRates &stage = stages[i];
 
         set_known_values(state, time_step.size, i);
-        stage_operator.load(data, time, heat_load, momentum_load);
+        loads.assemble(time, heat_load, momentum_load);
         step_solver.solve(known, tau, heat_load, momentum_load, stage);
         result.failure = stage.failure;
         result.n_iterations += stage.n_iterations;
@@ -119,7 +119,7 @@ namespace ThermoContact
     ++counters_.factorizations;
 
     Vector heat_rhs(heat_load), momentum_rhs(momentum_load);
-    stage_operator.load(data, time_step.end, heat_load, momentum_load);
+    loads.assemble(time_step.end, heat_load, momentum_load);
     stage_operator.stage_rhs(
       state, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
     stage_operator.subtract_heating(state.velocity, heat_rhs);
@@ -161,7 +161,7 @@ namespace ThermoContact
   {
     result.dissipation += weight * energy.dissipation_rate(stage_state);
     result.impulse += weight * contact_force(stage_state);
-    if (data.has_sources())
+    if (loads.has_sources())
       result.work +=
         weight * energy.work_rate(heat_load, momentum_load, stage_state);
   }

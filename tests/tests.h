@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -79,9 +80,12 @@ read_parameters(const std::string              &name,
   dealii::ParameterHandler  prm;
   parameters.add_parameters(prm);
   if (!name.empty())
-    ThermoContact::assign_entries(ThermoContact::read_parameter_file(
-                                    std::string(PRM_DIR) + "/" + name),
-                                  prm);
+    {
+      std::istringstream text(
+        ThermoContact::read_text(std::string(PRM_DIR) + "/" + name));
+      ThermoContact::assign_entries(ThermoContact::read_assignments(text, name),
+                                    prm);
+    }
   for (const std::string &text : overrides)
     ThermoContact::assign_entries({ThermoContact::parse_override(text)}, prm);
   check_unused_entries(parameters, prm);

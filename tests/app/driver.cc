@@ -90,6 +90,7 @@ main(int, char **argv)
   if (arguments.empty())
     arguments.emplace_back("FILE");
 
+  setenv("THERMOCONTACT", PROGRAM, 1); // for the scripts
   for (const std::string &argument : arguments)
     {
       fs::remove_all(output_dir);

@@ -10,13 +10,15 @@
 //      free (3, 3): both active, p = (1, 1)
 //      free (2, 0.5): node 1 alone would reach 0.5 - 1 < 0: p = (1, 0)
 // 3. 200 random problems with 6 nodes, W = A^T A + 0.01 I with columns scaled
-// by
-//    positive weights, random compliance (0 in every third) and free
-//    displacements of both signs: the solution satisfies p >= 0,
-//    s = g - u + (W + eps I) p >= 0, p s = 0 to 1e-10 of the data, whatever the
-//    pressures the search starts from, and Murty's theorem says it is unique:
-//    two starts give the same to 1e-10.
-// 4. Ties: 5 nodes that just touch (free displacement = gap), uncoupled and
+//    by positive weights, random compliance (0 in every third) and free
+//    displacements of both signs. The solution satisfies p >= 0,
+//    s = g - u + (W + eps I) p >= 0, p s = 0 to 1e-10, whatever the pressures
+//    the search starts from; it is unique, so two starts give the same.
+// 4. W = [1 0 2; 2 1 0; 0 2 1], a P-matrix but not a response, free (1, 1, 1),
+//    rigid: all active, p = (1, 1, 1)/3. From {1} the active sets cycle, {1,
+//    3}, {2, 3}, {1, 2}, until the least-index rule takes over after 20 of
+//    them.
+// 5. Ties: 5 nodes that just touch (free displacement = gap), uncoupled and
 //    coupled: zero pressure, one or two iterations.
 
 #include "contact_solver.h"
@@ -144,6 +146,23 @@ namespace
 
 
   void
+  test_cycle()
+  {
+    FullMatrix<double> response(3, 3);
+    response(0, 0) = response(1, 1) = response(2, 2) = 1.;
+    response(0, 2) = response(1, 0) = response(2, 1) = 2.;
+    const ContactSolver solver(ContactLaw{true, 0., 0.});
+    std::vector<double> pressure = {1., 0., 0.};
+    const unsigned int  n_iterations =
+      solver.solve(response, {1., 1., 1.}, pressure);
+    deallog << "cycle: p " << pressure[0] << ' ' << pressure[1] << ' '
+            << pressure[2] << ", by the least-index rule "
+            << (n_iterations > 20) << std::endl;
+  }
+
+
+
+  void
   test_ties()
   {
     const unsigned int n = 5;
@@ -181,5 +200,6 @@ main()
   test_one_node();
   test_two_nodes();
   test_random_problems();
+  test_cycle();
   test_ties();
 }

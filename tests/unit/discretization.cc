@@ -2,22 +2,20 @@
 //
 // Mesh, projection and matrices against what they are by definition.
 //
-// 1. Counts: n cells of degree p have (np + 1) times (mp + 1)^(dim-1) nodes
-// with
-//    m cells across, of which (mp + 1)^(dim-1) meet the obstacle; their weights
-//    add up to the cross-section.
-// 2. P_E in 1-D interpolates at the vertices, for every degree, on a graded
-// mesh
-//    too; what it loses is orthogonal: (w - P_E w)_x against the derivative of
-//    any function of the space. It keeps a polynomial of the space.
+// 1. Counts: n cells of degree p, m across, have (np + 1) (mp + 1)^(dim-1)
+//    nodes, of which (mp + 1)^(dim-1) meet the obstacle; their weights add up
+//    to the cross-section.
+// 2. P_E in 1-D interpolates at the vertices, for every degree, also on a
+//    graded mesh; what it loses is orthogonal: (w - P_E w)_x against the
+//    derivative of any function of the space. It keeps a polynomial of the
+//    space.
 // 3. 1' M 1 = volume; theta_s' (K + kB) theta_s for theta_s = A + B x is
 //    (B^2 + k (A + B)^2) times the cross-section; for u = x e_1,
 //    (1, div u) = volume and u' S u = volume (P-wave modulus one, plane strain,
 //    every Poisson ratio); for the shear u = y e_1 in 2-D u' S u = mu volume,
 //    mu = (1 - 2 nu)/(2 (1 - nu)).
 // 4. The stage matrix times rates is what the blocks give, and rows of the
-// fixed
-//    end are those of the identity.
+//    fixed end are those of the identity.
 
 #include "discretization.h"
 

@@ -6,12 +6,19 @@
 //   T = 1,    dt = 0.3:  3 steps of 0.3, one of 0.1
 //   T = 0.05, dt = 0.1:  one step of 0.05
 //   T = 0:               no step
+//   T = 71711.8845, dt = 3e-4: 239039615 steps of dt, although the quotient
+//                        rounds to more
+// Events by hand: the gap goes from 0.3 to -0.1 between t = 1 and 2, contact
+// begins at 1.75 with the velocity before, 4; it goes from -0.1 to 0.1 between
+// t = 2 and 4, contact ends at 3 with the velocity after, -5. A body that
+// starts in contact begins contact at t = 0.
 
 #include <cmath>
 #include <sstream>
 
 #include "../tests.h"
 
+#include "contact_events.h"
 #include "exceptions.h"
 #include "step_controller.h"
 
@@ -53,6 +60,9 @@ namespace
     read("subsection Model\n  sett Viscosity = 0.5\nend\n");
     read("set Title\n");
     read("include other.prm\n");
+    read("set Dimension = 2 \\");
+    read("set Title = a\\b \\\n c\n");
+    read("subsection Time\n  set Tolerance = 1e-5\nend\n");
     read(std::string("set Title = \0", 13));
     read("subsection Model\n  set Viskosity = 0.5\nend\n");
     read("set Viscosity = 0.5\n");
@@ -116,6 +126,42 @@ namespace
       }
     deallog << "; ends at T exactly " << (time == end_time) << std::endl;
   }
+
+
+
+  StepRecord
+  make_record(const double time,
+              const double gap,
+              const double velocity,
+              const bool   in_contact)
+  {
+    StepRecord record;
+    record.time         = time;
+    record.gap          = gap;
+    record.velocity_end = velocity;
+    record.in_contact   = in_contact;
+    return record;
+  }
+
+
+
+  void
+  test_events()
+  {
+    const StepRecord open   = make_record(1., 0.3, 4., false);
+    const StepRecord closed = make_record(2., -0.1, 0.5, true);
+    const StepRecord again  = make_record(4., 0.1, -5., false);
+    EventDetector    events;
+    events.start(open);
+    events.observe(open, closed);
+    events.observe(closed, again);
+    for (const ContactEvent &event : events.events())
+      deallog << (event.kind == ContactEvent::begin ? "begin " : "end ")
+              << event.time << ", velocity " << event.velocity << std::endl;
+    events.start(make_record(0., -0.1, 1., true));
+    deallog << "contact at the start: events " << events.events().size()
+            << std::endl;
+  }
 } // namespace
 
 
@@ -130,4 +176,10 @@ main()
   test_steps(1., 0.3);
   test_steps(0.05, 0.1);
   test_steps(0., 0.1);
+
+  TimeParameters time;
+  time.end_time  = 71711.8845;
+  time.step_size = 3e-4;
+  deallog << "steps " << time.n_steps() << std::endl;
+  test_events();
 }

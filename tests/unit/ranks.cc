@@ -95,5 +95,12 @@ main(int argc, char **argv)
   compare<2>("elastic obstacle", {});
   compare<2>("rigid obstacle",
              {"Contact/Condition=rigid", "Time/Scheme=sdirk2"});
+  compare<2>("sources",
+             {"Sources/Heat source=x*t",
+              "Sources/Body force=sin(t)*x; y",
+              "Sources/End traction=0.3*t*(1+y)",
+              "Sources/End heat flux=1+t"});
+  compare<2>("fixed point",
+             {"Solver/Step solver=fixed point", "Time/Scheme=backward euler"});
   compare<3>("elastic obstacle", {});
 }

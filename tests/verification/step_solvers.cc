@@ -13,8 +13,7 @@
 //    step (M.21) is the root of dt^3 = b eps^2 (dt + zeta).
 // 3. At dt = 0.02 < 0.02837 the iteration converges through contact; above, at
 //    dt = 0.03, it fails, with rho > 1 in its message.
-// 4. 2-D (8 x 2 cells, degree 2, nu = 0.3) and 3-D (4 x 2 x 2 cells) strips
-// with
+// 4. 2-D (8 x 2 cells, degree 2, nu = 0.3) and 3-D (4 x 2 x 2) strips with
 //    rollers against the rod with the same cells along x: 1e-9 in every column.
 
 #include <deal.II/base/mpi.h>
