@@ -44,8 +44,9 @@ namespace ThermoContact
 
     /**
      * The contraction factor (M.20) of the contact part at stage length
-     * @p tau: $\chi/\varepsilon$ from the response of the momentum matrix to
-     * unit pressure at all contact nodes; 0 without an obstacle.
+     * @p tau: $\chi/\varepsilon$ with $\chi$ the largest eigenvalue of the
+     * response of the momentum matrix to contact pressures; 0 without an
+     * obstacle.
      */
     double
     contraction_factor(const double tau);

@@ -134,17 +134,39 @@ namespace ThermoContact
       return 0.;
     if (tau != factorized_tau)
       factorize(tau);
-    const std::vector<double> unit_pressure(
-      discretization.contact_nodes().size(), 1.);
-    momentum_stage_rhs = 0.;
-    stage_operator.subtract_pressure(unit_pressure, -tau, momentum_stage_rhs);
-    Vector velocity(momentum_stage_rhs);
-    momentum_solver->solve(velocity, momentum_stage_rhs);
-    ++counters_.responses;
-    std::vector<double> response;
-    discretization.contact_values(1, velocity, response);
-    return tau * *std::max_element(response.begin(), response.end()) /
-           law.compliance;
+
+    // Power iteration for the largest eigenvalue of W, whose eigenvalues are
+    // positive. One step is exact for one node. The start has a part in all
+    // modes of a symmetric body.
+    const unsigned int  n = discretization.contact_nodes().size();
+    std::vector<double> pressure(n), response;
+    for (unsigned int i = 0; i < n; ++i)
+      pressure[i] = 1. + 1. / (i + 1.);
+    Vector velocity(momentum_rhs);
+    double eigenvalue = 0.;
+    for (unsigned int iteration = 0; iteration < 200; ++iteration)
+      {
+        momentum_stage_rhs = 0.;
+        stage_operator.subtract_pressure(pressure, -tau, momentum_stage_rhs);
+        momentum_solver->solve(velocity, momentum_stage_rhs);
+        ++counters_.responses;
+        discretization.contact_values(1, velocity, response);
+
+        double norm = 0., response_norm = 0.;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            norm          = std::max(norm, std::abs(pressure[i]));
+            response_norm = std::max(response_norm, std::abs(response[i]));
+          }
+        const double last_eigenvalue = eigenvalue;
+        eigenvalue                   = tau * response_norm / norm;
+        if (n == 1 ||
+            std::abs(eigenvalue - last_eigenvalue) <= 1e-6 * eigenvalue)
+          break;
+        for (unsigned int i = 0; i < n; ++i)
+          pressure[i] = response[i] / response_norm;
+      }
+    return eigenvalue / law.compliance;
   }
 
 

@@ -22,7 +22,7 @@ namespace
 
   /** a x, the sum over the earlier stages and the stage itself. */
   Values
-  apply(const ButcherTableau &tableau, const Values &x)
+  stage_sums(const ButcherTableau &tableau, const Values &x)
   {
     Values result(x.size(), 0.);
     for (unsigned int i = 0; i < x.size(); ++i)
@@ -60,10 +60,10 @@ namespace
   defect(const ButcherTableau &t, const unsigned int order)
   {
     const Values one(t.n_stages(), 1.);
-    const Values c       = apply(t, one);
+    const Values c       = stage_sums(t, one);
     const Values c2      = product(c, c);
-    const Values ac      = apply(t, c);
-    const Values ac2     = apply(t, c2);
+    const Values ac      = stage_sums(t, c);
+    const Values ac2     = stage_sums(t, c2);
     double       worst   = 0.;
     const auto   require = [&](const Values &x, const double expected) {
       raise(worst, std::abs(weigh(t, x) - expected));
@@ -84,7 +84,7 @@ namespace
           require(product(c, c2), 1. / 4.);
           require(product(c, ac), 1. / 8.);
           require(ac2, 1. / 12.);
-          require(apply(t, ac), 1. / 24.);
+          require(stage_sums(t, ac), 1. / 24.);
           break;
         default: // one of the nine of order 5
           require(product(c2, c2), 1. / 5.);
@@ -127,7 +127,7 @@ main()
       for (unsigned int i = 0; i < t.n_stages(); ++i)
         is_sdirk &=
           t.a[i].size() == i + 1 && t.a[i][i] == t.gamma() &&
-          std::abs(t.c[i] - apply(t, Values(t.n_stages(), 1.))[i]) < 1e-15;
+          std::abs(t.c[i] - stage_sums(t, Values(t.n_stages(), 1.))[i]) < 1e-15;
       double largest = 0.;
       for (double y = 1e-3; y < 1e6; y *= 1.1)
         raise(largest, std::abs(stability_function(t, {0., y})));
