@@ -55,6 +55,10 @@ namespace ThermoContact
   const std::vector<ButcherTableau> &
   butcher_tableaus();
 
+  /** Their names, separated by '|'. */
+  std::string
+  scheme_names();
+
   /** The scheme of that name, which exists. */
   const ButcherTableau &
   butcher_tableau(const std::string &name);

@@ -60,7 +60,8 @@ namespace ThermoContact
      * Fills the members of @p record that are functions of @p state alone: the
      * end and mid values, gap, penetration, force, heat flux, mean temperature.
      *
-     * @param data sources, for the traction of the end stress
+     * @param data sources, at the time of @p state, for the traction of the end
+     *   stress
      */
     void
     measure(const State            &state,

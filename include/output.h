@@ -3,11 +3,9 @@
 #ifndef thermocontact_output_h
 #define thermocontact_output_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
 #include <fstream>
-#include <set>
 #include <string>
 
 #include "field_output.h"
@@ -16,8 +14,9 @@
 namespace ThermoContact
 {
   /**
-   * The files of one run: contact.csv, events.csv, snapshots, summary.json. An
-   * observer of a Simulation. Rows and snapshots are written at step ends.
+   * The files of one run that grow with time: contact.csv, events.csv and the
+   * snapshots. An observer of a Simulation. Rows and snapshots are written at
+   * step ends.
    */
   template <int dim>
   class Output

@@ -7,7 +7,6 @@
 #include <deal.II/base/function_parser.h>
 
 #include <memory>
-#include <string>
 
 #include "parameters.h"
 #include "types.h"

@@ -33,8 +33,8 @@ namespace ThermoContact
   constexpr types::boundary_id contact_boundary_id = 1; ///< $x=1$
 
   /**
-   * What a dimension decides: p4est has no 1-D meshes, and a face in 1-D is a
-   * point. Nothing else in the program asks for the dimension.
+   * What differs in one dimension: p4est has no 1-D meshes, and a face is a
+   * point.
    */
   template <int dim>
   struct DimensionTraits

@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 
+#include "butcher_tableau.h"
 #include "exceptions.h"
 
 namespace ThermoContact
@@ -219,7 +220,7 @@ namespace ThermoContact
       "Time integrator: backward euler (order 1, the paper's), "
       "or the L-stable schemes sdirk2, sdirk3, sdirk4 of orders "
       "2, 3, 4 with 2, 3, 5 solves per step.",
-      Selection("sdirk4|sdirk3|sdirk2|backward euler"));
+      Selection(scheme_names()));
     prm.add_parameter("Start",
                       start,
                       "First step: paper (the end of the step is u_0 + dt u_1, "
