@@ -163,6 +163,10 @@ namespace ThermoContact
                    const Vector        &field,
                    std::vector<double> &values) const;
 
+    /** Mean over the contact end of a field with these nodal values. */
+    double
+    contact_mean(const std::vector<double> &values) const;
+
     /** Area of the contact end (1 in 1-D), by which results are scaled. */
     double
     cross_section() const

@@ -80,9 +80,6 @@ namespace ThermoContact
 
     void
     find_mid_point(const double width);
-
-    double
-    mean(const std::vector<double> &nodal_values) const;
   };
 } // namespace ThermoContact
 

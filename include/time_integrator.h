@@ -109,10 +109,6 @@ namespace ThermoContact
     /** Adds what the stage that ends in @p stage_state weighs. */
     void
     book(const State &stage_state, const double weight, StepResult &result);
-
-    /** Mean contact pressure over the contact end. */
-    double
-    contact_force(const State &state) const;
   };
 } // namespace ThermoContact
 

@@ -245,6 +245,18 @@ namespace ThermoContact
 
 
   template <int dim>
+  double
+  Discretization<dim>::contact_mean(const std::vector<double> &values) const
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < contact_nodes_.size(); ++i)
+      sum += contact_nodes_[i].weight * values[i];
+    return sum / cross_section_;
+  }
+
+
+
+  template <int dim>
   State
   Discretization<dim>::make_state() const
   {

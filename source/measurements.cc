@@ -84,19 +84,6 @@ namespace ThermoContact
 
 
   template <int dim>
-  double
-  Measurements<dim>::mean(const std::vector<double> &nodal_values) const
-  {
-    const auto &nodes = discretization.contact_nodes();
-    double      sum   = 0.;
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      sum += nodes[i].weight * nodal_values[i];
-    return sum / discretization.cross_section();
-  }
-
-
-
-  template <int dim>
   void
   Measurements<dim>::measure(const State            &state,
                              const ProblemData<dim> &data,
@@ -105,19 +92,19 @@ namespace ThermoContact
     record.time = state.time;
 
     discretization.contact_values(1, state.displacement, contact_values);
-    record.displacement_end = mean(contact_values);
+    record.displacement_end = discretization.contact_mean(contact_values);
     record.gap              = law.is_active ?
                                 law.gap - *std::max_element(contact_values.begin(),
                                                contact_values.end()) :
                                 std::numeric_limits<double>::quiet_NaN();
 
     discretization.contact_values(1, state.velocity, contact_values);
-    record.velocity_end = mean(contact_values);
+    record.velocity_end = discretization.contact_mean(contact_values);
 
     const double largest_pressure =
       *std::max_element(state.contact_pressure.begin(),
                         state.contact_pressure.end());
-    record.contact_force = mean(state.contact_pressure);
+    record.contact_force = discretization.contact_mean(state.contact_pressure);
     record.penetration   = law.compliance * largest_pressure;
     record.in_contact    = largest_pressure > 0.;
 
@@ -127,12 +114,12 @@ namespace ThermoContact
         for (unsigned int i = 0; i < contact_values.size(); ++i)
           contact_values[i] = data.end_traction()->value(
             discretization.contact_nodes()[i].position);
-        traction = mean(contact_values);
+        traction = discretization.contact_mean(contact_values);
       }
     record.stress_end = traction - record.contact_force;
 
     discretization.contact_values(0, state.temperature, contact_values);
-    record.temperature_end = mean(contact_values);
+    record.temperature_end = discretization.contact_mean(contact_values);
     record.heat_flux_end =
       boundary.heat_exchange *
       (record.temperature_end - boundary.obstacle_temperature);

@@ -160,23 +160,11 @@ namespace ThermoContact
                             StepResult  &result)
   {
     result.dissipation += weight * energy.dissipation_rate(stage_state);
-    result.impulse += weight * contact_force(stage_state);
+    result.impulse +=
+      weight * discretization.contact_mean(stage_state.contact_pressure);
     if (loads.has_sources())
       result.work +=
         weight * energy.work_rate(heat_load, momentum_load, stage_state);
-  }
-
-
-
-  template <int dim>
-  double
-  TimeIntegrator<dim>::contact_force(const State &state) const
-  {
-    double sum = 0.;
-    for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
-      sum +=
-        discretization.contact_nodes()[i].weight * state.contact_pressure[i];
-    return sum / discretization.cross_section();
   }
 
 
