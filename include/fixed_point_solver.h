@@ -18,9 +18,11 @@ namespace ThermoContact
    * pressure; one factorisation per field. Needs an elastic obstacle or none.
    *
    * It converges for small stages only: the contact part contracts by
-   * $\rho=\chi/\varepsilon$, (M.20). Past that limit it settles into a bounded
-   * 2-cycle, so that a stage that has not converged within the allowed
-   * iterations is a failure.
+   * $\rho=\chi/\varepsilon$, (M.20). Not far past that limit it settles into a
+   * bounded 2-cycle, so that a stage that has not converged within the allowed
+   * iterations is a failure. Converged: the largest change of a displacement
+   * is below the tolerance times the largest displacement (or the gap as long
+   * as nothing moves).
    */
   template <int dim>
   class FixedPointSolver : public StepSolver

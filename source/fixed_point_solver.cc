@@ -84,7 +84,7 @@ namespace ThermoContact
     // the gap may be far beyond reach; it counts only if nothing moves
     const double reach =
       known.displacement.linfty_norm() + tau * known.velocity.linfty_norm();
-    const double scale =
+    const double known_scale =
       reach > 0. ? reach : (law.is_active ? std::abs(law.gap) : 0.);
 
     rates.velocity = 0.; // the paper's start: the last displacement
@@ -115,6 +115,8 @@ namespace ThermoContact
         last_change        = change;
         change             = tau * last_velocity.linfty_norm();
         rates.n_iterations = iteration;
+        const double scale =
+          std::max(known_scale, tau * rates.velocity.linfty_norm());
         if (change <= tolerance * scale)
           return;
         if (!std::isfinite(change))

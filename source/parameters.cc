@@ -251,7 +251,7 @@ namespace ThermoContact
     prm.add_parameter("Fixed point tolerance",
                       fixed_point_tolerance,
                       "Largest change of a displacement in the last iteration, "
-                      "relative to the larger of gap and displacement.",
+                      "relative to the largest displacement.",
                       Double(1e-16, 1.));
     prm.add_parameter("Fixed point iterations",
                       fixed_point_iterations,
