@@ -20,7 +20,11 @@ namespace ThermoContact
     /** @throw ComputationError if the matrix cannot be factorised. */
     explicit DirectSolver(SparseMatrix &&matrix);
 
-    /** Back-substitution $x = A^{-1} b$, both without ghosts. */
+    /**
+     * Back-substitution $x = A^{-1} b$, both without ghosts.
+     *
+     * @throw ComputationError if it fails
+     */
     void
     solve(Vector &x, const Vector &b);
 

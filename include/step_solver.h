@@ -50,7 +50,9 @@ namespace ThermoContact
      * @param tau stage length, positive; a new value costs a factorisation
      * @param heat_load,momentum_load loads at the stage time
      * @param rates out; its vectors have been given their layout by the caller;
-     *   a stage that was not solved has a non-empty failure
+     *   a stage that did not converge has a non-empty failure
+     * @throw ComputationError if a matrix cannot be factorised or the active
+     *   set of several contact nodes does not settle
      */
     virtual void
     solve(const State  &known,

@@ -59,9 +59,11 @@ namespace ThermoContact
                    StepSolver                            &step_solver);
 
     /**
-     * One step with all equations solved.
+     * One step with all equations solved, (M.27), (M.28).
      *
-     * @param result out; reuses the memory of an earlier result
+     * @param result out; reuses the memory of an earlier result; if a stage
+     *   did not converge only its failure has a meaning
+     * @throw ComputationError as StepSolver::solve() does
      */
     void
     step(const State &state, const TimeStep &time_step, StepResult &result);
@@ -72,6 +74,8 @@ namespace ThermoContact
      * the pressure is that of the compliance law, and the defect of the energy
      * balance is booked as numerical dissipation, of either sign. The caller
      * has made sure that a rigid obstacle is not penetrated.
+     *
+     * @throw ComputationError if the heat matrix cannot be factorised
      */
     void
     prescribed_step(const State    &state,
