@@ -23,6 +23,15 @@ namespace ThermoContact
     std::vector<std::vector<double>> a; ///< lower triangle with diagonal
     std::vector<double>              c; ///< row sums of a
 
+    /** Weights of the embedded scheme of order - 1; empty if there is none. */
+    std::vector<double> embedded_b;
+
+    bool
+    has_error_estimate() const
+    {
+      return !embedded_b.empty();
+    }
+
     unsigned int
     n_stages() const
     {

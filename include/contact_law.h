@@ -5,6 +5,16 @@
 
 namespace ThermoContact
 {
+  /** What a stage supposes of the contact nodes. */
+  enum class ContactMode
+  {
+    unilateral, ///< the contact law itself, (M.18)
+    open,       ///< $p=0$ whatever the gap
+    closed      ///< $\varepsilon p=u_n-g$ for all nodes, of either sign
+  };
+
+
+
   /**
    * Contact condition at one node of the contact boundary; no mesh, no matrix.
    *

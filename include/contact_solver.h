@@ -45,6 +45,15 @@ namespace ThermoContact
           const std::vector<double>        &free_displacement,
           std::vector<double>              &pressure) const;
 
+    /**
+     * Pressures of either sign for which all nodes hold
+     * $s=0$: contact that cannot open.
+     */
+    void
+    solve_closed(const dealii::FullMatrix<double> &response,
+                 const std::vector<double>        &free_displacement,
+                 std::vector<double>              &pressure) const;
+
   private:
     const ContactLaw law;
 

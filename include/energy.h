@@ -50,6 +50,20 @@ namespace ThermoContact
     energy(const State &state) const;
 
     /**
+     * The quadratic terms of (M.8) of a difference between two states at the
+     * same time: half the squares of its norms in the energy. The difference
+     * of the pressures is that of the displacements over $\varepsilon$ at the
+     * nodes in contact.
+     *
+     * @param difference of temperature, displacement and velocity; its
+     *   pressures are not used
+     * @param pressure tells by its sign which nodes are in contact
+     */
+    EnergyTerms
+    difference_energy(const State               &difference,
+                      const std::vector<double> &pressure) const;
+
+    /**
      * Rate of physical dissipation, (M.23) without its $\Delta t$:
      * $\|\nabla\hat\theta\|^2+k\|\hat\theta\|_{\Gamma_C}^2+\zeta(C\varepsilon
      * (v),\varepsilon(v))\ge0$.

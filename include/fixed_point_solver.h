@@ -39,6 +39,7 @@ namespace ThermoContact
           const double  tau,
           const Vector &heat_load,
           const Vector &momentum_load,
+          ContactMode   mode,
           StageRates   &rates) override;
 
     types::global_dof_index

@@ -57,6 +57,8 @@ namespace ThermoContact
     Timer                  since_flush;
     std::ofstream          contact_file;
     std::ofstream          events_file;
+    std::ofstream          steps_file;
+    const bool             has_attempts; ///< steps that can be rejected
     unsigned int           n_written_events;
     unsigned int           n_rows;
     double                 next_fields;  ///< in intervals
@@ -73,6 +75,9 @@ namespace ThermoContact
 
     void
     write_events(const std::vector<ContactEvent> &events);
+
+    void
+    write_attempts(const std::vector<StepAttempt> &attempts);
 
     bool
     is_due(const double interval, const double time, double &next) const;

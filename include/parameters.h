@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -113,13 +115,32 @@ namespace ThermoContact
   /** Section Time. */
   struct TimeParameters
   {
-    std::string scheme    = "sdirk4";
-    std::string start     = "automatic";
-    double      end_time  = 10.;
-    double      step_size = 0.001;
+    std::string           scheme   = "sdirk4";
+    std::string           start    = "automatic";
+    double                end_time = 10.;
+    std::optional<double> step_size;        ///< none: error-controlled
+    double                tolerance = 1e-5; ///< of error-controlled steps
+    std::optional<double> first_step_size;  ///< none: from the tolerance
+    double                minimum_step_size = 0.;
+    double      maximum_step_size     = std::numeric_limits<double>::infinity();
+    std::string locate_contact_events = "automatic";
 
     void
     add_parameters(ParameterHandler &prm);
+
+    bool
+    has_error_control() const
+    {
+      return !step_size.has_value();
+    }
+
+    /** True if steps end where contact begins or ends. */
+    bool
+    locates_contact_events() const
+    {
+      return locate_contact_events == "true" ||
+             (locate_contact_events == "automatic" && has_error_control());
+    }
 
     /** True if the first step has the prescribed velocity of the paper. */
     bool
@@ -129,14 +150,17 @@ namespace ThermoContact
              (start == "automatic" && scheme == "backward euler");
     }
 
-    /** Number of time steps: the smallest $N$ with $N\Delta t\ge T$. */
+    /**
+     * Number of fixed steps, without those that events or output times add:
+     * the smallest $N$ with $N\Delta t\ge T$.
+     */
     unsigned int
     n_steps() const
     {
       if (end_time <= 0.)
         return 0;
       // a remainder below the slack is rounding of T / dt
-      const double count = end_time / step_size;
+      const double count = end_time / step_size.value();
       const double slack = 1e-9 + 4e-16 * count;
       return std::max(1u, static_cast<unsigned int>(std::ceil(count - slack)));
     }
@@ -169,6 +193,7 @@ namespace ThermoContact
     std::string directory;
     double      fields_interval  = 0.1;
     double      contact_interval = 0.;
+    bool        land_on_times    = false; ///< steps end on output times
 
     void
     add_parameters(ParameterHandler &prm);
@@ -222,6 +247,10 @@ namespace ThermoContact
     /** The entries that this scene cannot use. */
     std::vector<UnusedEntry>
     unused_entries() const;
+
+  private:
+    void
+    check_steps() const;
   };
 } // namespace ThermoContact
 

@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "contact_events.h"
 #include "discretization.h"
 #include "energy.h"
+#include "error_norm.h"
+#include "event_locator.h"
 #include "loads.h"
 #include "measurements.h"
 #include "parameters.h"
@@ -22,6 +23,19 @@
 
 namespace ThermoContact
 {
+  /** One attempt at a step: a row of steps.csv. */
+  struct StepAttempt
+  {
+    double      time         = 0.; ///< where it starts
+    double      size         = 0.;
+    double      error        = 0.; ///< relative to the tolerance
+    bool        is_accepted  = false;
+    const char *reason       = ""; ///< why it ends there or was rejected
+    double      wall_seconds = 0.;
+  };
+
+
+
   /**
    * One scene from its initial state to its end time. Writes no file and
    * prints nothing: after the initial state and after every accepted step it
@@ -71,7 +85,21 @@ namespace ThermoContact
     const std::vector<ContactEvent> &
     events() const
     {
-      return events_.events();
+      return events_;
+    }
+
+    /** Attempts since the step before the last: the last one is accepted. */
+    const std::vector<StepAttempt> &
+    attempts() const
+    {
+      return attempts_;
+    }
+
+    /** Attempts that were not accepted, for whatever reason. */
+    unsigned int
+    n_rejected_steps() const
+    {
+      return n_rejected_steps_;
     }
 
     /** What the user should know although the run goes on. */
@@ -149,29 +177,64 @@ namespace ThermoContact
     Measurements<dim>                     measurements;
     std::unique_ptr<StepSolver>           step_solver;
     TimeIntegrator<dim>                   integrator;
-    const StepController                  controller;
+    StepController                        controller;
+    ErrorNorm                             error_norm;
+    EventLocator                          event_locator;
 
-    State                    state_;
-    StepRecord               record_;
-    EventDetector            events_;
-    double                   max_energy_increase_;
-    double                   max_penetration_;
-    double                   max_contact_force_;
-    std::vector<std::string> warnings_;
-    std::vector<Observer>    observers;
+    State                     state_;
+    StepRecord                record_;
+    std::vector<ContactEvent> events_;
+    std::vector<StepAttempt>  attempts_;
+    unsigned int              n_rejected_steps_;
+    unsigned int              n_retakes; ///< to the next event
+    ContactValues             contact_values;
+    double                    max_energy_increase_;
+    double                    max_penetration_;
+    double                    max_contact_force_;
+    std::vector<std::string>  warnings_;
+    std::vector<Observer>     observers;
 
     void
     set_initial_state();
 
-    void
-    check_initial_values();
+    /** True if the step that is due is the first one of the paper. */
+    bool
+    is_prescribed_step() const;
 
-    void
-    check_initial_contact();
-
-    /** @throw ComputationError naming step and time if it is not solved */
     void
     compute_step(const TimeStep &time_step, StepResult &result);
+
+    /**
+     * Tries a step and tells the controller how it went.
+     *
+     * @return true if the step is to be accepted
+     * @throw ComputationError naming step and time if there is nothing left to
+     *   try
+     */
+    bool
+    attempt(const TimeStep &time_step, StepResult &result);
+
+    /**
+     * True if contact does not change within an accurate step, which then ends
+     * a state of contact or leaves it as it is. False: the next attempt is
+     * aimed at the change, or made in the other state of contact.
+     */
+    bool
+    respects_contact(const TimeStep &time_step, StepResult &result);
+
+    /**
+     * Pressures of an accepted step: none is negative, and where contact begins
+     * they are those of the law, since no stage has seen them.
+     */
+    void
+    finish_pressure(const bool begins_contact, StepResult &result);
+
+    /** @throw ComputationError that says where and why the run ends. */
+    [[noreturn]] void
+    give_up(const TimeStep &time_step, const std::string &reason) const;
+
+    void
+    get_contact_values(const State &state, ContactValues &values) const;
 
     void
     accept(const TimeStep &time_step, StepResult &result);

@@ -5,6 +5,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <list>
 #include <memory>
 
 #include "contact_solver.h"
@@ -16,8 +17,9 @@ namespace ThermoContact
 {
   /**
    * The monolithic stage: both fields at once and contact exactly, doc/model.md
-   * (M.15)-(M.18). One factorisation per stage length; the response to unit
-   * pressures is computed when a node first reaches the obstacle.
+   * (M.15)-(M.18). One factorisation per stage length; those used last are
+   * kept, since error-controlled steps come back to few sizes. The response to
+   * unit pressures is computed when a node first reaches the obstacle.
    */
   template <int dim>
   class StageSolver : public StepSolver
@@ -33,6 +35,7 @@ namespace ThermoContact
           const double  tau,
           const Vector &heat_load,
           const Vector &momentum_load,
+          ContactMode   mode,
           StageRates   &rates) override;
 
     types::global_dof_index
@@ -44,10 +47,17 @@ namespace ThermoContact
     const ContactLaw                       law;
     const ContactSolver                    contact_solver;
 
-    double                        factorized_tau;
-    std::unique_ptr<DirectSolver> solver;
-    std::vector<Vector>           unit_responses; ///< rates, whole system
-    FullMatrix<double>            response;       ///< $W$
+    /** The stage matrix for one stage length and what goes with it. */
+    struct Factorization
+    {
+      double                        tau;
+      std::unique_ptr<DirectSolver> solver;
+      std::vector<Vector>           unit_responses; ///< rates, whole system
+      FullMatrix<double>            response;       ///< $W$
+    };
+
+    const unsigned int       max_factorizations;
+    std::list<Factorization> factorizations; ///< the one used last in front
 
     Vector              heat_rhs;
     Vector              momentum_rhs;
@@ -56,11 +66,19 @@ namespace ThermoContact
     std::vector<double> known_displacement;
     std::vector<double> free_displacement;
 
+    /** Puts the factorisation for @p tau in front. */
     void
-    factorize(const double tau);
+    provide_factorization(const double tau);
 
     void
-    compute_response();
+    compute_response(Factorization &factorization);
+
+    /** Pressures from the displacements without contact. */
+    void
+    solve_contact(Factorization    &factorization,
+                  const State      &known,
+                  const ContactMode mode,
+                  StageRates       &rates);
   };
 } // namespace ThermoContact
 

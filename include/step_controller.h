@@ -3,6 +3,9 @@
 #ifndef thermocontact_step_controller_h
 #define thermocontact_step_controller_h
 
+#include <optional>
+#include <vector>
+
 #include "parameters.h"
 
 namespace ThermoContact
@@ -10,50 +13,122 @@ namespace ThermoContact
   /** One step of the time loop: from the present time to @p end. */
   struct TimeStep
   {
-    unsigned int number = 0;  ///< from 1
-    double       size   = 0.; ///< $\Delta t$
-    double       end    = 0.; ///< time at its end
+    /** What the step ends at. */
+    enum Target
+    {
+      none,   ///< nothing: its size is the controller's
+      event,  ///< the instant where contact was seen to change
+      output, ///< an output time
+      finish  ///< $T$
+    };
+
+    double size   = 0.; ///< $\Delta t$
+    double end    = 0.; ///< time at its end
+    Target target = none;
   };
 
 
 
   /**
-   * Fixed steps of $\Delta t$ up to $T$, which is hit exactly: the last step is
-   * shortened unless it differs from $\Delta t$ by rounding only. Times are
-   * multiples of $\Delta t$, so that rounding does not accumulate. Arithmetic
-   * only.
+   * Chooses the time steps. Arithmetic only.
+   *
+   * Fixed steps end at the multiples of $\Delta t$, so that rounding does not
+   * accumulate. Error-controlled steps are accepted if their error is not
+   * above the tolerance; the next size follows from the last two errors
+   * (Gustafsson's PI controller), rounded down to a power of $2^{1/4}$ so that
+   * sizes, and their factorisations, come back. Steps of both kinds are
+   * shortened to end at $T$, at a contact event, at output times if these are
+   * to be hit; the size from which the next step is derived is not affected.
    */
   class StepController
   {
   public:
-    explicit StepController(const Parameters &parameters)
-      : step_size(parameters.time.step_size)
-      , end_time(parameters.time.end_time)
-      , n_steps(parameters.time.n_steps())
-    {}
+    /** @param order order of the scheme, for error-controlled steps */
+    StepController(const Parameters &parameters, const unsigned int order);
 
-    /** The step after step @p number; number < n_steps(). */
+    /** The step to be tried from @p time on; @p time < $T$. */
     TimeStep
-    propose(const unsigned int number) const
-    {
-      if (number + 1 < n_steps)
-        return {number + 1, step_size, (number + 1) * step_size};
-      const double remainder = end_time - number * step_size;
-      const bool   is_full =
-        remainder > (1. - 1e-6) * step_size && remainder <= 1.001 * step_size;
-      return {number + 1, is_full ? step_size : remainder, end_time};
-    }
+    propose(const double time) const;
 
     bool
-    is_finished(const unsigned int number) const
+    is_finished(const double time) const
     {
-      return number >= n_steps;
+      return time >= end_time;
     }
 
+    /** The next step ends at @p event_time, which lies within the last one. */
+    void
+    aim_at(const double event_time);
+
+    /**
+     * True if a step with this error, relative to the tolerance, is accurate
+     * enough; NaN is not. Fixed steps always are. The first step after contact
+     * changed must be more accurate: the solution is not smooth there, and the
+     * estimate is less than the error.
+     */
+    bool
+    is_accurate(const double error) const
+    {
+      return !has_error_control || error <= largest_error();
+    }
+
+    /** The step is not accurate enough. */
+    void
+    reject(const TimeStep &step, const double error);
+
+    /** The step is accepted. */
+    void
+    accept(const TimeStep &step, const double error);
+
+    /**
+     * The step could not be computed: the next one will be smaller.
+     *
+     * @return false if steps are fixed, and there is nothing to try
+     */
+    bool
+    retry_smaller(const TimeStep &step);
+
+    /**
+     * Contact has begun or ended: what follows is faster than what the size
+     * was chosen for.
+     */
+    void
+    restart(const bool contact_begins);
+
+    /**
+     * True if the size that is due is below the smallest that is allowed, or
+     * that @p time can resolve.
+     */
+    bool
+    is_exhausted(const double time) const;
+
   private:
-    const double       step_size;
-    const double       end_time;
-    const unsigned int n_steps;
+    const bool          has_error_control;
+    const double        fixed_size;
+    const double        end_time;
+    const double        minimum_size;
+    const double        maximum_size;
+    const unsigned int  order;
+    std::vector<double> landing_intervals;
+
+    double                size; ///< of the next step if nothing shortens it
+    double                last_error;
+    bool                  was_rejected;
+    bool                  is_restarting; ///< after begin or end of contact
+    std::optional<double> event_time;
+
+    double
+    largest_error() const
+    {
+      return is_restarting ? 0.2 : 1.;
+    }
+
+    /** The largest power of $2^{1/4}$ that is not above @p value. */
+    static double
+    rung_below(const double value);
+
+    void
+    set_size(const double value);
   };
 } // namespace ThermoContact
 

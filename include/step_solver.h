@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "contact_law.h"
 #include "state.h"
 #include "types.h"
 
@@ -49,6 +50,8 @@ namespace ThermoContact
      *   nearby contact pressures
      * @param tau stage length, positive; a new value costs a factorisation
      * @param heat_load,momentum_load loads at the stage time
+     * @param mode unilateral: the contact law; open, closed: one of its two
+     *   branches, which makes the stage linear
      * @param rates out; its vectors have been given their layout by the caller;
      *   a stage that did not converge has a non-empty failure
      * @throw ComputationError if a matrix cannot be factorised or the active
@@ -59,6 +62,7 @@ namespace ThermoContact
           const double  tau,
           const Vector &heat_load,
           const Vector &momentum_load,
+          ContactMode   mode,
           StageRates   &rates) = 0;
 
     /** Number of unknowns of the largest matrix that is factorised. */

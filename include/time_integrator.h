@@ -20,6 +20,7 @@ namespace ThermoContact
   {
     State        state;                      ///< at the end of the step
     EnergyTerms  energy;                     ///< of that state
+    EnergyTerms  error;                      ///< its estimate, (M.29)
     double       work                  = 0.; ///< $W$
     double       dissipation           = 0.; ///< $D$
     double       numerical_dissipation = 0.; ///< $N$
@@ -61,12 +62,18 @@ namespace ThermoContact
     /**
      * One step with all equations solved, (M.27), (M.28).
      *
-     * @param result out; reuses the memory of an earlier result; if a stage
+     * @param mode unilateral: every stage satisfies the contact law; open,
+     *   closed: the state of contact is held, which makes the step a smooth
+     *   function of its size
+     * @param result out; its error is set if the scheme has an estimate; reuses the memory of an earlier result; if a stage
      *   did not converge only its failure has a meaning
      * @throw ComputationError as StepSolver::solve() does
      */
     void
-    step(const State &state, const TimeStep &time_step, StepResult &result);
+    step(const State      &state,
+         const TimeStep   &time_step,
+         const ContactMode mode,
+         StepResult       &result);
 
     /**
      * The start of the paper, (M.26): the displacement moves with the present
@@ -101,6 +108,7 @@ namespace ThermoContact
     std::vector<StageRates>                stages;
     std::vector<Vector>                    accelerations; ///< $v'$ of a stage
     State                                  known;
+    State                                  difference;
     Vector                                 heat_load;
     Vector                                 momentum_load;
 
@@ -109,6 +117,10 @@ namespace ThermoContact
     set_known_values(const State       &state,
                      const double       step_size,
                      const unsigned int i);
+
+    /** The difference to the embedded scheme, (M.29). */
+    void
+    estimate_error(const double step_size, StepResult &result);
 
     /** Adds what the stage that ends in @p stage_state weighs. */
     void

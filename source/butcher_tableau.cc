@@ -14,9 +14,10 @@ namespace ThermoContact
     ButcherTableau
     make_tableau(const std::string                      &name,
                  const unsigned int                      order,
-                 const std::vector<std::vector<double>> &a)
+                 const std::vector<std::vector<double>> &a,
+                 const std::vector<double>              &embedded_b = {})
     {
-      ButcherTableau tableau{name, order, a, {}};
+      ButcherTableau tableau{name, order, a, {}, embedded_b};
       for (const std::vector<double> &row : a)
         {
           double sum = 0.;
@@ -67,7 +68,8 @@ namespace ThermoContact
          {1. / 2., 1. / 4.},
          {17. / 50., -1. / 25., 1. / 4.},
          {371. / 1360., -137. / 2720., 15. / 544., 1. / 4.},
-         {25. / 24., -49. / 48., 125. / 16., -85. / 12., 1. / 4.}});
+         {25. / 24., -49. / 48., 125. / 16., -85. / 12., 1. / 4.}},
+        {59. / 48., -17. / 96., 225. / 32., -85. / 12., 0.});
     }
   } // namespace
 

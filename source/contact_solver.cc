@@ -51,6 +51,25 @@ namespace ThermoContact
 
 
 
+  void
+  ContactSolver::solve_closed(const dealii::FullMatrix<double> &response,
+                              const std::vector<double> &free_displacement,
+                              std::vector<double>       &pressure) const
+  {
+    const unsigned int n = free_displacement.size();
+    pressure.resize(n);
+    if (n == 1)
+      pressure[0] =
+        (free_displacement[0] - law.gap) / (law.compliance + response(0, 0));
+    else
+      solve_on_active_set(response,
+                          free_displacement,
+                          std::vector<bool>(n, true),
+                          pressure);
+  }
+
+
+
   unsigned int
   ContactSolver::solve(const dealii::FullMatrix<double> &response,
                        const std::vector<double>        &free_displacement,

@@ -124,6 +124,33 @@ namespace ThermoContact
 
 
   template <int dim>
+  EnergyTerms
+  Energy<dim>::difference_energy(const State               &difference,
+                                 const std::vector<double> &pressure) const
+  {
+    EnergyTerms terms;
+    terms.thermal =
+      0.5 * heat_form(stage_operator.heat_mass(), difference.temperature);
+    terms.kinetic =
+      0.5 * model.inertia *
+      momentum_form(stage_operator.momentum_mass(), difference.velocity);
+    terms.elastic =
+      0.5 * momentum_form(stage_operator.stiffness(), difference.displacement);
+    if (law.compliance == 0.)
+      return terms;
+    discretization.contact_values(1, difference.displacement, end_displacement);
+    for (unsigned int i = 0; i < pressure.size(); ++i)
+      if (pressure[i] > 0.)
+        terms.obstacle += 0.5 / law.compliance *
+                          discretization.contact_nodes()[i].weight /
+                          discretization.cross_section() * end_displacement[i] *
+                          end_displacement[i];
+    return terms;
+  }
+
+
+
+  template <int dim>
   double
   Energy<dim>::dissipation_rate(const State &state) const
   {

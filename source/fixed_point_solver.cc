@@ -69,12 +69,15 @@ namespace ThermoContact
 
   template <int dim>
   void
-  FixedPointSolver<dim>::solve(const State  &known,
-                               const double  tau,
-                               const Vector &heat_load,
-                               const Vector &momentum_load,
-                               StageRates   &rates)
+  FixedPointSolver<dim>::solve(const State      &known,
+                               const double      tau,
+                               const Vector     &heat_load,
+                               const Vector     &momentum_load,
+                               const ContactMode mode,
+                               StageRates       &rates)
   {
+    Assert(mode == ContactMode::unilateral, ExcNotImplemented());
+    (void)mode;
     if (tau != factorized_tau)
       factorize(tau);
     stage_operator.stage_rhs(

@@ -22,6 +22,9 @@ namespace ThermoContact
       "temperature_end,heat_flux_end,energy,dissipation,numerical_dissipation,"
       "in_contact,iterations,work,temperature_mean";
 
+    const char *const step_columns =
+      "time,step_size,error,accepted,reason,wall_seconds";
+
     const char *const event_columns = "time,kind,velocity";
 
     /** Rows after which a fault of the file is looked for on all ranks. */
@@ -41,6 +44,8 @@ namespace ThermoContact
     , field_output(directory,
                    simulation.parameters(),
                    simulation.discretization())
+    , has_attempts(simulation.parameters().time.has_error_control() ||
+                   simulation.parameters().time.locates_contact_events())
     , n_written_events(0)
     , n_rows(0)
     , next_fields(0.)
@@ -50,6 +55,8 @@ namespace ThermoContact
     const std::string &title = simulation.parameters().title;
     open(contact_file, "contact.csv", title, contact_columns);
     open(events_file, "events.csv", title, event_columns);
+    if (has_attempts)
+      open(steps_file, "steps.csv", title, step_columns);
     if (is_writer && parameters.fields_interval > 0.)
       {
         std::error_code error; // a fault shows when the first file is opened
@@ -104,6 +111,7 @@ namespace ThermoContact
         is_due(parameters.contact_interval, record.time, next_contact))
       write_row(record);
     write_events(simulation.events());
+    write_attempts(simulation.attempts());
 
     if (parameters.fields_interval > 0. &&
         is_due(parameters.fields_interval, record.time, next_fields))
@@ -119,6 +127,7 @@ namespace ThermoContact
       {
         contact_file.flush();
         events_file.flush();
+        steps_file.flush();
         since_flush.restart();
       }
   }
@@ -184,6 +193,30 @@ namespace ThermoContact
 
 
   template <int dim>
+  void
+  Output<dim>::write_attempts(const std::vector<StepAttempt> &attempts)
+  {
+    if (!is_writer || !has_attempts)
+      return;
+    for (const StepAttempt &a : attempts)
+      {
+        char      row[160];
+        const int length = std::snprintf(row,
+                                         sizeof(row),
+                                         "%.17g,%.17g,%.6g,%d,%s,%.6g\n",
+                                         a.time,
+                                         a.size,
+                                         a.error,
+                                         a.is_accepted ? 1 : 0,
+                                         a.reason,
+                                         a.wall_seconds);
+        steps_file.write(row, length);
+      }
+  }
+
+
+
+  template <int dim>
   double
   Output<dim>::output_seconds() const
   {
@@ -201,11 +234,13 @@ namespace ThermoContact
       {
         contact_file.flush();
         events_file.flush();
+        steps_file.flush();
         since_flush.restart();
         for (const auto &[file, name] :
              {std::make_pair(&contact_file, "contact.csv"),
-              std::make_pair(&events_file, "events.csv")})
-          if (!*file)
+              std::make_pair(&events_file, "events.csv"),
+              std::make_pair(&steps_file, "steps.csv")})
+          if (file->is_open() && !*file)
             fault = directory + "/" + name +
                     ": cannot be written\n  remedy:  check free space and "
                     "rights, or give another Output/Directory";

@@ -3,13 +3,13 @@
 #include "parameters.h"
 
 #include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
 
-#include <cmath>
+#include <functional>
 #include <limits>
-#include <sstream>
+#include <memory>
 
 #include "butcher_tableau.h"
-#include "exceptions.h"
 
 namespace ThermoContact
 {
@@ -25,20 +25,57 @@ namespace ThermoContact
                             std::numeric_limits<double>::max());
 
     /**
-     * Throws for an entry whose value a pattern accepts but the program does
-     * not.
+     * A positive number, or a word that stands for a choice of the program or
+     * for no limit.
      */
-    template <typename Value>
-    [[noreturn]] void
-    refuse(const std::string &path,
-           const Value       &value,
-           const std::string &allowed,
-           const std::string &remedy)
+    class NumberOrWord : public PatternBase
     {
-      std::ostringstream message;
-      message << path << " = " << value << "\n  allowed: " << allowed
-              << "\n  remedy:  " << remedy;
-      throw InputError(message.str());
+    public:
+      explicit NumberOrWord(const std::string &word)
+        : word(word)
+        , number(0., 1e15)
+      {}
+
+      bool
+      match(const std::string &text) const override
+      {
+        return text == word || number.match(text);
+      }
+
+      std::string
+      description(const OutputStyle style = Machine) const override
+      {
+        return "[" + word + " or " + number.description(style) + "]";
+      }
+
+      std::unique_ptr<PatternBase>
+      clone() const override
+      {
+        return std::make_unique<NumberOrWord>(word);
+      }
+
+    private:
+      const std::string word;
+      const Double      number;
+    };
+
+
+
+    /** Declares an entry that is @p word by default and else a number. */
+    void
+    add_number_or_word(ParameterHandler                          &prm,
+                       const std::string                         &name,
+                       const std::string                         &word,
+                       const std::string                         &text,
+                       const std::function<void(const double *)> &assign)
+    {
+      prm.declare_entry(name, word, NumberOrWord(word), text);
+      prm.add_action(name, [word, assign](const std::string &value) {
+        if (value == word)
+          return assign(nullptr);
+        const double number = dealii::Utilities::string_to_double(value);
+        assign(&number);
+      });
     }
   } // namespace
 
@@ -228,11 +265,48 @@ namespace ThermoContact
                       "all others), automatic (paper for backward euler).",
                       Selection("automatic|paper|consistent"));
     prm.add_parameter("End time", end_time, "End time T >= 0.", duration);
-    prm.add_parameter("Step size",
-                      step_size,
-                      "Time step dt > 0; the last step is shortened to end at "
-                      "T. The paper: 0.001.",
+    add_number_or_word(
+      prm,
+      "Step size",
+      "automatic",
+      "Time step dt > 0, the same for all steps but those that end at T, at "
+      "a contact event or at an output time; automatic: from the error "
+      "estimate of the scheme and the tolerance. The paper: 0.001.",
+      [this](const double *dt) {
+        step_size = dt ? std::optional<double>(*dt) : std::nullopt;
+      });
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "Tolerance of automatic steps: error per step, relative "
+                      "to the running maximum of each field.",
+                      Double(1e-13, 0.1));
+    add_number_or_word(prm,
+                       "First step size",
+                       "automatic",
+                       "First of the automatic steps.",
+                       [this](const double *dt) {
+                         first_step_size =
+                           dt ? std::optional<double>(*dt) : std::nullopt;
+                       });
+    prm.add_parameter("Minimum step size",
+                      minimum_step_size,
+                      "An automatic step that would have to be smaller stops "
+                      "the run with an error; steps to contact events, output "
+                      "times and T may be smaller.",
                       duration);
+    add_number_or_word(prm,
+                       "Maximum step size",
+                       "infinity",
+                       "Largest automatic step.",
+                       [this](const double *dt) {
+                         maximum_step_size =
+                           dt ? *dt : std::numeric_limits<double>::infinity();
+                       });
+    prm.add_parameter("Locate contact events",
+                      locate_contact_events,
+                      "Steps end where contact begins or ends, which keeps the "
+                      "order of the scheme; automatic: with automatic steps.",
+                      Selection("automatic|true|false"));
     prm.leave_subsection();
   }
 
@@ -282,6 +356,10 @@ namespace ThermoContact
                       "at or after each multiple of this time, and at T; 0: "
                       "every step.",
                       duration);
+    prm.add_parameter("Land on output times",
+                      land_on_times,
+                      "Steps are shortened to end on the multiples of both "
+                      "intervals; costs solves.");
     prm.leave_subsection();
   }
 
@@ -307,90 +385,5 @@ namespace ThermoContact
     time.add_parameters(prm);
     solver.add_parameters(prm);
     output.add_parameters(prm);
-  }
-
-
-
-  void
-  Parameters::check() const
-  {
-    if (!(model.inertia > 0.))
-      refuse("Model/Inertia",
-             model.inertia,
-             "b > 0",
-             "give a small inertia, e.g. 1e-6, for a slow process");
-    if (!(model.poisson_ratio > -1. && model.poisson_ratio < 0.5))
-      refuse("Model/Poisson ratio",
-             model.poisson_ratio,
-             "-1 < nu < 0.5",
-             "stay below 0.5, the incompressible limit");
-    if (!contact.is_none() && !contact.is_rigid() && !(contact.compliance > 0.))
-      refuse("Contact/Compliance",
-             contact.compliance,
-             "epsilon > 0",
-             "for a rigid obstacle set Contact/Condition = rigid");
-    const double n_nodes =
-      (mesh.degree * std::ldexp(mesh.cells, mesh.refinements) + 1.) *
-      std::pow(mesh.degree * std::ldexp(mesh.cells_across, mesh.refinements) +
-                 1.,
-               dimension - 1.);
-    if ((1. + dimension) * n_nodes > 1e9)
-      refuse("Mesh/Cells",
-             mesh.cells,
-             "at most 1e9 unknowns with Degree, Refinements and Cells across",
-             "a coarser mesh");
-    if (!(time.step_size > 0.))
-      refuse("Time/Step size",
-             time.step_size,
-             "dt > 0",
-             "the paper uses 0.001");
-    if (time.start == "paper" && time.scheme != "backward euler")
-      refuse("Time/Start",
-             time.start,
-             "consistent or automatic, since Time/Scheme = " + time.scheme,
-             "the prescribed first step of the paper is of order 1");
-    if (time.end_time / time.step_size > 1e9)
-      refuse("Time/Step size",
-             time.step_size,
-             "at most 1e9 steps up to Time/End time",
-             "enlarge the step or shorten the run");
-    if (solver.is_fixed_point() && time.scheme != "backward euler")
-      refuse("Solver/Step solver",
-             solver.step_solver,
-             "monolithic, since Time/Scheme = " + time.scheme,
-             "the iteration of the paper belongs to Time/Scheme = backward "
-             "euler");
-    if (solver.is_fixed_point() && contact.is_rigid())
-      refuse("Solver/Step solver",
-             solver.step_solver,
-             "monolithic, since Contact/Condition = rigid",
-             "the iteration of the paper needs an elastic obstacle");
-  }
-
-
-
-  std::vector<Parameters::UnusedEntry>
-  Parameters::unused_entries() const
-  {
-    std::vector<UnusedEntry> unused;
-    if (dimension == 1)
-      for (const char *path : {"Model/Poisson ratio",
-                               "Boundary/Lateral support",
-                               "Mesh/Width",
-                               "Mesh/Cells across"})
-        unused.push_back({path, "Dimension = 1"});
-    if (contact.is_none() || contact.is_rigid())
-      unused.push_back(
-        {"Contact/Compliance", "Contact/Condition = " + contact.condition});
-    if (contact.is_none())
-      unused.push_back({"Contact/Gap", "Contact/Condition = none"});
-    if (boundary.heat_exchange == 0.)
-      unused.push_back(
-        {"Boundary/Obstacle temperature", "Boundary/Heat exchange = 0"});
-    if (!solver.is_fixed_point())
-      for (const char *path :
-           {"Solver/Fixed point tolerance", "Solver/Fixed point iterations"})
-        unused.push_back({path, "Solver/Step solver = monolithic"});
-    return unused;
   }
 } // namespace ThermoContact

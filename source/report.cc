@@ -81,14 +81,20 @@ namespace ThermoContact
     describe_time(const Parameters &parameters)
     {
       const TimeParameters &time = parameters.time;
+      const std::string     steps =
+        time.has_error_control() ?
+              text("error-controlled steps, tolerance ", time.tolerance) :
+              text("dt = ", *time.step_size, ", ", time.n_steps(), " steps");
       return text(time.scheme,
-                  ", dt = ",
-                  time.step_size,
+                  ", ",
+                  steps,
                   ", T = ",
                   time.end_time,
-                  ": ",
-                  parameters.time.n_steps(),
-                  " steps, ",
+                  time.locates_contact_events() &&
+                      !parameters.contact.is_none() ?
+                    ", contact events located" :
+                    "",
+                  ", ",
                   time.has_prescribed_start() ? "start of the paper" :
                                                 "consistent start",
                   ", ",
@@ -188,17 +194,20 @@ namespace ThermoContact
   void
   report_progress(const Simulation<dim> &simulation, Log &log)
   {
-    const StepRecord  &record  = simulation.record();
-    const unsigned int n_steps = simulation.parameters().time.n_steps();
-    if (record.step == 0 || (10ull * record.step) / n_steps ==
-                              (10ull * (record.step - 1)) / n_steps)
+    const StepRecord &record   = simulation.record();
+    const double      end_time = simulation.parameters().time.end_time;
+    const auto        tenths   = [end_time](const double time) {
+      return static_cast<unsigned int>(10. * time / end_time + 1e-9);
+    };
+    if (record.step == 0 ||
+        tenths(record.time) == tenths(record.time - record.step_size))
       return;
     char line[160];
     std::snprintf(line,
                   sizeof(line),
                   "  %3u %%   t = %-10.6g  u(1) = %-12.6g  gap = %-12.6g  "
                   "force = %.6g",
-                  10 * static_cast<unsigned int>(10ull * record.step / n_steps),
+                  10 * tenths(record.time),
                   record.time,
                   record.displacement_end,
                   record.gap,
@@ -282,7 +291,7 @@ namespace ThermoContact
       {"factorized_unknowns", simulation.n_factorized_unknowns()},
       {"scheme", parameters.time.scheme},
       {"steps", record.step},
-      {"rejected_steps", 0},
+      {"rejected_steps", simulation.n_rejected_steps()},
       {"factorizations", counters.factorizations},
       {"responses", counters.responses},
       {"solves", counters.solves},

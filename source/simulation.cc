@@ -2,13 +2,15 @@
 
 #include "simulation.h"
 
+#include <deal.II/base/timer.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "exceptions.h"
 #include "fixed_point_solver.h"
-#include "h1_projection.h"
+#include "initial_state.h"
 #include "stage_solver.h"
 
 namespace ThermoContact
@@ -44,6 +46,42 @@ namespace ThermoContact
                                                 stage_operator,
                                                 law);
     }
+
+
+
+    const char *
+    name_of(const TimeStep::Target target)
+    {
+      switch (target)
+        {
+          case TimeStep::event:
+            return "event";
+          case TimeStep::output:
+            return "output";
+          case TimeStep::finish:
+            return "end";
+          default:
+            return "ok";
+        }
+    }
+
+
+
+    /** Why error-controlled steps end, and what to try. */
+    std::string
+    describe_exhaustion(const StepAttempt &attempt, const std::string &failure)
+    {
+      if (!failure.empty())
+        return "also with steps as small as " + std::to_string(attempt.size) +
+               ", " + failure;
+      std::ostringstream message;
+      message << "the error of a step of size " << attempt.size << " is "
+              << attempt.error
+              << " times the tolerance, and smaller steps are not allowed or "
+                 "not resolved\n  remedy:  a smaller Time/Minimum step size, a "
+                 "larger Time/Tolerance, or smoother sources";
+      return message.str();
+    }
   } // namespace
 
 
@@ -67,7 +105,15 @@ namespace ThermoContact
                  butcher_tableau(parameters.time.scheme),
                  loads,
                  *step_solver)
-    , controller(parameters)
+    , controller(parameters, butcher_tableau(parameters.time.scheme).order)
+    , error_norm(0.5 * (energy_.steady_profile() * energy_.steady_profile()))
+    , event_locator(law,
+                    law.is_active && parameters.time.locates_contact_events(),
+                    parameters.time.has_error_control() ?
+                      parameters.time.tolerance :
+                      1e-13)
+    , n_rejected_steps_(0)
+    , n_retakes(0)
     , max_energy_increase_(0.)
     , max_penetration_(0.)
     , max_contact_force_(0.)
@@ -81,27 +127,12 @@ namespace ThermoContact
   void
   Simulation<dim>::set_initial_state()
   {
-    state_ = discretization_.make_state();
-    {
-      H1Projection<dim> projection(discretization_);
-      projection.project(data.initial_fields(),
-                         state_.temperature,
-                         state_.displacement);
-      Vector unused(state_.temperature);
-      projection.project(data.initial_velocity(), unused, state_.velocity);
-    }
-    check_initial_values();
-    check_initial_contact();
-    for (const unsigned int entry : discretization_.constrained_entries(0))
-      state_.temperature.begin()[entry] =
-        parameters_.boundary.fixed_end_temperature;
-
-    std::vector<double> end_displacement;
-    discretization_.contact_values(1, state_.displacement, end_displacement);
-    if (law.compliance > 0.)
-      for (unsigned int i = 0; i < end_displacement.size(); ++i)
-        state_.contact_pressure[i] = law.pressure(end_displacement[i], 0.);
-
+    state_ = initial_state(parameters_,
+                           data,
+                           discretization_,
+                           law,
+                           controller.propose(0.).size,
+                           warnings_);
     data.set_time(0.);
     measurements.measure(state_, data, record_);
     record_.energy_terms = energy_.energy(state_);
@@ -111,100 +142,11 @@ namespace ThermoContact
                        std::to_string(record_.energy) +
                        "\n  allowed: expressions that are finite, with their "
                        "gradients, in the whole body");
-    events_.start(record_);
+    error_norm.add(record_.energy_terms);
+    get_contact_values(state_, contact_values);
+    event_locator.start(contact_values, events_);
     max_penetration_   = record_.penetration;
     max_contact_force_ = record_.contact_force;
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::check_initial_values()
-  {
-    const MPI_Comm communicator = discretization_.communicator();
-    const auto     largest      = [&](const Vector &field) {
-      return field.linfty_norm();
-    };
-    const auto largest_constrained =
-      [&](const unsigned int block, const Vector &field, const double value) {
-        double result = 0.;
-        for (const unsigned int e : discretization_.constrained_entries(block))
-          result = std::max(result, std::abs(field.begin()[e] - value));
-        return Utilities::MPI::max(result, communicator);
-      };
-    const double rounding = 1e-12;
-
-    for (const auto &[name, expression, field] :
-         {std::make_tuple("Displacement",
-                          parameters_.initial_values.displacement,
-                          &state_.displacement),
-          std::make_tuple("Velocity",
-                          parameters_.initial_values.velocity,
-                          &state_.velocity)})
-      if (largest_constrained(1, *field, 0.) > rounding * largest(*field))
-        throw InputError(
-          std::string("Initial values/") + name + " = " + expression +
-          ": not zero at the fixed end x = 0 or normal to rollers\n  allowed: "
-          "an expression that vanishes there, e.g. 20*x*(x-1)^2");
-
-    const double theta_A  = parameters_.boundary.fixed_end_temperature;
-    const double mismatch = largest_constrained(0, state_.temperature, theta_A);
-    std::ostringstream message;
-    if (mismatch >
-        rounding * std::max(std::abs(theta_A), largest(state_.temperature)))
-      {
-        message << "Initial values/Temperature differs by " << mismatch
-                << " from theta_A = " << theta_A
-                << " at the fixed end: a corner layer starts there";
-        warnings_.push_back(message.str());
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::check_initial_contact()
-  {
-    if (!law.is_active)
-      return;
-    std::vector<double> displacement, velocity;
-    discretization_.contact_values(1, state_.displacement, displacement);
-    discretization_.contact_values(1, state_.velocity, velocity);
-    const double reach =
-      *std::max_element(displacement.begin(), displacement.end());
-
-    std::ostringstream message;
-    message << "Contact/Gap = " << law.gap << ": ";
-    if (reach > law.gap && law.compliance > 0.)
-      {
-        message << "the body penetrates the obstacle at the start, end "
-                << "displacement " << reach << ", initial pressure "
-                << law.pressure(reach, 0.);
-        warnings_.push_back(message.str());
-      }
-    if (law.compliance > 0.)
-      return;
-
-    if (reach > law.gap)
-      {
-        message << "the initial displacement " << reach
-                << " of the end penetrates the rigid obstacle\n  remedy:  a "
-                   "larger gap, another Initial values/Displacement, or "
-                   "Contact/Condition = normal compliance";
-        throw InputError(message.str());
-      }
-    if (parameters_.time.has_prescribed_start() && !controller.is_finished(0))
-      for (unsigned int i = 0; i < velocity.size(); ++i)
-        if (displacement[i] + controller.propose(0).size * velocity[i] >
-            law.gap)
-          {
-            message << "the prescribed first step of the paper would "
-                       "penetrate the rigid obstacle\n  remedy:  Time/Start = "
-                       "consistent, or a smaller Time/Step size";
-            throw InputError(message.str());
-          }
   }
 
 
@@ -234,13 +176,25 @@ namespace ThermoContact
   {
     notify();
     StepResult result;
-    while (!controller.is_finished(record_.step))
+    while (!controller.is_finished(state_.time))
       {
-        const TimeStep time_step = controller.propose(record_.step);
-        compute_step(time_step, result);
-        accept(time_step, result);
-        notify();
+        const TimeStep time_step = controller.propose(state_.time);
+        if (attempt(time_step, result))
+          {
+            accept(time_step, result);
+            notify();
+            attempts_.clear();
+          }
       }
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::is_prescribed_step() const
+  {
+    return record_.step == 0 && parameters_.time.has_prescribed_start();
   }
 
 
@@ -251,10 +205,10 @@ namespace ThermoContact
   {
     try
       {
-        if (record_.step == 0 && parameters_.time.has_prescribed_start())
+        if (is_prescribed_step())
           integrator.prescribed_step(state_, time_step, result);
         else
-          integrator.step(state_, time_step, result);
+          integrator.step(state_, time_step, event_locator.mode(), result);
       }
     catch (const ComputationError &error)
       {
@@ -263,13 +217,148 @@ namespace ThermoContact
     if (result.failure.empty() && !std::isfinite(result.energy.sum()))
       result.failure = "the solution is not finite\n  remedy:  smaller initial "
                        "values and sources, or a smaller Time/Step size";
-    if (result.failure.empty())
-      return;
+  }
 
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::attempt(const TimeStep &time_step, StepResult &result)
+  {
+    const Timer timer;
+    compute_step(time_step, result);
+
+    const ContactMode mode = event_locator.mode();
+    StepAttempt       attempt{state_.time, time_step.size};
+    if (!result.failure.empty())
+      {
+        attempt.reason = "failed";
+        if (!controller.retry_smaller(time_step))
+          give_up(time_step, result.failure);
+      }
+    else
+      {
+        attempt.error =
+          error_norm(result.error, result.energy) / parameters_.time.tolerance;
+        if (!controller.is_accurate(attempt.error))
+          {
+            attempt.reason = "tolerance";
+            controller.reject(time_step, attempt.error);
+          }
+        else if (!respects_contact(time_step, result))
+          attempt.reason = "contact";
+        else
+          {
+            attempt.reason      = name_of(time_step.target);
+            attempt.is_accepted = true;
+            controller.accept(time_step, attempt.error);
+          }
+      }
+    if (event_locator.mode() != mode)
+      controller.restart(event_locator.mode() == ContactMode::closed);
+    attempt.wall_seconds = timer.wall_time();
+    attempts_.push_back(attempt);
+    if (attempt.is_accepted)
+      return true;
+
+    ++n_rejected_steps_;
+    if (controller.is_exhausted(state_.time))
+      give_up(time_step, describe_exhaustion(attempt, result.failure));
+    return false;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::respects_contact(const TimeStep &time_step,
+                                    StepResult     &result)
+  {
+    get_contact_values(result.state, contact_values);
+    EventLocator::Finding finding;
+    if (is_prescribed_step())
+      event_locator.hold_nothing();
+    const ContactMode mode = event_locator.mode();
+    if (mode != ContactMode::unilateral)
+      finding =
+        event_locator.examine(contact_values,
+                              time_step.target == TimeStep::event,
+                              std::sqrt(
+                                2. * parameters_.model.inertia *
+                                std::max({error_norm.mechanical_energy(),
+                                          result.energy.elastic,
+                                          result.energy.kinetic})));
+
+    if (finding.kind == EventLocator::Finding::at_start)
+      event_locator.switch_at_start(finding.time, events_);
+    else if (finding.kind == EventLocator::Finding::within)
+      {
+        // An interpolant that misses the zero so often is not to be trusted.
+        if (++n_retakes < 10)
+          controller.aim_at(finding.time);
+        else
+          event_locator.hold_nothing();
+      }
+    else
+      {
+        event_locator.accept(contact_values, finding, events_);
+        n_retakes = 0;
+        finish_pressure(finding.kind == EventLocator::Finding::at_end &&
+                          mode == ContactMode::open,
+                        result);
+        return true;
+      }
+    return false;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::finish_pressure(const bool  begins_contact,
+                                   StepResult &result)
+  {
+    bool changed = false;
+    for (unsigned int i = 0; i < result.state.contact_pressure.size(); ++i)
+      {
+        double      &p   = result.state.contact_pressure[i];
+        const double old = p;
+        if (begins_contact && law.compliance > 0.)
+          p = law.pressure(contact_values.displacement[i], 0.);
+        p = std::max(p, 0.);
+        changed |= p != old;
+      }
+    if (!changed)
+      return;
+    const double old_energy = result.energy.sum();
+    result.energy           = energy_.energy(result.state);
+    result.numerical_dissipation += old_energy - result.energy.sum();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::get_contact_values(const State   &state,
+                                      ContactValues &values) const
+  {
+    values.time = state.time;
+    discretization_.contact_values(1, state.displacement, values.displacement);
+    discretization_.contact_values(1, state.velocity, values.velocity);
+    values.pressure = state.contact_pressure;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::give_up(const TimeStep    &time_step,
+                           const std::string &reason) const
+  {
     std::ostringstream place;
-    place << "step " << time_step.number << ", from t = " << state_.time
+    place << "step " << record_.step + 1 << ", from t = " << state_.time
           << " to " << time_step.end << ": ";
-    throw ComputationError(place.str() + result.failure);
+    throw ComputationError(place.str() + reason);
   }
 
 
@@ -281,7 +370,7 @@ namespace ThermoContact
     const StepRecord old_record = record_;
     state_.swap(result.state);
     measurements.measure(state_, data, record_);
-    record_.step         = time_step.number;
+    ++record_.step;
     record_.step_size    = time_step.size;
     record_.iterations   = result.n_iterations;
     record_.energy_terms = result.energy;
@@ -291,7 +380,7 @@ namespace ThermoContact
     record_.numerical_dissipation += result.numerical_dissipation;
     record_.contact_impulse += result.impulse;
 
-    events_.observe(old_record, record_);
+    error_norm.add(result.energy);
     max_penetration_   = std::max(max_penetration_, record_.penetration);
     max_contact_force_ = std::max(max_contact_force_, record_.contact_force);
     if (!result.is_prescribed)

@@ -6,6 +6,19 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /** As many factorisations as small scenes profit from, and large ones
+     * have memory for. */
+    unsigned int
+    cache_size(const types::global_dof_index n_unknowns)
+    {
+      return n_unknowns < 1000 ? 64 : n_unknowns < 100000 ? 8 : 2;
+    }
+  } // namespace
+
+
+
   template <int dim>
   StageSolver<dim>::StageSolver(
     const Discretization<dim>             &discretization,
@@ -15,7 +28,7 @@ namespace ThermoContact
     , stage_operator(stage_operator)
     , law(law)
     , contact_solver(law)
-    , factorized_tau(0.)
+    , max_factorizations(cache_size(discretization.dof_handler().n_dofs()))
     , heat_rhs(discretization.make_vector(0))
     , momentum_rhs(discretization.make_vector(1))
     , system_rhs(discretization.make_system_vector())
@@ -35,11 +48,23 @@ namespace ThermoContact
 
   template <int dim>
   void
-  StageSolver<dim>::factorize(const double tau)
+  StageSolver<dim>::provide_factorization(const double tau)
   {
-    solver = std::make_unique<DirectSolver>(stage_operator.stage_matrix(tau));
-    factorized_tau = tau;
-    unit_responses.clear();
+    const auto known =
+      std::find_if(factorizations.begin(),
+                   factorizations.end(),
+                   [tau](const Factorization &f) { return f.tau == tau; });
+    if (known != factorizations.end())
+      {
+        factorizations.splice(factorizations.begin(), factorizations, known);
+        return;
+      }
+    while (factorizations.size() >= max_factorizations)
+      factorizations.pop_back();
+    Factorization &factorization = factorizations.emplace_front();
+    factorization.tau            = tau;
+    factorization.solver =
+      std::make_unique<DirectSolver>(stage_operator.stage_matrix(tau));
     ++counters_.factorizations;
   }
 
@@ -47,10 +72,10 @@ namespace ThermoContact
 
   template <int dim>
   void
-  StageSolver<dim>::compute_response()
+  StageSolver<dim>::compute_response(Factorization &factorization)
   {
     const unsigned int n = discretization.contact_nodes().size();
-    response.reinit(n, n);
+    factorization.response.reinit(n, n);
     std::vector<double> displacement(n);
     for (unsigned int j = 0; j < n; ++j)
       {
@@ -59,17 +84,18 @@ namespace ThermoContact
         heat_rhs         = 0.;
         momentum_rhs     = 0.;
         stage_operator.subtract_pressure(unit_pressure,
-                                         -factorized_tau,
+                                         -factorization.tau,
                                          momentum_rhs);
         discretization.join(heat_rhs, momentum_rhs, system_rhs);
-        unit_responses.emplace_back(system_rhs);
-        solver->solve(unit_responses[j], system_rhs);
+        Vector &unit_response =
+          factorization.unit_responses.emplace_back(system_rhs);
+        factorization.solver->solve(unit_response, system_rhs);
         ++counters_.responses;
 
-        discretization.split(unit_responses[j], heat_rhs, momentum_rhs);
+        discretization.split(unit_response, heat_rhs, momentum_rhs);
         discretization.contact_values(1, momentum_rhs, displacement);
         for (unsigned int i = 0; i < n; ++i)
-          response(i, j) = factorized_tau * displacement[i];
+          factorization.response(i, j) = factorization.tau * displacement[i];
       }
   }
 
@@ -77,22 +103,12 @@ namespace ThermoContact
 
   template <int dim>
   void
-  StageSolver<dim>::solve(const State  &known,
-                          const double  tau,
-                          const Vector &heat_load,
-                          const Vector &momentum_load,
-                          StageRates   &rates)
+  StageSolver<dim>::solve_contact(Factorization    &factorization,
+                                  const State      &known,
+                                  const ContactMode mode,
+                                  StageRates       &rates)
   {
-    if (tau != factorized_tau)
-      factorize(tau);
-
-    stage_operator.stage_rhs(
-      known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
-    discretization.join(heat_rhs, momentum_rhs, system_rhs);
-    solver->solve(system_rates, system_rhs);
-    ++counters_.solves;
-    discretization.split(system_rates, rates.temperature_rate, rates.velocity);
-
+    const double tau = factorization.tau;
     discretization.contact_values(1, known.displacement, known_displacement);
     discretization.contact_values(1, rates.velocity, free_displacement);
     bool reaches_obstacle = false;
@@ -102,24 +118,56 @@ namespace ThermoContact
           known_displacement[i] + tau * free_displacement[i];
         reaches_obstacle |= free_displacement[i] > law.gap;
       }
+    if (mode == ContactMode::unilateral && !reaches_obstacle)
+      return; // no node is pushed back: zero pressures solve (M.18)
+
+    if (factorization.unit_responses.empty())
+      compute_response(factorization);
+    if (mode == ContactMode::closed)
+      contact_solver.solve_closed(factorization.response,
+                                  free_displacement,
+                                  rates.pressure);
+    else
+      {
+        std::copy(known.contact_pressure.begin(),
+                  known.contact_pressure.end(),
+                  rates.pressure.begin());
+        rates.n_iterations = contact_solver.solve(factorization.response,
+                                                  free_displacement,
+                                                  rates.pressure);
+      }
+    for (unsigned int j = 0; j < rates.pressure.size(); ++j)
+      if (rates.pressure[j] != 0.)
+        system_rates.add(-rates.pressure[j], factorization.unit_responses[j]);
+    discretization.split(system_rates, rates.temperature_rate, rates.velocity);
+  }
+
+
+
+  template <int dim>
+  void
+  StageSolver<dim>::solve(const State      &known,
+                          const double      tau,
+                          const Vector     &heat_load,
+                          const Vector     &momentum_load,
+                          const ContactMode mode,
+                          StageRates       &rates)
+  {
+    provide_factorization(tau);
+    Factorization &factorization = factorizations.front();
+
+    stage_operator.stage_rhs(
+      known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
+    discretization.join(heat_rhs, momentum_rhs, system_rhs);
+    factorization.solver->solve(system_rates, system_rhs);
+    ++counters_.solves;
+    discretization.split(system_rates, rates.temperature_rate, rates.velocity);
 
     rates.failure.clear();
     rates.n_iterations = 0;
-    rates.pressure.assign(free_displacement.size(), 0.);
-    if (!law.is_active || !reaches_obstacle)
-      return; // no node is pushed back: zero pressures solve (M.18)
-
-    if (unit_responses.empty())
-      compute_response();
-    std::copy(known.contact_pressure.begin(),
-              known.contact_pressure.end(),
-              rates.pressure.begin());
-    rates.n_iterations =
-      contact_solver.solve(response, free_displacement, rates.pressure);
-    for (unsigned int j = 0; j < rates.pressure.size(); ++j)
-      if (rates.pressure[j] > 0.)
-        system_rates.add(-rates.pressure[j], unit_responses[j]);
-    discretization.split(system_rates, rates.temperature_rate, rates.velocity);
+    rates.pressure.assign(discretization.contact_nodes().size(), 0.);
+    if (law.is_active && mode != ContactMode::open)
+      solve_contact(factorization, known, mode, rates);
   }
 
 

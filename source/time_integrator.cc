@@ -25,6 +25,7 @@ namespace ThermoContact
     , stages(tableau.n_stages())
     , accelerations(tableau.n_stages(), discretization.make_vector(1))
     , known(discretization.make_state())
+    , difference(known)
     , heat_load(discretization.make_vector(0))
     , momentum_load(discretization.make_vector(1))
   {
@@ -59,9 +60,10 @@ namespace ThermoContact
 
   template <int dim>
   void
-  TimeIntegrator<dim>::step(const State    &state,
-                            const TimeStep &time_step,
-                            StepResult     &result)
+  TimeIntegrator<dim>::step(const State      &state,
+                            const TimeStep   &time_step,
+                            const ContactMode mode,
+                            StepResult       &result)
   {
     const double tau = tableau.gamma() * time_step.size;
 
@@ -77,13 +79,13 @@ namespace ThermoContact
 
         set_known_values(state, time_step.size, i);
         loads.assemble(time, heat_load, momentum_load);
-        step_solver.solve(known, tau, heat_load, momentum_load, stage);
+        step_solver.solve(known, tau, heat_load, momentum_load, mode, stage);
         result.failure = stage.failure;
         result.n_iterations += stage.n_iterations;
         if (!result.failure.empty())
           return;
 
-        if (!is_last)
+        if (!is_last || tableau.has_error_estimate())
           {
             accelerations[i] = stage.velocity;
             accelerations[i].add(-1., known.velocity);
@@ -98,11 +100,37 @@ namespace ThermoContact
       }
     result.state  = known;
     result.energy = energy.energy(result.state);
+    if (tableau.has_error_estimate())
+      estimate_error(time_step.size, result);
     result.numerical_dissipation =
       tableau.n_stages() == 1 ?
         energy.numerical_dissipation(state, result.state) :
         energy.energy(state).sum() - result.energy.sum() + result.work -
           result.dissipation;
+  }
+
+
+
+  template <int dim>
+  void
+  TimeIntegrator<dim>::estimate_error(const double step_size,
+                                      StepResult  &result)
+  {
+    difference.temperature  = 0.;
+    difference.displacement = 0.;
+    difference.velocity     = 0.;
+    for (unsigned int i = 0; i < tableau.n_stages(); ++i)
+      {
+        const double factor =
+          step_size * (tableau.b()[i] - tableau.embedded_b[i]);
+        if (factor == 0.)
+          continue;
+        difference.temperature.add(factor, stages[i].temperature_rate);
+        difference.displacement.add(factor, stages[i].velocity);
+        difference.velocity.add(factor, accelerations[i]);
+      }
+    result.error =
+      energy.difference_energy(difference, result.state.contact_pressure);
   }
 
 

@@ -8,17 +8,12 @@
 //   T = 0:               no step
 //   T = 71711.8845, dt = 3e-4: 239039615 steps of dt, although the quotient
 //                        rounds to more
-// Events by hand: the gap goes from 0.3 to -0.1 between t = 1 and 2, contact
-// begins at 1.75 with the velocity before, 4; it goes from -0.1 to 0.1 between
-// t = 2 and 4, contact ends at 3 with the velocity after, -5. A body that
-// starts in contact begins contact at t = 0.
 
 #include <cmath>
 #include <sstream>
 
 #include "../tests.h"
 
-#include "contact_events.h"
 #include "exceptions.h"
 #include "step_controller.h"
 
@@ -62,7 +57,7 @@ namespace
     read("include other.prm\n");
     read("set Dimension = 2 \\");
     read("set Title = a\\b \\\n c\n");
-    read("subsection Time\n  set Tolerance = 1e-5\nend\n");
+    read("subsection Time\n  set Tolerances = 1e-5\nend\n");
     read(std::string("set Title = \0", 13));
     read("subsection Model\n  set Viskosity = 0.5\nend\n");
     read("set Viscosity = 0.5\n");
@@ -114,53 +109,17 @@ namespace
     Parameters parameters;
     parameters.time.end_time  = end_time;
     parameters.time.step_size = step_size;
-    const StepController controller(parameters);
+    StepController controller(parameters, 1);
     deallog << "T = " << end_time << ", dt = " << step_size << ":";
     double time = 0.;
-    for (unsigned int n = 0; !controller.is_finished(n);)
+    while (!controller.is_finished(time))
       {
-        const TimeStep step = controller.propose(n);
+        const TimeStep step = controller.propose(time);
         deallog << ' ' << step.size;
         time = step.end;
-        n    = step.number;
+        controller.accept(step, 0.);
       }
     deallog << "; ends at T exactly " << (time == end_time) << std::endl;
-  }
-
-
-
-  StepRecord
-  make_record(const double time,
-              const double gap,
-              const double velocity,
-              const bool   in_contact)
-  {
-    StepRecord record;
-    record.time         = time;
-    record.gap          = gap;
-    record.velocity_end = velocity;
-    record.in_contact   = in_contact;
-    return record;
-  }
-
-
-
-  void
-  test_events()
-  {
-    const StepRecord open   = make_record(1., 0.3, 4., false);
-    const StepRecord closed = make_record(2., -0.1, 0.5, true);
-    const StepRecord again  = make_record(4., 0.1, -5., false);
-    EventDetector    events;
-    events.start(open);
-    events.observe(open, closed);
-    events.observe(closed, again);
-    for (const ContactEvent &event : events.events())
-      deallog << (event.kind == ContactEvent::begin ? "begin " : "end ")
-              << event.time << ", velocity " << event.velocity << std::endl;
-    events.start(make_record(0., -0.1, 1., true));
-    deallog << "contact at the start: events " << events.events().size()
-            << std::endl;
   }
 } // namespace
 
@@ -181,5 +140,4 @@ main()
   time.end_time  = 71711.8845;
   time.step_size = 3e-4;
   deallog << "steps " << time.n_steps() << std::endl;
-  test_events();
 }

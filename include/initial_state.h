@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_initial_state_h
+#define thermocontact_initial_state_h
+
+#include <string>
+#include <vector>
+
+#include "contact_law.h"
+#include "discretization.h"
+#include "parameters.h"
+#include "problem_data.h"
+#include "state.h"
+
+namespace ThermoContact
+{
+  /**
+   * The state at $t=0$: the projection $P_E$ of the initial values, the fixed
+   * end at its temperature, and the pressure of the compliance law.
+   *
+   * @param first_step_size of the paper's first step, if the scene has it
+   * @param warnings appended to: a corner layer of the temperature, a preload
+   * @throw InputError if displacement or velocity do not vanish where they are
+   *   held, or if a rigid obstacle is penetrated at the start or by the
+   *   paper's first step
+   */
+  template <int dim>
+  State
+  initial_state(const Parameters          &parameters,
+                const ProblemData<dim>    &data,
+                const Discretization<dim> &discretization,
+                const ContactLaw          &law,
+                const double               first_step_size,
+                std::vector<std::string>  &warnings);
+} // namespace ThermoContact
+
+#endif
