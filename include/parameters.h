@@ -201,6 +201,27 @@ namespace ThermoContact
 
 
 
+  /** Section Study: runs the scene many times. */
+  struct StudyParameters
+  {
+    std::string  vary;
+    std::string  reference    = "none";
+    unsigned int repetitions  = 1;
+    double       target_error = 0.;
+    bool         keep_files   = false;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    bool
+    is_active() const
+    {
+      return !vary.empty();
+    }
+  };
+
+
+
   /**
    * Everything that a parameter file can set. The defaults are the scene of
    * the paper's first experiment; each default and each text stands once, in
@@ -220,6 +241,7 @@ namespace ThermoContact
     TimeParameters          time;
     SolverParameters        solver;
     OutputParameters        output;
+    StudyParameters         study;
 
     /** An entry that a scene cannot use, and the setting that says so. */
     struct UnusedEntry

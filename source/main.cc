@@ -19,6 +19,8 @@
 #include "parameters.h"
 #include "report.h"
 #include "simulation.h"
+#include "study.h"
+#include "study_report.h"
 #include "version.h"
 
 namespace ThermoContact
@@ -136,6 +138,39 @@ namespace ThermoContact
 
 
 
+    /** Runs a scene many times. */
+    void
+    run_study(const Parameters              &parameters,
+              ParameterHandler              &prm,
+              const std::vector<Assignment> &assignments,
+              const CommandLine             &command,
+              Log                           &log)
+    {
+      const MPI_Comm    communicator = MPI_COMM_WORLD;
+      Study             study(assignments, parameters.study);
+      const std::string directory = output_directory(parameters, command);
+      check_output_directory(directory, communicator);
+      const std::string plan =
+        "  study     " + std::to_string(study.runs().size()) +
+        " runs, reference: " + parameters.study.reference;
+      if (command.check_only)
+        {
+          log.line(plan);
+          return;
+        }
+      prepare_output_directory(directory, communicator);
+      write_used_parameters(directory, parameters, prm, communicator);
+      log.open_file(directory + "/log.txt");
+      log.line(parameters.title);
+      log.line(plan);
+      study.run(directory);
+      write_study(directory, parameters.title, study);
+      report_study(study, log);
+      log.line("  files     " + directory);
+    }
+
+
+
     void
     print_parameters(ParameterHandler &prm, const std::string &format)
     {
@@ -231,6 +266,8 @@ namespace ThermoContact
 
       try
         {
+          if (parameters.study.is_active())
+            return run_study(parameters, prm, assignments, command, log);
           check_unused_entries(parameters, prm);
           parameters.check();
           run_dimension(parameters, prm, command, since_start, log);

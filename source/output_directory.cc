@@ -23,18 +23,20 @@ namespace ThermoContact
                                      "fields.pvd",
                                      "fields.pvd.part",
                                      "log.txt",
+                                     "steps.csv",
+                                     "study.csv",
+                                     "study.txt",
                                      "summary.json"};
 
-    /** fields-NNNNN.vtu */
+    /** True for @p prefix followed by digits. */
     bool
-    is_snapshot(const fs::path &file)
+    is_numbered(const std::string &name, const std::string &prefix)
     {
-      const std::string stem = file.stem().string();
-      return file.extension() == ".vtu" && stem.size() > 7 &&
-             stem.compare(0, 7, "fields-") == 0 &&
-             std::all_of(stem.begin() + 7, stem.end(), [](unsigned char c) {
-               return std::isdigit(c);
-             });
+      return name.size() > prefix.size() &&
+             name.compare(0, prefix.size(), prefix) == 0 &&
+             std::all_of(name.begin() + prefix.size(),
+                         name.end(),
+                         [](unsigned char c) { return std::isdigit(c); });
     }
 
 
@@ -60,11 +62,20 @@ namespace ThermoContact
       if (fs::is_directory(directory / "fields"))
         {
           for (const auto &entry : fs::directory_iterator(directory / "fields"))
-            if (is_snapshot(entry.path()))
+            if (entry.path().extension() == ".vtu" &&
+                is_numbered(entry.path().stem().string(), "fields-"))
               fs::remove(entry.path());
           if (fs::is_empty(directory / "fields"))
             fs::remove(directory / "fields");
         }
+      for (const auto &entry : fs::directory_iterator(directory)) // a study
+        if (is_numbered(entry.path().filename().string(), "run-") &&
+            fs::exists(entry.path() / "used.prm"))
+          {
+            remove_earlier_run(entry.path());
+            if (fs::is_empty(entry.path()))
+              fs::remove(entry.path());
+          }
       // last, so that an interrupted clean-up is recognised as a run
       fs::remove(directory / "used.prm");
     }

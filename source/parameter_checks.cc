@@ -151,6 +151,14 @@ namespace ThermoContact
     if (contact.is_none())
       unused.push_back(
         {"Time/Locate contact events", "Contact/Condition = none"});
+    if (!study.is_active())
+      for (const char *path : {"Study/Reference",
+                               "Study/Repetitions",
+                               "Study/Target error",
+                               "Study/Keep files"})
+        unused.push_back({path, "Study/Vary = (empty)"});
+    if (study.is_active() && study.reference == "none")
+      unused.push_back({"Study/Target error", "Study/Reference = none"});
     if (!solver.is_fixed_point())
       for (const char *path :
            {"Solver/Fixed point tolerance", "Solver/Fixed point iterations"})

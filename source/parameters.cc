@@ -3,13 +3,11 @@
 #include "parameters.h"
 
 #include <deal.II/base/patterns.h>
-#include <deal.II/base/utilities.h>
 
-#include <functional>
 #include <limits>
-#include <memory>
 
 #include "butcher_tableau.h"
+#include "number_or_word.h"
 
 namespace ThermoContact
 {
@@ -23,60 +21,6 @@ namespace ThermoContact
     const Double duration(0., 1e15);
     const Double any_number(-std::numeric_limits<double>::max(),
                             std::numeric_limits<double>::max());
-
-    /**
-     * A positive number, or a word that stands for a choice of the program or
-     * for no limit.
-     */
-    class NumberOrWord : public PatternBase
-    {
-    public:
-      explicit NumberOrWord(const std::string &word)
-        : word(word)
-        , number(0., 1e15)
-      {}
-
-      bool
-      match(const std::string &text) const override
-      {
-        return text == word || number.match(text);
-      }
-
-      std::string
-      description(const OutputStyle style = Machine) const override
-      {
-        return "[" + word + " or " + number.description(style) + "]";
-      }
-
-      std::unique_ptr<PatternBase>
-      clone() const override
-      {
-        return std::make_unique<NumberOrWord>(word);
-      }
-
-    private:
-      const std::string word;
-      const Double      number;
-    };
-
-
-
-    /** Declares an entry that is @p word by default and else a number. */
-    void
-    add_number_or_word(ParameterHandler                          &prm,
-                       const std::string                         &name,
-                       const std::string                         &word,
-                       const std::string                         &text,
-                       const std::function<void(const double *)> &assign)
-    {
-      prm.declare_entry(name, word, NumberOrWord(word), text);
-      prm.add_action(name, [word, assign](const std::string &value) {
-        if (value == word)
-          return assign(nullptr);
-        const double number = dealii::Utilities::string_to_double(value);
-        assign(&number);
-      });
-    }
   } // namespace
 
 
@@ -366,6 +310,37 @@ namespace ThermoContact
 
 
   void
+  StudyParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Study");
+    prm.add_parameter("Vary",
+                      vary,
+                      "Runs the scene for all combinations of values: "
+                      "Section/Entry = value | value ; Section/Entry = value "
+                      "| ... ; several sets of combinations are separated by "
+                      "';;'. Empty: runs once.");
+    prm.add_parameter("Reference",
+                      reference,
+                      "none, or overrides Section/Entry = value ; ... for the "
+                      "run that errors are measured against.");
+    prm.add_parameter("Repetitions",
+                      repetitions,
+                      "Number of times that each run is made, for timing.",
+                      Integer(1, 1000));
+    prm.add_parameter("Target error",
+                      target_error,
+                      "Largest error of displacement_end that is wanted: the "
+                      "cheapest run that meets it is named; 0: none.",
+                      duration);
+    prm.add_parameter("Keep files",
+                      keep_files,
+                      "Each run writes its files into a folder of its own.");
+    prm.leave_subsection();
+  }
+
+
+
+  void
   Parameters::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter("Title",
@@ -385,5 +360,6 @@ namespace ThermoContact
     time.add_parameters(prm);
     solver.add_parameters(prm);
     output.add_parameters(prm);
+    study.add_parameters(prm);
   }
 } // namespace ThermoContact

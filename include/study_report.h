@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_study_report_h
+#define thermocontact_study_report_h
+
+#include <string>
+
+#include "log.h"
+#include "study.h"
+
+namespace ThermoContact
+{
+  /**
+   * Writes study.csv, one row per run, and study.txt, tables with observed
+   * orders for the entry that is refined: the one of the varied entries with
+   * numbers that was named last. Rank 0 writes; collective.
+   *
+   * @param title first comment line of study.csv
+   * @throw ComputationError naming a file that cannot be written
+   */
+  void
+  write_study(const std::string &directory,
+              const std::string &title,
+              const Study       &study);
+
+  /** Tells what the runs cost and the cheapest one that meets the target. */
+  void
+  report_study(const Study &study, Log &log);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,113 @@
+"""What the pictures of scripts/plot share: tables, style, errors."""
+
+import csv
+import os
+import re
+import sys
+import textwrap
+
+CONVERT = {"kind": {"begin": 1, "end": 0}.__getitem__,  # the rest: float
+           "run": str, "status": str}
+# Okabe and Ito: distinct in all kinds of colour vision; dashes for grey prints
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
+DASHES = ["-", (0, (5, 1.5)), (0, (5, 1.5, 1, 1.5)), (0, (1.5, 1.2))]
+STYLE = {"font.family": ["STIXGeneral", "DejaVu Serif"], "font.size": 11,
+         "mathtext.fontset": "stix", "axes.formatter.use_mathtext": True,
+         "axes.linewidth": 0.7, "lines.linewidth": 1.2, "legend.frameon": False,
+         "axes.grid": True, "grid.color": "0.85", "grid.linewidth": 0.5,
+         "xtick.direction": "in", "ytick.direction": "in", "pdf.fonttype": 42,
+         "agg.path.chunksize": 20000, "svg.hashsalt": "plot"}
+METADATA = {".png": {}, ".pdf": {"CreationDate": None}, ".svg": {"Date": None}}
+
+
+def fail(where, problem, remedy="run the scene again"):
+    """End with one line that says what is wrong and what to do."""
+    print(f"scripts/plot: {where}: {problem}; {remedy}", file=sys.stderr)
+    sys.exit(2)
+
+
+def read_rows(path, columns):
+    """Comments, header, and rows with their lines; a row cut off is left out.
+
+    Ends if one of the columns is missing; there may be more.
+    """
+    try:
+        text = path.read_text(encoding="utf-8", errors="replace")
+    except OSError as error:
+        fail(path, error.strerror, "give the directory of a run or a study")
+    lines = text.split("\n")[:-1]  # the last one is empty or not all there yet
+    comments = [line[1:].strip() for line in lines if line.startswith("#")]
+    lines = [(n, line.strip()) for n, line in enumerate(lines, 1)
+             if line.strip() and not line.startswith("#")]
+    reader = csv.reader(line for _, line in lines)
+    try:
+        rows = [(lines[reader.line_num - 1][0], row) for row in reader]
+    except csv.Error as error:
+        fail(f"{path}:{lines[reader.line_num - 1][0]}", error)
+    if not rows:
+        fail(path, "it is empty or has no complete header line yet")
+    header = rows.pop(0)[1]
+    for name in columns:
+        if name not in header:
+            fail(path, f"there is no column {name}")
+    if rows and len(rows[-1][1]) < len(header):
+        rows.pop()
+    for n, row in rows:
+        if len(row) != len(header):
+            fail(f"{path}:{n}", f"{len(row)} fields under {len(header)} names")
+    return comments, header, rows
+
+
+def convert(path, header, rows, columns):
+    """Numbers by column, and the "line" of each row."""
+    table = {"line": [n for n, _ in rows], **{name: [] for name in columns}}
+    for name in columns:
+        column = header.index(name)
+        for n, row in rows:
+            try:
+                table[name].append(CONVERT.get(name, float)(row[column]))
+            except (KeyError, ValueError):
+                fail(f"{path}:{n}", f"{name} cannot be '{row[column]:.30}'")
+    return table
+
+
+def read_table(path, columns):
+    comments, header, rows = read_rows(path, columns)
+    return comments, convert(path, header, rows, columns)
+
+
+def title_of(comments):
+    """The first comment that is no version of a program."""
+    version = re.compile(r"(?i)(thermocontact|deal\.?ii|version)\b.*\d")
+    titles = [text for text in comments if text and not version.match(text)]
+    return re.sub(r"(?i)^title\s*[:=]\s*", "", titles[0]) if titles else ""
+
+
+def looks(i):
+    """Of the curve with number i."""
+    return {"color": COLOURS[i % 6], "linestyle": DASHES[i % 4]}
+
+
+def plain(text, width):
+    """Text in lines of this width, in which matplotlib finds no formula."""
+    text = textwrap.fill(text, int(width)).replace("$", r"\$")
+    return re.sub("^_", " _", text)  # labels with _ in front are left out
+
+
+def new_figure(width, height):
+    os.environ["MPLBACKEND"] = "Agg"  # no display
+    try:
+        import matplotlib
+        from matplotlib.figure import Figure
+    except ImportError as error:
+        fail(sys.executable, error, "install Debian's python3-matplotlib")
+    matplotlib.rcdefaults()
+    matplotlib.rcParams.update(STYLE)
+    return Figure(figsize=(width, height), layout="constrained")
+
+
+def save(figure, path, dpi):
+    try:
+        figure.savefig(path, dpi=dpi, metadata=METADATA[path.suffix.lower()])
+    except OSError as error:
+        fail(path, error.strerror, "give another --output")
