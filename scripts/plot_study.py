@@ -71,10 +71,15 @@ def curves_of(study):
     telling = [name for name in study.varied if name not in refining]
     automatic = [run.get(STEP_SIZE) == "automatic" for run in study.drawn]
     mixed = any(automatic) and not all(automatic)
+    # a label leaves out what nearly all runs have in common
+    usual = {name: value for name in telling for value, n in
+             collections.Counter(run[name] for run in study.drawn).items()
+             if n > 0.7 * len(study.drawn) and NO_WORD.match(value)}
     curves = {}
     for run in study.drawn:
         words = [f"{name.split('/')[-1].lower()} {run[name]}"
-                 if NO_WORD.match(run[name]) else run[name] for name in telling]
+                 if NO_WORD.match(run[name]) else run[name] for name in telling
+                 if run[name] != usual.get(name)]
         if mixed and run[STEP_SIZE] == "automatic":
             words.append(CONTROLLED)
         label = ", ".join(words) or ("fixed steps" if mixed else "")

@@ -145,8 +145,9 @@ namespace ThermoContact
 
 
     /**
-     * The entry that a set of combinations refines: the last one that has
-     * several values, all of them numbers. Empty if there is none.
+     * The entry that a set of combinations refines: the last of those in whose
+     * powers errors fall that has several values, all of them numbers. Empty
+     * if there is none.
      */
     std::string
     refined_entry(const Study &study, const unsigned int set)
@@ -158,7 +159,9 @@ namespace ThermoContact
           for (const auto &[path, value] : run.overrides)
             values[path].insert(value);
       for (const std::string &path : study.varied())
-        if (values[path].size() > 1 &&
+        if ((path == "Time/Step size" || path == "Time/Tolerance" ||
+             path == "Mesh/Cells") &&
+            values[path].size() > 1 &&
             std::none_of(values[path].begin(),
                          values[path].end(),
                          [](const std::string &value) {
@@ -208,8 +211,7 @@ namespace ThermoContact
     make_table(const std::vector<const StudyRun *> &runs,
                const std::string                   &refined)
     {
-      // Meshes and degrees grow when they are refined, steps and tolerances
-      // become smaller.
+      // cells become more, steps and tolerances smaller
       const bool        grows = refined.rfind("Mesh/", 0) == 0;
       const std::string key =
         refined.empty() ? "run" : (grows ? "" : "1/") + refined;

@@ -68,6 +68,8 @@ namespace
       std::cout << ' ' << name;
     std::cout << '\n';
 
+    if (!fs::exists(directory / "summary.json"))
+      return; // a study
     std::ifstream      file(directory / "summary.json");
     const auto         summary = nlohmann::json::parse(file);
     std::istringstream stream(keys);
@@ -120,7 +122,8 @@ main(int, char **argv)
                                prm_dir,
                                "prm")
                 << "exit status " << status << '\n';
-      if (fs::exists(output_dir / "summary.json"))
+      if (fs::exists(output_dir / "summary.json") ||
+          fs::exists(output_dir / "study.csv"))
         {
           print_output_directory(output_dir,
                                  questions.empty() ? "" : questions[0]);

@@ -1,0 +1,51 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Counts of a study by hand, and the same rows as in the run before."""
+
+import csv
+import os
+import sys
+
+STAGES = {"backward euler": 1, "sdirk2": 2, "sdirk3": 3, "sdirk4": 5}
+END_TIME = 0.3
+
+with open(os.path.join(sys.argv[1], "study.csv"), newline="") as file:
+    rows = list(csv.DictReader(line for line in file if line[0] != "#"))
+
+
+def as_planned(row):
+    """Status and counts of one run."""
+    scheme, step = row["Time/Scheme"], row["Time/Step size"]
+    if step == "automatic":
+        if scheme != "sdirk4":
+            return row["status"].startswith("failed: Time/Step size")
+        return (row["status"] == "done" and int(row["solves"]) ==
+                5 * (int(row["steps"]) + int(row["rejected_steps"])))
+    steps = round(END_TIME / float(step))
+    return (row["status"] == "done" and int(row["steps"]) == steps
+            and int(row["rejected_steps"]) == 0
+            and int(row["solves"]) == STAGES[scheme] * steps
+            and int(row["factorizations"]) == 1 + (scheme == "backward euler"))
+
+
+print("rows", len(rows), "as planned", sum(map(as_planned, rows)),
+      "failed", sum(row["status"] != "done" for row in rows))
+
+# gap 0.3, that of the reference: no contact before T, so that errors of all
+# schemes have their order
+errors = {}
+for row in rows:
+    if row["Contact/Gap"] == "0.3" and row["Time/Step size"] != "automatic":
+        errors.setdefault(row["Time/Scheme"], []).append(
+            float(row["error_displacement_end"]))
+print("errors fall with the step:",
+      all(e[0] > e[1] > e[2] > 0 for e in errors.values()))
+
+here = [{k: v for k, v in row.items() if "seconds" not in k} for row in rows]
+if os.path.exists("before.txt"):
+    with open("before.txt") as file:
+        print("the same as before:", file.read() == repr(here))
+    os.remove("before.txt")
+else:
+    with open("before.txt", "w") as file:
+        file.write(repr(here))
