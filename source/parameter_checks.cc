@@ -157,8 +157,6 @@ namespace ThermoContact
                                "Study/Target error",
                                "Study/Keep files"})
         unused.push_back({path, "Study/Vary = (empty)"});
-    if (study.is_active() && study.reference == "none")
-      unused.push_back({"Study/Target error", "Study/Reference = none"});
     if (!solver.is_fixed_point())
       for (const char *path :
            {"Solver/Fixed point tolerance", "Solver/Fixed point iterations"})

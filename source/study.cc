@@ -195,7 +195,15 @@ namespace ThermoContact
           }
         ++n_sets;
       }
-    if (parameters.reference != "none")
+    if (parameters.reference == "none")
+      {
+        if (parameters.target_error > 0.)
+          throw InputError("Study/Target error: there is no reference to "
+                           "measure errors against\n  remedy:  Study/Reference "
+                           "= Time/Tolerance = 1e-9, or another run that is "
+                           "much more accurate");
+      }
+    else
       {
         reference.emplace();
         for (const std::string &text : split_at(parameters.reference, ";"))

@@ -6,7 +6,9 @@
 //   and one of order p + 1 does not, so that the order is p exactly;
 // * equal diagonal entries; stiffly accurate: c of the last stage is 1;
 // * A-stable: the poles 1/gamma of the stability function are positive and
-//   |R(iy)| <= 1; L-stable: R(z) -> 0 for z -> -infinity.
+//   |R(iy)| <= 1; L-stable: R(z) -> 0 for z -> -infinity;
+// * the weights of the error estimate satisfy all conditions up to order p - 1,
+//   and not all of order p.
 
 #include "butcher_tableau.h"
 
@@ -45,19 +47,21 @@ namespace
 
 
   double
-  weigh(const ButcherTableau &tableau, const Values &x)
+  weigh(const Values &weights, const Values &x)
   {
     double sum = 0.;
     for (unsigned int i = 0; i < x.size(); ++i)
-      sum += tableau.b()[i] * x[i];
+      sum += weights[i] * x[i];
     return sum;
   }
 
 
 
-  /** Largest defect of the conditions of one order. */
+  /** Largest defect of the conditions of one order with these weights. */
   double
-  defect(const ButcherTableau &t, const unsigned int order)
+  defect(const ButcherTableau &t,
+         const Values         &weights,
+         const unsigned int    order)
   {
     const Values one(t.n_stages(), 1.);
     const Values c       = stage_sums(t, one);
@@ -66,7 +70,7 @@ namespace
     const Values ac2     = stage_sums(t, c2);
     double       worst   = 0.;
     const auto   require = [&](const Values &x, const double expected) {
-      raise(worst, std::abs(weigh(t, x) - expected));
+      raise(worst, std::abs(weigh(weights, x) - expected));
     };
     switch (order)
       {
@@ -122,7 +126,7 @@ main()
     {
       double worst = 0.;
       for (unsigned int order = 1; order <= t.order; ++order)
-        raise(worst, defect(t, order));
+        raise(worst, defect(t, t.b(), order));
       bool is_sdirk = true;
       for (unsigned int i = 0; i < t.n_stages(); ++i)
         is_sdirk &=
@@ -134,10 +138,18 @@ main()
 
       deallog << t.name << ": stages " << t.n_stages() << ", order " << t.order
               << " holds " << (worst < 1e-14) << ", order " << t.order + 1
-              << " does not " << (defect(t, t.order + 1) > 1e-3)
+              << " does not " << (defect(t, t.b(), t.order + 1) > 1e-3)
               << ", equal diagonal " << is_sdirk << ", stiffly accurate "
               << (std::abs(t.c.back() - 1.) < 1e-14) << ", A-stable "
               << (t.gamma() > 0. && largest < 1. + 1e-12) << ", L-stable "
               << (std::abs(stability_function(t, -1e12)) < 1e-10) << std::endl;
+      if (!t.has_error_estimate())
+        continue;
+      worst = 0.;
+      for (unsigned int order = 1; order < t.order; ++order)
+        raise(worst, defect(t, t.embedded_b, order));
+      deallog << t.name << ", embedded: order " << t.order - 1 << " holds "
+              << (worst < 1e-14) << ", order " << t.order << " does not "
+              << (defect(t, t.embedded_b, t.order) > 1e-3) << std::endl;
     }
 }

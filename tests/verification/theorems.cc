@@ -96,7 +96,7 @@ namespace
   public:
     explicit Follower(Simulation<1> &simulation)
       : has_contact(false)
-      , dt(simulation.parameters().time.step_size)
+      , dt(simulation.parameters().time.step_size.value())
       , zeta(simulation.parameters().model.viscosity)
       , epsilon(simulation.parameters().contact.compliance)
       , heat_mass(simulation.stage_operator().heat_mass())
