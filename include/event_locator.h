@@ -126,8 +126,9 @@ namespace ThermoContact
         at_end    ///< contact changes at its end
       };
 
-      Kind   kind = nothing;
-      double time = 0.;
+      Kind   kind            = nothing;
+      double time            = 0.;
+      bool   is_of_all_nodes = true; ///< at_end: all nodes change together
     };
 
     /**
@@ -139,7 +140,7 @@ namespace ThermoContact
     Finding
     examine(const ContactValues &next,
             const bool           is_aimed,
-            const double         momentum) const;
+            const double         momentum);
 
     /**
      * Contact changes at @p time, before the step that was examined last or
@@ -175,6 +176,10 @@ namespace ThermoContact
     bool             was_switched;  ///< without a step since
     double           max_displacement;
     double           max_pressure;
+
+    /** Takes values into the largest displacement and pressure so far. */
+    void
+    add_to_scales(const ContactValues &values);
 
     /** Margin s of a node over the step. */
     CubicHermite

@@ -42,6 +42,10 @@ namespace ThermoContact
     double
     output_seconds() const;
 
+    /** Writes the attempts at the step that a run has failed at, if it can. */
+    void
+    observe_failure(const Simulation<dim> &simulation);
+
     /** Flushes all files; same exceptions as observe(). */
     void
     flush();

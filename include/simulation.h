@@ -205,6 +205,14 @@ namespace ThermoContact
     compute_step(const TimeStep &time_step, StepResult &result);
 
     /**
+     * The error of a step relative to the tolerance. The impact of a node on a
+     * rigid obstacle within a unilateral step makes its velocity jump: then the
+     * displacement alone tells how well the step has met the instant.
+     */
+    double
+    relative_error(const StepResult &result) const;
+
+    /**
      * Tries a step and tells the controller how it went.
      *
      * @return true if the step is to be accepted
@@ -228,6 +236,13 @@ namespace ThermoContact
      */
     void
     finish_pressure(const bool begins_contact, StepResult &result);
+
+    /** Impact on a rigid obstacle, with its impulse and what it dissipates. */
+    void
+    impact(State       &state,
+           EnergyTerms &energy,
+           double      &impulse,
+           double      &numerical_dissipation);
 
     /** @throw ComputationError that says where and why the run ends. */
     [[noreturn]] void

@@ -3,10 +3,14 @@
 #ifndef thermocontact_time_integrator_h
 #define thermocontact_time_integrator_h
 
+#include <deal.II/lac/full_matrix.h>
+
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "butcher_tableau.h"
+#include "direct_solver.h"
 #include "energy.h"
 #include "loads.h"
 #include "step_controller.h"
@@ -89,6 +93,18 @@ namespace ThermoContact
                     const TimeStep &time_step,
                     StepResult     &result);
 
+    /**
+     * Impact of all contact nodes on a rigid obstacle: they are put on it, and
+     * an impulse through the mass matrix takes their velocity away, so that the
+     * velocity jumps to the nearest one, in the norm of the kinetic energy,
+     * with which they rest (M.33).
+     *
+     * @return impulse of the contact force, as StepResult has it
+     * @throw ComputationError if the mass matrix cannot be factorised
+     */
+    double
+    impact(State &state);
+
     /** What the prescribed steps have spent; the rest is the step solver's. */
     const SolverCounters &
     counters() const
@@ -111,6 +127,13 @@ namespace ThermoContact
     State                                  difference;
     Vector                                 heat_load;
     Vector                                 momentum_load;
+    std::unique_ptr<DirectSolver>          mass_solver;
+    std::vector<Vector>                    impulse_responses;
+    FullMatrix<double>                     inverse_receptance;
+
+    /** Velocities, and those of the contact nodes, per unit impulse. */
+    void
+    compute_impulse_responses();
 
     /** The known values of stage @p i of a step by @p step_size. */
     void

@@ -72,6 +72,8 @@ namespace ThermoContact
     is_in_contact = false;
     was_switched  = false;
     events.clear();
+    max_displacement = max_pressure = 0.;
+    add_to_scales(initial);
     if (any_in_contact(initial))
       add_event(initial.time,
                 true,
@@ -113,15 +115,30 @@ namespace ThermoContact
 
 
 
+  void
+  EventLocator::add_to_scales(const ContactValues &values)
+  {
+    for (unsigned int i = 0; i < values.displacement.size(); ++i)
+      {
+        max_displacement =
+          std::max(max_displacement, std::abs(values.displacement[i]));
+        max_pressure = std::max(max_pressure, values.pressure[i]);
+      }
+  }
+
+
+
   EventLocator::Finding
   EventLocator::examine(const ContactValues &next,
                         const bool           is_aimed,
-                        const double         momentum) const
+                        const double         momentum)
   {
+    add_to_scales(next);
     const double size         = next.time - present.time;
     double       zero         = infinity;
     bool         ends_near    = true; // where it ends beyond a zero
     bool         is_near_zero = false;
+    bool         all_change   = true; // at the end or before it
     bool         starts_near  = false;
     for (unsigned int i = 0; i < next.displacement.size(); ++i)
       {
@@ -139,6 +156,7 @@ namespace ThermoContact
         const bool is_node_near = is_near(s1, s.slope(1.) / size, momentum);
         ends_near &= s1 >= 0. || is_node_near;
         is_near_zero |= is_node_near;
+        all_change &= s1 < 0. || is_node_near;
       }
 
     if (starts_near)
@@ -147,11 +165,11 @@ namespace ThermoContact
       {
         const bool is_last = is_aimed ? ends_near : ends_near && zero > 0.9;
         if (is_last && is_near_zero)
-          return {Finding::at_end, next.time};
+          return {Finding::at_end, next.time, all_change};
         return {Finding::within, present.time + zero * size};
       }
     if (is_aimed && is_near_zero)
-      return {Finding::at_end, next.time};
+      return {Finding::at_end, next.time, all_change};
     return {Finding::nothing, 0.};
   }
 
@@ -234,16 +252,12 @@ namespace ThermoContact
                   begins,
                   next.velocity[node],
                   events);
-        mode_ = begins ? ContactMode::closed : ContactMode::open;
+        mode_ = !finding.is_of_all_nodes ? ContactMode::unilateral :
+                begins                   ? ContactMode::closed :
+                                           ContactMode::open;
       }
     was_switched = false;
     present      = next;
-    for (unsigned int i = 0; i < next.displacement.size(); ++i)
-      {
-        max_displacement =
-          std::max(max_displacement, std::abs(next.displacement[i]));
-        max_pressure = std::max(max_pressure, next.pressure[i]);
-      }
   }
 
 

@@ -118,6 +118,7 @@ namespace ThermoContact
       catch (const ComputationError &error)
         {
           finish_times();
+          output.observe_failure(simulation);
           log.line(std::string("  failed:   ") + error.what());
           try
             {

@@ -217,6 +217,18 @@ namespace ThermoContact
 
 
   template <int dim>
+  void
+  Output<dim>::observe_failure(const Simulation<dim> &simulation)
+  {
+    write_attempts(simulation.attempts());
+    contact_file.flush();
+    events_file.flush();
+    steps_file.flush();
+  }
+
+
+
+  template <int dim>
   double
   Output<dim>::output_seconds() const
   {

@@ -2,9 +2,8 @@
 
 #include "simulation.h"
 
-#include <deal.II/base/timer.h>
-
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <sstream>
 
@@ -222,10 +221,26 @@ namespace ThermoContact
 
 
   template <int dim>
+  double
+  Simulation<dim>::relative_error(const StepResult &result) const
+  {
+    EnergyTerms error = result.error;
+    if (law.is_active && law.compliance == 0. &&
+        event_locator.mode() == ContactMode::unilateral)
+      for (unsigned int i = 0; i < state_.contact_pressure.size(); ++i)
+        if (state_.contact_pressure[i] == 0. &&
+            result.state.contact_pressure[i] > 0.)
+          error.kinetic = 0.;
+    return error_norm(error, result.energy) / parameters_.time.tolerance;
+  }
+
+
+
+  template <int dim>
   bool
   Simulation<dim>::attempt(const TimeStep &time_step, StepResult &result)
   {
-    const Timer timer;
+    const auto begin = std::chrono::steady_clock::now();
     compute_step(time_step, result);
 
     const ContactMode mode = event_locator.mode();
@@ -238,8 +253,7 @@ namespace ThermoContact
       }
     else
       {
-        attempt.error =
-          error_norm(result.error, result.energy) / parameters_.time.tolerance;
+        attempt.error = relative_error(result);
         if (!controller.is_accurate(attempt.error))
           {
             attempt.reason = "tolerance";
@@ -256,7 +270,9 @@ namespace ThermoContact
       }
     if (event_locator.mode() != mode)
       controller.restart(event_locator.mode() == ContactMode::closed);
-    attempt.wall_seconds = timer.wall_time();
+    attempt.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+        .count();
     attempts_.push_back(attempt);
     if (attempt.is_accepted)
       return true;
@@ -289,8 +305,19 @@ namespace ThermoContact
                                           result.energy.elastic,
                                           result.energy.kinetic})));
 
+    const bool is_rigid = law.compliance == 0.;
     if (finding.kind == EventLocator::Finding::at_start)
-      event_locator.switch_at_start(finding.time, events_);
+      {
+        event_locator.switch_at_start(finding.time, events_);
+        if (is_rigid && event_locator.mode() == ContactMode::closed)
+          {
+            impact(state_,
+                   record_.energy_terms,
+                   record_.contact_impulse,
+                   record_.numerical_dissipation);
+            record_.energy = record_.energy_terms.sum();
+          }
+      }
     else if (finding.kind == EventLocator::Finding::within)
       {
         // An interpolant that misses the zero so often is not to be trusted.
@@ -306,9 +333,30 @@ namespace ThermoContact
         finish_pressure(finding.kind == EventLocator::Finding::at_end &&
                           mode == ContactMode::open,
                         result);
+        if (is_rigid && mode == ContactMode::open &&
+            event_locator.mode() == ContactMode::closed)
+          impact(result.state,
+                 result.energy,
+                 result.impulse,
+                 result.numerical_dissipation);
         return true;
       }
     return false;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::impact(State       &state,
+                          EnergyTerms &energy,
+                          double      &impulse,
+                          double      &numerical_dissipation)
+  {
+    const double old_energy = energy.sum();
+    impulse += integrator.impact(state);
+    energy = energy_.energy(state);
+    numerical_dissipation += old_energy - energy.sum();
   }
 
 

@@ -2,7 +2,6 @@
 
 #include "time_integrator.h"
 
-#include "direct_solver.h"
 
 namespace ThermoContact
 {
@@ -177,6 +176,56 @@ namespace ThermoContact
     result.numerical_dissipation = energy.energy(state).sum() -
                                    result.energy.sum() + result.work -
                                    result.dissipation;
+  }
+
+
+
+  template <int dim>
+  void
+  TimeIntegrator<dim>::compute_impulse_responses()
+  {
+    mass_solver =
+      std::make_unique<DirectSolver>(stage_operator.momentum_stage_matrix(0.));
+    ++counters_.factorizations;
+
+    const unsigned int n = discretization.contact_nodes().size();
+    inverse_receptance.reinit(n, n);
+    std::vector<double> velocity(n);
+    Vector              load(momentum_load);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        std::vector<double> unit_impulse(n, 0.);
+        unit_impulse[j] = 1.;
+        load            = 0.;
+        stage_operator.subtract_pressure(unit_impulse, -1., load);
+        mass_solver->solve(impulse_responses.emplace_back(load), load);
+        ++counters_.responses;
+        discretization.contact_values(1, impulse_responses[j], velocity);
+        for (unsigned int i = 0; i < n; ++i)
+          inverse_receptance(i, j) = velocity[i];
+      }
+    inverse_receptance.gauss_jordan();
+  }
+
+
+
+  template <int dim>
+  double
+  TimeIntegrator<dim>::impact(State &state)
+  {
+    if (!mass_solver)
+      compute_impulse_responses();
+    std::vector<double> velocity;
+    discretization.contact_values(1, state.velocity, velocity);
+    std::vector<double> impulse(velocity.size(), 0.);
+    for (unsigned int i = 0; i < impulse.size(); ++i)
+      for (unsigned int j = 0; j < impulse.size(); ++j)
+        impulse[i] += inverse_receptance(i, j) * velocity[j];
+    for (unsigned int i = 0; i < impulse.size(); ++i)
+      state.velocity.add(-impulse[i], impulse_responses[i]);
+    for (const auto &[node, entry] : discretization.contact_entries(1))
+      state.displacement.begin()[entry] = law.gap;
+    return discretization.contact_mean(impulse);
   }
 
 

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Contact events, no mesh. All numbers by hand.
+//
+// 1. CubicHermite: cubics with known roots. A root where it becomes negative
+//    counts, one where it touches zero or rises does not; "inf" without one, 0
+//    if it is never positive. 16 (x - 1/4)(x - 1/2) has its minimum -1/4
+//    between its roots, a dip above it is tolerated.
+// 2. EventLocator, gap 0.1, compliance 0.01, tolerance 1e-3, momentum 1. From
+//    t = 1, u = 0 with u_t = 0.2 contact begins at 1.5. A step to t = 2 is to
+//    be taken to there; one that was aimed ends the state if the miss s of u(1)
+//    satisfies s^2 <= 0.2 eps |u_t| 1e-3 = 4e-7: 1e-4 does, 1e-2 does not; the
+//    event is at 1.5 in all cases. Then u = 0.1 + 0.2 x - 0.4 x^2, x = t - 1.5,
+//    leaves the obstacle at t = 2 with u_t = -0.2.
+//    Rigid: the pressure falls from 1 to -1 between t = 1 and 2, zero at 1.5; a
+//    step that was aimed and ends with p = -5e-5, below 1e-4 of the largest
+//    pressure, has its zero at 1 + 0.5/1.00005.
+//    Without location: gap 0.3 to -0.1 between t = 1 and 2 has its zero
+//    at 1.75, -0.1 to 0.1 between t = 2 and 4 at 3. Two nodes of which one
+//    touches: closed pulls on the other, open lets the first pass, so that the
+//    step is unilateral, and contact has begun once.
+
+#include "event_locator.h"
+
+#include <cmath>
+
+#include "../tests.h"
+
+
+using namespace ThermoContact;
+
+namespace
+{
+  /** Without rounding next to zero. */
+  double
+  clean(const double value)
+  {
+    return std::abs(value) < 1e-15 ? 0. : value;
+  }
+
+
+
+  /** The cubic with coefficients @p c. */
+  CubicHermite
+  cubic(const std::array<double, 4> &c)
+  {
+    return {c[0],
+            c[1],
+            c[0] + c[1] + c[2] + c[3],
+            c[1] + 2. * c[2] + 3. * c[3]};
+  }
+
+
+
+  void
+  print_first_zero(const std::string           &name,
+                   const std::array<double, 4> &c,
+                   const double                 dip = 0.)
+  {
+    const double zero = cubic(c).first_zero(dip);
+    deallog << name << ": ";
+    if (std::isinf(zero))
+      deallog << "inf" << std::endl;
+    else
+      deallog << clean(zero) << std::endl;
+  }
+
+
+
+  void
+  test_cubic()
+  {
+    print_first_zero("1 - 2x", {{1., -2., 0., 0.}});
+    print_first_zero("1 - 2x^3", {{1., 0., 0., -2.}});
+    print_first_zero("(0.2 - x)(x - 0.5)(x - 0.8)", {{0.08, -0.66, 1.5, -1.}});
+    print_first_zero("two roots", {{2., -12., 16., 0.}});
+    print_first_zero("two roots, dip 0.2", {{2., -12., 16., 0.}}, 0.2);
+    print_first_zero("two roots, dip 0.3", {{2., -12., 16., 0.}}, 0.3);
+    print_first_zero("touches", {{0.25, -1., 1., 0.}});
+    print_first_zero("grazes, -1e-6", {{0.249999, -1., 1., 0.}});
+    print_first_zero("negative, recovers", {{-1., 4., 0., 0.}});
+    print_first_zero("negative, recovers, root at 0.75",
+                     {{-0.1875, 1., -1., 0.}});
+    print_first_zero("negative, rises, never positive", {{-1., 0.5, 0., 0.}});
+    print_first_zero("negative, never positive", {{-0.35, 1., -1., 0.}});
+    print_first_zero("no root", {{1., 1., 0., 0.}});
+    print_first_zero("rises from zero", {{0., 1., 0., 0.}});
+    print_first_zero("falls from zero", {{0., -1., 0., 0.}});
+    print_first_zero("falls from zero and comes back", {{0., -0.5, 1., 0.}});
+    print_first_zero("falls to zero", {{1., -1., 0., 0.}});
+
+    deallog << "zero near the end: 1.1 - x "
+            << cubic({{1.1, -1., 0., 0.}}).zero_near_end() << ", 0.81 - x^2 "
+            << cubic({{0.81, 0., -1., 0.}}).zero_near_end() << ", 0.3 - x "
+            << cubic({{0.3, -1., 0., 0.}}).zero_near_end() << ", 1 "
+            << cubic({{1., 0., 0., 0.}}).zero_near_end() << std::endl;
+    const CubicHermite s = cubic({{1., 2., 3., 4.}});
+    deallog << "1 + 2x + 3x^2 + 4x^3 at 1/2: " << s.value(0.5) << ", slope "
+            << s.slope(0.5) << std::endl;
+  }
+
+
+
+  const char *
+  name_of(const ContactMode mode)
+  {
+    return mode == ContactMode::open   ? "open" :
+           mode == ContactMode::closed ? "closed" :
+                                         "unilateral";
+  }
+
+
+
+  /** Values of nodes that all move with @p velocity. */
+  ContactValues
+  values(const double               time,
+         const std::vector<double> &displacement,
+         const double               velocity,
+         const std::vector<double> &pressure)
+  {
+    return {time,
+            displacement,
+            std::vector<double>(displacement.size(), velocity),
+            pressure};
+  }
+
+
+
+  const ContactLaw compliant{true, 0.01, 0.1};
+  const ContactLaw rigid{true, 0., 0.1};
+
+
+
+  void
+  print_events(const std::vector<ContactEvent> &events)
+  {
+    deallog << " events " << events.size();
+    for (const ContactEvent &event : events)
+      deallog << (event.kind == ContactEvent::begin ? ", begin " : ", end ")
+              << clean(event.time) << " with u_t " << event.velocity;
+    deallog << std::endl;
+  }
+
+
+
+  /** Examines a step and does what the finding says. */
+  void
+  take(EventLocator              &locator,
+       const ContactValues       &next,
+       const bool                 is_aimed,
+       std::vector<ContactEvent> &events)
+  {
+    const EventLocator::Finding finding = locator.examine(next, is_aimed, 1.);
+    deallog << "  to " << next.time << (is_aimed ? ", aimed: " : ": ");
+    switch (finding.kind)
+      {
+        case EventLocator::Finding::at_start:
+          deallog << "at start";
+          locator.switch_at_start(finding.time, events);
+          break;
+        case EventLocator::Finding::within:
+          deallog << "within, at " << finding.time;
+          break;
+        default:
+          deallog << (finding.kind == EventLocator::Finding::at_end ?
+                        "at end" :
+                        "nothing");
+          locator.accept(next, finding, events);
+      }
+    deallog << ", then " << name_of(locator.mode());
+    print_events(events);
+  }
+
+
+
+  void
+  test_compliant()
+  {
+    for (const double time : {1.5, 1.5005, 1.4995, 1.55})
+      {
+        deallog << "compliant" << std::endl;
+        EventLocator              locator(compliant, true, 1e-3);
+        std::vector<ContactEvent> events;
+        locator.start(values(1., {0.}, 0.2, {0.}), events);
+        take(locator, values(2., {0.2}, 0.2, {0.}), false, events);
+        take(locator,
+             values(time, {0.2 * (time - 1.)}, 0.2, {0.}),
+             true,
+             events);
+        if (time != 1.5)
+          continue;
+        take(locator, values(1.75, {0.125}, 0., {2.5}), false, events);
+        take(locator, values(2.5, {-0.1}, -0.6, {-20.}), false, events);
+        take(locator, values(2., {0.1}, -0.2, {0.}), true, events);
+        take(locator, values(2.5, {0.}, -0.2, {0.}), false, events);
+      }
+  }
+
+
+
+  void
+  test_starts()
+  {
+    std::vector<ContactEvent> events;
+    EventLocator              locator(compliant, true, 1e-3);
+    deallog << "closed at the start" << std::endl;
+    locator.start(values(0., {0.15}, -0.3, {5.}), events);
+    deallog << "  " << name_of(locator.mode());
+    print_events(events);
+
+    deallog << "touches at the start" << std::endl;
+    locator.start(values(0., {0.1}, 0.2, {0.}), events);
+    take(locator, values(1., {0.3}, 0.2, {0.}), false, events);
+    take(locator, values(1., {0.2}, 0., {10.}), false, events);
+
+    deallog << "neither open nor closed" << std::endl;
+    locator.start(values(0., {0.1 + 1e-7}, -1e-6, {0.}), events);
+    take(locator, values(1., {0.3}, 0.2, {0.}), false, events);
+    take(locator, values(1., {-0.1}, -0.2, {-20.}), false, events);
+  }
+
+
+
+  void
+  test_rigid()
+  {
+    std::vector<ContactEvent> events;
+    EventLocator              locator(rigid, true, 1e-3);
+    deallog << "rigid" << std::endl;
+    locator.start(values(0., {0.1}, 0., {1.}), events);
+    take(locator, values(1., {0.1}, 0., {1.}), false, events);
+    take(locator, values(2., {0.1}, 0., {-1.}), false, events);
+    take(locator, values(1.5, {0.1}, 0., {-5e-5}), true, events);
+  }
+
+
+
+  void
+  test_without_location()
+  {
+    std::vector<ContactEvent> events;
+    EventLocator              locator(compliant, false, 1e-3);
+    deallog << "without location" << std::endl;
+    locator.start(values(1., {-0.2}, 0.5, {0.}), events);
+    locator.accept(values(2., {0.2}, 0.7, {10.}), {}, events);
+    locator.accept(values(4., {0.}, -0.3, {0.}), {}, events);
+    deallog << "  " << name_of(locator.mode());
+    print_events(events);
+  }
+
+
+
+  void
+  test_two_nodes()
+  {
+    std::vector<ContactEvent> events;
+    EventLocator              locator(compliant, true, 1e-3);
+    deallog << "two nodes together" << std::endl;
+    locator.start(values(1., {0., 0.}, 0.2, {0., 0.}), events);
+    take(locator, values(1.5, {0.1, 0.1}, 0.2, {0., 0.}), true, events);
+    take(locator, values(2., {0.12, 0.15}, 0., {2., 5.}), false, events);
+
+    deallog << "two nodes, one touches" << std::endl;
+    locator.start(values(1., {0., -0.1}, 0.2, {0., 0.}), events);
+    take(locator, values(2., {0.2, 0.1}, 0.2, {0., 0.}), false, events);
+    take(locator, values(1.5, {0.1, 0.}, 0.2, {0., 0.}), true, events);
+    take(locator, values(2., {0.12, 0.05}, 0., {2., -5.}), false, events);
+    take(locator, values(2., {0.2, 0.1}, 0.2, {0., 0.}), false, events);
+    locator.accept(values(2., {0.12, 0.08}, 0.1, {2., 0.}), {}, events);
+    deallog << "  one in contact, then " << name_of(locator.mode());
+    print_events(events);
+    locator.accept(values(2.2, {0.12, 0.11}, 0.1, {2., 1.}), {}, events);
+    deallog << "  both in contact, then " << name_of(locator.mode());
+    print_events(events);
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  initlog();
+  test_cubic();
+  test_compliant();
+  test_starts();
+  test_rigid();
+  test_without_location();
+  test_two_nodes();
+}

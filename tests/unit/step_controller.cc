@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Step sizes. StepController of order 4: sizes as 4 log2, integers on the
+// ladder. With error e the next size is 0.9 e^(-1/5) e_old^(3/40) times the
+// last, within (0.2, 4), e_old = 1 at the start, 0.9 e^(-1/4) within (0.2, 0.8)
+// after a rejection, times 1.1, rounded down. From 2^-8 = 2^(-32/4):
+//   e = 1:     0.99: -33;            e = 0.9:  1.011: -32;
+//   e = 0:     4 (clipped): -24;     rejected, e = 16: 0.495 < 1/2: -37,
+//   then e = 0: not larger: -37;     rejected, e = 1.0001: 0.88: -33;
+//   rejected, not a number: 0.22: -41.
+// Steps of at most 0.25 to T = 0.7, landing on multiples of 0.4 and of 0.6.
+// First step 0.05 tol^(1/4) = 0.005 with tolerance 1e-4: -31.
+
+#include "step_controller.h"
+
+#include <cmath>
+
+#include "../tests.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  /** Error-controlled from 2^-8, order 4. */
+  Parameters
+  from_rung()
+  {
+    Parameters parameters           = read_parameters("");
+    parameters.time.end_time        = 1.;
+    parameters.time.first_step_size = 1. / 256.;
+    return parameters;
+  }
+
+
+
+  double
+  rung(const StepController &controller)
+  {
+    return 4. * std::log2(controller.propose(0.).size);
+  }
+
+
+
+  void
+  test_ladder()
+  {
+    for (const double error : {1., 0.9, 0.})
+      {
+        StepController controller(from_rung(), 4);
+        controller.accept(controller.propose(0.), error);
+        deallog << "accepted, error " << error << ": " << rung(controller)
+                << std::endl;
+      }
+    for (const double error :
+         {16., 1.0001, std::numeric_limits<double>::quiet_NaN()})
+      {
+        StepController controller(from_rung(), 4);
+        const bool     is_accurate = controller.is_accurate(error);
+        controller.reject(controller.propose(0.), error);
+        deallog << "accurate " << is_accurate
+                << ", rejected: " << rung(controller);
+        controller.accept(controller.propose(0.), 0.);
+        deallog << ", then accepted: " << rung(controller) << std::endl;
+      }
+    Parameters parameters     = read_parameters("");
+    parameters.time.tolerance = 1e-4;
+    deallog << "first step: " << rung(StepController(parameters, 4))
+            << std::endl;
+    for (const bool begins : {true, false})
+      {
+        StepController controller(from_rung(), 4);
+        controller.restart(begins);
+        deallog << (begins ? "after begin: " : "after end: ")
+                << rung(controller) << ", accurate with error 0.2 "
+                << controller.is_accurate(0.2) << ", 0.3 "
+                << controller.is_accurate(0.3);
+        controller.accept(controller.propose(0.), 0.1);
+        deallog << ", one step later " << controller.is_accurate(0.3)
+                << std::endl;
+      }
+    parameters                        = from_rung();
+    parameters.time.minimum_step_size = 1e-3;
+    StepController controller(parameters, 4);
+    deallog << "exhausted " << controller.is_exhausted(0.);
+    controller.retry_smaller(controller.propose(0.));
+    deallog << ", a quarter " << rung(controller) << ": exhausted "
+            << controller.is_exhausted(0.) << std::endl;
+  }
+
+
+
+  /** The ends of all steps. */
+  void
+  print_steps(const std::string &name, const Parameters &parameters)
+  {
+    StepController controller(parameters, 4);
+    double         time = 0.;
+    deallog << name << ':';
+    while (!controller.is_finished(time))
+      {
+        const TimeStep step = controller.propose(time);
+        controller.accept(step, 0.);
+        time = step.end;
+        deallog << ' ' << time
+                << (step.target == TimeStep::output ? " output" :
+                    step.target == TimeStep::finish ? " end" :
+                                                      "");
+      }
+    deallog << ", T exactly " << (time == parameters.time.end_time)
+            << std::endl;
+  }
+
+
+
+  void
+  test_targets()
+  {
+    Parameters parameters             = read_parameters("");
+    parameters.time.end_time          = 0.7;
+    parameters.time.first_step_size   = 0.25;
+    parameters.time.maximum_step_size = 0.25;
+    print_steps("error-controlled", parameters);
+    parameters.output.land_on_times    = true;
+    parameters.output.fields_interval  = 0.6;
+    parameters.output.contact_interval = 0.4;
+    print_steps("landing", parameters);
+    parameters.output.land_on_times = false;
+    parameters.time.step_size       = 0.3;
+    print_steps("fixed", parameters);
+    deallog << "fixed steps are not retried "
+            << !StepController(parameters, 4).retry_smaller({0.3, 0.3})
+            << std::endl;
+
+    StepController controller(from_rung(), 4);
+    controller.aim_at(0.001);
+    const TimeStep step = controller.propose(0.);
+    deallog << "aimed: " << step.end << ", at an event "
+            << (step.target == TimeStep::event);
+    controller.accept(step, 0.5); // would allow 1.03 * 0.001
+    deallog << ", then " << rung(controller) << std::endl;
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  initlog();
+  test_ladder();
+  test_targets();
+}
