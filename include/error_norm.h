@@ -16,9 +16,11 @@ namespace ThermoContact
    *        {\max(\|\nabla u\|^2, b\|v\|^2)} \right)^{1/2} .
    * @f]
    * The maxima are over all accepted states and the one that the step has
-   * reached. There is no absolute floor: scaling a scene changes nothing. An
-   * error of the temperature that is rounding of the temperature itself, of
-   * which $\hat\theta$ may be a tiny part, counts as none.
+   * reached; a field that has been zero takes its scale from the first attempt
+   * at a step that moves it. There is no absolute floor: scaling a scene
+   * changes nothing. An error of the temperature that is rounding of the
+   * temperature itself, of which $\hat\theta$ may be a tiny part, counts as
+   * none.
    */
   class ErrorNorm
   {
@@ -37,7 +39,7 @@ namespace ThermoContact
      * @param energy of the state at the end of the step
      */
     double
-    operator()(const EnergyTerms &error, const EnergyTerms &energy) const;
+    operator()(const EnergyTerms &error, const EnergyTerms &energy);
 
     /** Largest elastic or kinetic energy so far. */
     double

@@ -128,7 +128,10 @@ namespace ThermoContact
 
       Kind   kind            = nothing;
       double time            = 0.;
-      bool   is_of_all_nodes = true; ///< at_end: all nodes change together
+      bool   is_of_all_nodes = true; ///< all nodes change together
+
+      /** The node that changes first. */
+      unsigned int node = 0;
     };
 
     /**
@@ -152,7 +155,10 @@ namespace ThermoContact
     void
     switch_at_start(const double time, std::vector<ContactEvent> &events);
 
-    /** The next step is unilateral, since zeros are not to be had. */
+    /**
+     * The next step is unilateral: nodes do not change together, or zeros are
+     * not to be had.
+     */
     void
     hold_nothing();
 

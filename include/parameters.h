@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "contact_law.h"
+
 namespace ThermoContact
 {
   using dealii::ParameterHandler;
@@ -64,6 +66,12 @@ namespace ThermoContact
     is_rigid() const
     {
       return condition == "rigid";
+    }
+
+    ContactLaw
+    law() const
+    {
+      return {!is_none(), is_none() || is_rigid() ? 0. : compliance, gap};
     }
   };
 

@@ -23,19 +23,6 @@
 
 namespace ThermoContact
 {
-  /** One attempt at a step: a row of steps.csv. */
-  struct StepAttempt
-  {
-    double      time         = 0.; ///< where it starts
-    double      size         = 0.;
-    double      error        = 0.; ///< relative to the tolerance
-    bool        is_accepted  = false;
-    const char *reason       = ""; ///< why it ends there or was rejected
-    double      wall_seconds = 0.;
-  };
-
-
-
   /**
    * One scene from its initial state to its end time. Writes no file and
    * prints nothing: after the initial state and after every accepted step it
@@ -205,12 +192,12 @@ namespace ThermoContact
     compute_step(const TimeStep &time_step, StepResult &result);
 
     /**
-     * The error of a step relative to the tolerance. The impact of a node on a
-     * rigid obstacle within a unilateral step makes its velocity jump: then the
-     * displacement alone tells how well the step has met the instant.
+     * The error of a step relative to the tolerance. Impacts of nodes on a
+     * rigid obstacle within unilateral steps make their velocity jump: then
+     * temperature and displacement alone are judged.
      */
     double
-    relative_error(const StepResult &result) const;
+    relative_error(const StepResult &result);
 
     /**
      * Tries a step and tells the controller how it went.
@@ -229,20 +216,6 @@ namespace ThermoContact
      */
     bool
     respects_contact(const TimeStep &time_step, StepResult &result);
-
-    /**
-     * Pressures of an accepted step: none is negative, and where contact begins
-     * they are those of the law, since no stage has seen them.
-     */
-    void
-    finish_pressure(const bool begins_contact, StepResult &result);
-
-    /** Impact on a rigid obstacle, with its impulse and what it dissipates. */
-    void
-    impact(State       &state,
-           EnergyTerms &energy,
-           double      &impulse,
-           double      &numerical_dissipation);
 
     /** @throw ComputationError that says where and why the run ends. */
     [[noreturn]] void

@@ -10,6 +10,19 @@
 
 namespace ThermoContact
 {
+  /** One attempt at a step: a row of steps.csv. */
+  struct StepAttempt
+  {
+    double      time         = 0.; ///< where it starts
+    double      size         = 0.;
+    double      error        = 0.; ///< relative to the tolerance
+    bool        is_accepted  = false;
+    const char *reason       = ""; ///< why it ends there or was rejected
+    double      wall_seconds = 0.;
+  };
+
+
+
   /** One step of the time loop: from the present time to @p end. */
   struct TimeStep
   {
@@ -26,6 +39,12 @@ namespace ThermoContact
     double end    = 0.; ///< time at its end
     Target target = none;
   };
+
+
+
+  /** "ok", "event", "output" or "end", as steps.csv has it. */
+  const char *
+  name_of(const TimeStep::Target target);
 
 
 
@@ -96,11 +115,12 @@ namespace ThermoContact
     restart(const bool contact_begins);
 
     /**
-     * True if the size that is due is below the smallest that is allowed, or
-     * that @p time can resolve.
+     * True if there is nothing left to try after @p step, which was not
+     * accurate enough or could not be computed: it was not above the smallest
+     * size that is allowed, or the next would be below what @p time resolves.
      */
     bool
-    is_exhausted(const double time) const;
+    is_exhausted(const TimeStep &step, const double time) const;
 
   private:
     const bool          has_error_control;

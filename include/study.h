@@ -105,6 +105,10 @@ namespace ThermoContact
     std::vector<StudyRun>         runs_;
     std::optional<StudyRun>       reference;
 
+    /** @throw InputError if it cannot run, or ends before @p longest */
+    void
+    check_reference(const double longest) const;
+
     /** Reads the values of a scene with overrides into @p prm. */
     void
     assign(const StudyRun &run, dealii::ParameterHandler &prm) const;

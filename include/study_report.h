@@ -12,8 +12,8 @@ namespace ThermoContact
 {
   /**
    * Writes study.csv, one row per run, and study.txt, tables with observed
-   * orders for the entry that is refined: the one of the varied entries with
-   * numbers that was named last. Rank 0 writes; collective.
+   * orders for the entry that is refined: the one of step size, tolerance and
+   * number of cells that was named last. Rank 0 writes; collective.
    *
    * @param title first comment line of study.csv
    * @throw ComputationError naming a file that cannot be written

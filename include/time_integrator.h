@@ -69,7 +69,8 @@ namespace ThermoContact
      * @param mode unilateral: every stage satisfies the contact law; open,
      *   closed: the state of contact is held, which makes the step a smooth
      *   function of its size
-     * @param result out; its error is set if the scheme has an estimate; reuses the memory of an earlier result; if a stage
+     * @param result out; its error is set if the scheme has an estimate; reuses
+     *   the memory of an earlier result; if a stage
      *   did not converge only its failure has a meaning
      * @throw ComputationError as StepSolver::solve() does
      */
@@ -99,11 +100,22 @@ namespace ThermoContact
      * velocity jumps to the nearest one, in the norm of the kinetic energy,
      * with which they rest (M.33).
      *
-     * @return impulse of the contact force, as StepResult has it
+     * @param energy out: of the new state
+     * @param impulse,numerical_dissipation what the impact costs is added
      * @throw ComputationError if the mass matrix cannot be factorised
      */
-    double
-    impact(State &state);
+    void
+    impact(State       &state,
+           EnergyTerms &energy,
+           double      &impulse,
+           double      &numerical_dissipation);
+
+    /**
+     * Pressures of a step that is accepted: none is negative, and where contact
+     * begins they are those of the law, since no stage has seen them.
+     */
+    void
+    finish_pressure(const bool begins_contact, StepResult &result);
 
     /** What the prescribed steps have spent; the rest is the step solver's. */
     const SolverCounters &

@@ -61,7 +61,9 @@ namespace ThermoContact
      * reference is interpolated by polynomials of degree five through six of
      * its steps between which contact does not change; exact at common times.
      *
-     * @param reference as long as this trajectory, not empty
+     * Beyond the end of the reference the difference is NaN.
+     *
+     * @param reference not empty
      */
     Difference
     compare(const Trajectory &reference) const;

@@ -25,9 +25,14 @@ namespace ThermoContact
 
 
   double
-  ErrorNorm::operator()(const EnergyTerms &error,
-                        const EnergyTerms &energy) const
+  ErrorNorm::operator()(const EnergyTerms &error, const EnergyTerms &energy)
   {
+    // Without a scale of its own the error of a load that starts like a power
+    // of t has the same relative size for every step.
+    if (max_thermal == 0. && std::isfinite(energy.thermal))
+      max_thermal = energy.thermal;
+    if (max_mechanical == 0. && std::isfinite(energy.elastic + energy.kinetic))
+      max_mechanical = std::max(energy.elastic, energy.kinetic);
     const auto ratio = [](const double part, const double whole) {
       return part == 0. ? 0. : part / whole;
     };

@@ -108,9 +108,12 @@ namespace ThermoContact
   {
     if (mode_ == ContactMode::closed && law.compliance == 0.)
       return std::abs(s) <= 0.1 * tolerance * max_pressure;
+    // what the floating-point numbers of displacement and time can tell apart
+    const double rounding =
+      4e-15 * (max_displacement + std::abs(present.time * rate));
     return s * s <=
              0.2 * law.compliance * std::abs(rate) * tolerance * momentum ||
-           std::abs(s) <= 0.01 * tolerance * max_displacement;
+           std::abs(s) <= 0.01 * tolerance * max_displacement + rounding;
   }
 
 
@@ -136,10 +139,13 @@ namespace ThermoContact
     add_to_scales(next);
     const double size         = next.time - present.time;
     double       zero         = infinity;
+    unsigned int node         = 0;    // that changes first or is nearest to it
     bool         ends_near    = true; // where it ends beyond a zero
     bool         is_near_zero = false;
     bool         all_change   = true; // at the end or before it
     bool         starts_near  = false;
+    bool         all_start    = true;
+    const double resolution   = 4e-15 * present.time / size;
     for (unsigned int i = 0; i < next.displacement.size(); ++i)
       {
         const CubicHermite s  = margin(next, i);
@@ -148,10 +154,18 @@ namespace ThermoContact
           mode_ == ContactMode::closed && law.compliance == 0. ?
                   0. :
                   0.01 * tolerance * max_displacement;
-        const double node_zero = s.first_zero(dip);
-        starts_near |= node_zero == 0. ||
-                       (node_zero < 0.1 && s.slope(0.) < 0. &&
-                        is_near(s.value(0.), s.slope(0.) / size, momentum));
+        double node_zero = s.first_zero(dip);
+        if (node_zero <= resolution || (s.value(0.) == 0. && node_zero < 1e-9))
+          node_zero = 0.;
+        const bool starts_here =
+          node_zero == 0. ||
+          (node_zero < 0.1 && s.slope(0.) < 0. &&
+           is_near(s.value(0.), s.slope(0.) / size, momentum));
+        starts_near |= starts_here;
+        all_start &= starts_here;
+        if (node_zero < zero ||
+            (zero == infinity && s1 < margin(next, node).value(1.)))
+          node = i;
         zero                    = std::min(zero, node_zero);
         const bool is_node_near = is_near(s1, s.slope(1.) / size, momentum);
         ends_near &= s1 >= 0. || is_node_near;
@@ -160,16 +174,16 @@ namespace ThermoContact
       }
 
     if (starts_near)
-      return {Finding::at_start, present.time + zero * size};
+      return {Finding::at_start, present.time + zero * size, all_start, node};
     if (zero < infinity)
       {
         const bool is_last = is_aimed ? ends_near : ends_near && zero > 0.9;
         if (is_last && is_near_zero)
-          return {Finding::at_end, next.time, all_change};
+          return {Finding::at_end, next.time, all_change, node};
         return {Finding::within, present.time + zero * size};
       }
     if (is_aimed && is_near_zero)
-      return {Finding::at_end, next.time, all_change};
+      return {Finding::at_end, next.time, all_change, node};
     return {Finding::nothing, 0.};
   }
 
@@ -222,7 +236,6 @@ namespace ThermoContact
                        const Finding             &finding,
                        std::vector<ContactEvent> &events)
   {
-    const unsigned int node = foremost(next);
     if (mode_ == ContactMode::unilateral)
       {
         const bool touches = any_in_contact(next);
@@ -233,6 +246,7 @@ namespace ThermoContact
             // velocity within it: that of the free side counts.
             const unsigned int old_node = foremost(present);
             const double       gap0 = law.gap - present.displacement[old_node];
+            const unsigned int node = foremost(next);
             const double       gap1 = law.gap - next.displacement[node];
             const double fraction   = gap0 == gap1 ? 1. : gap0 / (gap0 - gap1);
             add_event(present.time + std::min(std::max(fraction, 0.), 1.) *
@@ -247,11 +261,13 @@ namespace ThermoContact
     else if (finding.kind == Finding::at_end)
       {
         const bool   begins = mode_ == ContactMode::open;
-        const double zero   = margin(next, node).zero_near_end();
-        add_event(present.time + zero * (next.time - present.time),
-                  begins,
-                  next.velocity[node],
-                  events);
+        const double zero   = margin(next, finding.node).zero_near_end();
+        // contact begins with the first node and ends with the last
+        if (begins || finding.is_of_all_nodes)
+          add_event(present.time + zero * (next.time - present.time),
+                    begins,
+                    next.velocity[finding.node],
+                    events);
         mode_ = !finding.is_of_all_nodes ? ContactMode::unilateral :
                 begins                   ? ContactMode::closed :
                                            ContactMode::open;

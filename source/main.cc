@@ -49,8 +49,9 @@ namespace ThermoContact
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
         {
           std::set<std::string> unused;
-          for (const auto &entry : parameters.unused_entries())
-            unused.insert(entry.path);
+          if (!parameters.study.is_active()) // some run may use them
+            for (const auto &entry : parameters.unused_entries())
+              unused.insert(entry.path);
           prm.enter_subsection("Output");
           prm.set("Directory", directory);
           prm.leave_subsection();

@@ -102,6 +102,12 @@ namespace ThermoContact
                  *time.first_step_size,
                  "dt > 0",
                  "Time/First step size = automatic");
+        if (time.first_step_size &&
+            *time.first_step_size < time.minimum_step_size)
+          refuse("Time/First step size",
+                 *time.first_step_size,
+                 "not below Time/Minimum step size",
+                 "Time/First step size = automatic");
         if (!(time.maximum_step_size > 0.) ||
             time.maximum_step_size < time.minimum_step_size)
           refuse("Time/Maximum step size",
@@ -151,6 +157,9 @@ namespace ThermoContact
     if (contact.is_none())
       unused.push_back(
         {"Time/Locate contact events", "Contact/Condition = none"});
+    if (output.fields_interval == 0. && output.contact_interval == 0.)
+      unused.push_back({"Output/Land on output times",
+                        "Output/Contact interval = 0 and Fields interval = 0"});
     if (!study.is_active())
       for (const char *path : {"Study/Reference",
                                "Study/Repetitions",

@@ -318,7 +318,7 @@ namespace ThermoContact
                       "Runs the scene for all combinations of values: "
                       "Section/Entry = value | value ; Section/Entry = value "
                       "| ... ; several sets of combinations are separated by "
-                      "';;'. Empty: runs once.");
+                      "';;'. Values cannot hold '|' or ';'. Empty: runs once.");
     prm.add_parameter("Reference",
                       reference,
                       "none, or overrides Section/Entry = value ; ... for the "

@@ -25,6 +25,24 @@ namespace ThermoContact
 
 
 
+  const char *
+  name_of(const TimeStep::Target target)
+  {
+    switch (target)
+      {
+        case TimeStep::event:
+          return "event";
+        case TimeStep::output:
+          return "output";
+        case TimeStep::finish:
+          return "end";
+        default:
+          return "ok";
+      }
+  }
+
+
+
   StepController::StepController(const Parameters  &parameters,
                                  const unsigned int order)
     : has_error_control(parameters.time.has_error_control())
@@ -74,7 +92,8 @@ namespace ThermoContact
   StepController::set_size(const double value)
   {
     // closer to the nearest than to the next one below: sizes that settle stay
-    size = std::min(rung_below(1.1 * value), maximum_size);
+    size =
+      std::max(std::min(rung_below(1.1 * value), maximum_size), minimum_size);
   }
 
 
@@ -174,6 +193,7 @@ namespace ThermoContact
   void
   StepController::restart(const bool contact_begins)
   {
+    event_time.reset();
     is_restarting = true;
     if (has_error_control)
       set_size((contact_begins ? 0.25 : 0.5) * size);
@@ -182,10 +202,10 @@ namespace ThermoContact
 
 
   bool
-  StepController::is_exhausted(const double time) const
+  StepController::is_exhausted(const TimeStep &step, const double time) const
   {
     return has_error_control &&
-           (size < minimum_size ||
+           (step.size <= minimum_size ||
             size < 4. * std::numeric_limits<double>::epsilon() * time ||
             size < std::numeric_limits<double>::min());
   }

@@ -110,12 +110,38 @@ namespace ThermoContact
 
 
 
+    /** Checks a scene; what a run overrides must have an effect in it. */
     void
-    write_used_parameters(const ParameterHandler &prm,
-                          const std::string      &directory)
+    check_scene(const StudyRun &run, const Parameters &scene)
     {
+      for (const auto &unused : scene.unused_entries())
+        for (const auto &[path, value] : run.overrides)
+          if (unused.path == path)
+            throw InputError(path + " = " + value + " has no effect, since " +
+                             unused.reason);
+      scene.check();
+    }
+
+
+
+    /** The run by itself: running the file again gives the same. */
+    void
+    write_used_parameters(const Parameters  &scene,
+                          ParameterHandler  &prm,
+                          const std::string &directory)
+    {
+      std::set<std::string> omit = {"Study/Vary",
+                                    "Study/Reference",
+                                    "Study/Repetitions",
+                                    "Study/Target error",
+                                    "Study/Keep files"};
+      for (const auto &unused : scene.unused_entries())
+        omit.insert(unused.path);
+      prm.enter_subsection("Output");
+      prm.set("Directory", directory);
+      prm.leave_subsection();
       std::ofstream file(directory + "/used.prm");
-      write_entries(prm, {"Study/Vary"}, file);
+      write_entries(prm, omit, file);
       if (!file.flush())
         throw ComputationError(directory + "/used.prm: cannot be written");
     }
@@ -217,18 +243,43 @@ namespace ThermoContact
           }
       }
 
-    const auto check_names = [this](StudyRun &run) {
-      Parameters       scene;
-      ParameterHandler prm;
-      scene.add_parameters(prm);
-      assign(run, prm);
-      for (const std::string &path : varied_)
-        run.entries.push_back(value_of(path, prm));
-    };
+    double longest = 0.;
     for (StudyRun &run : runs_)
-      check_names(run);
+      {
+        Parameters       scene;
+        ParameterHandler prm;
+        scene.add_parameters(prm);
+        assign(run, prm);
+        longest = std::max(longest, scene.time.end_time);
+        for (const std::string &path : varied_)
+          run.entries.push_back(value_of(path, prm));
+      }
     if (reference)
-      check_names(*reference);
+      check_reference(longest);
+  }
+
+
+
+  void
+  Study::check_reference(const double longest) const
+  {
+    Parameters       scene;
+    ParameterHandler prm;
+    scene.add_parameters(prm);
+    assign(*reference, prm);
+    try
+      {
+        check_scene(*reference, scene);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(std::string("Study/Reference: ") + error.what());
+      }
+    if (scene.time.end_time < longest)
+      throw InputError(
+        "Study/Reference: it ends at t = " + value_of("Time/End time", prm) +
+        ", before the longest run\n  remedy:  give it the "
+        "largest Time/End time of all runs");
   }
 
 
@@ -263,15 +314,11 @@ namespace ThermoContact
         ParameterHandler prm;
         scene.add_parameters(prm);
         assign(run, prm);
-        for (const auto &unused : scene.unused_entries())
-          for (const auto &[path, value] : run.overrides)
-            if (unused.path == path)
-              throw InputError(path + " has no effect, since " + unused.reason);
-        scene.check();
+        check_scene(run, scene);
         if (!directory.empty())
           {
             prepare_output_directory(directory, MPI_COMM_SELF);
-            write_used_parameters(prm, directory);
+            write_used_parameters(scene, prm, directory);
           }
         for (unsigned int i = 0; i < n_repetitions; ++i)
           if (scene.dimension == 1)

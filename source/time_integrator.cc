@@ -2,6 +2,8 @@
 
 #include "time_integrator.h"
 
+#include <algorithm>
+
 
 namespace ThermoContact
 {
@@ -210,22 +212,54 @@ namespace ThermoContact
 
 
   template <int dim>
-  double
-  TimeIntegrator<dim>::impact(State &state)
+  void
+  TimeIntegrator<dim>::impact(State       &state,
+                              EnergyTerms &energy_terms,
+                              double      &impulse,
+                              double      &numerical_dissipation)
   {
     if (!mass_solver)
       compute_impulse_responses();
     std::vector<double> velocity;
     discretization.contact_values(1, state.velocity, velocity);
-    std::vector<double> impulse(velocity.size(), 0.);
-    for (unsigned int i = 0; i < impulse.size(); ++i)
-      for (unsigned int j = 0; j < impulse.size(); ++j)
-        impulse[i] += inverse_receptance(i, j) * velocity[j];
-    for (unsigned int i = 0; i < impulse.size(); ++i)
-      state.velocity.add(-impulse[i], impulse_responses[i]);
+    std::vector<double> impulses(velocity.size(), 0.);
+    for (unsigned int i = 0; i < impulses.size(); ++i)
+      for (unsigned int j = 0; j < impulses.size(); ++j)
+        impulses[i] += inverse_receptance(i, j) * velocity[j];
+    for (unsigned int i = 0; i < impulses.size(); ++i)
+      state.velocity.add(-impulses[i], impulse_responses[i]);
     for (const auto &[node, entry] : discretization.contact_entries(1))
       state.displacement.begin()[entry] = law.gap;
-    return discretization.contact_mean(impulse);
+    impulse += discretization.contact_mean(impulses);
+    numerical_dissipation += energy_terms.sum();
+    energy_terms = energy.energy(state);
+    numerical_dissipation -= energy_terms.sum();
+  }
+
+
+
+  template <int dim>
+  void
+  TimeIntegrator<dim>::finish_pressure(const bool  begins_contact,
+                                       StepResult &result)
+  {
+    std::vector<double> displacement;
+    discretization.contact_values(1, result.state.displacement, displacement);
+    bool changed = false;
+    for (unsigned int i = 0; i < displacement.size(); ++i)
+      {
+        double      &p   = result.state.contact_pressure[i];
+        const double old = p;
+        if (begins_contact && law.compliance > 0.)
+          p = law.pressure(displacement[i], 0.);
+        p = std::max(p, 0.);
+        changed |= p != old;
+      }
+    if (!changed)
+      return;
+    result.numerical_dissipation += result.energy.sum();
+    result.energy = energy.energy(result.state);
+    result.numerical_dissipation -= result.energy.sum();
   }
 
 

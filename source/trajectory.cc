@@ -66,7 +66,11 @@ namespace ThermoContact
     const std::size_t next =
       std::lower_bound(times.begin(), times.end(), time) - times.begin();
     if (next == times.size())
-      return values.back();
+      {
+        Values none;
+        none.fill(std::numeric_limits<double>::quiet_NaN());
+        return none;
+      }
     if (times[next] == time || next == 0)
       return values[next];
 
