@@ -163,7 +163,8 @@ namespace ThermoContact
       prepare_output_directory(directory, communicator);
       write_used_parameters(directory, parameters, prm, communicator);
       log.open_file(directory + "/log.txt");
-      log.line(parameters.title);
+      if (!parameters.title.empty())
+        log.line(parameters.title);
       log.line(plan);
       study.run(directory);
       write_study(directory, parameters.title, study);

@@ -9,8 +9,9 @@
 //   then e = 0: not larger: -37;     rejected, e = 1.0001: 0.88: -33;
 //   rejected, not a number: 0.22: -41.
 // Steps of at most 0.25 to T = 0.7, landing on multiples of 0.4 and of 0.6.
-// Smallest step 0.001: a quarter of 2^-8 is below it, 0.001 is tried, then all
-// is. First step 0.05 tol^(1/4) = 0.005 with tolerance 1e-4: -31.
+// Smallest step 0.001: a quarter of 2^-8 is below it, so that 0.001 is tried,
+// and nothing after it. First step 0.05 tol^(1/4) = 0.005 with tolerance 1e-4:
+// -31.
 
 #include "step_controller.h"
 
