@@ -46,8 +46,11 @@ namespace ThermoContact
           std::vector<double>              &pressure) const;
 
     /**
-     * Pressures of either sign for which all nodes hold
-     * $s=0$: contact that cannot open.
+     * Contact that cannot open: pressures of either sign with $s=0$ at all
+     * nodes, $(W+\varepsilon I)p=u^{free}-g$.
+     *
+     * @param response,free_displacement as for solve()
+     * @param pressure out: one value per node
      */
     void
     solve_closed(const dealii::FullMatrix<double> &response,

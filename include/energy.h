@@ -93,6 +93,10 @@ namespace ThermoContact
     const Vector &
     steady_profile() const;
 
+    /** $\frac12\|\theta_s\|^2$. */
+    double
+    steady_profile_energy() const;
+
   private:
     const Discretization<dim>             &discretization;
     const ThermoviscoelasticOperator<dim> &stage_operator;

@@ -71,9 +71,10 @@ namespace ThermoContact
 
 
   /**
-   * Follows the state of contact and finds the instants where it changes, so
-   * that steps can end there: between them the solution is smooth and schemes
-   * keep their order. Knows neither mesh nor communication.
+   * Follows the state of contact and finds the instants where it changes,
+   * doc/model.md section 11, so that steps can end there: between them the
+   * solution is smooth and schemes keep their order. Knows neither mesh nor
+   * communication.
    *
    * A step is computed with the state of contact held (open or closed for all
    * nodes), and is right if the margin s of every node stays positive: the gap
@@ -135,10 +136,13 @@ namespace ThermoContact
     };
 
     /**
-     * Looks for a change of contact in a step to @p next.
+     * Looks for a change of contact in a step to @p next. The largest
+     * displacement and pressure so far include those of the step, even if it is
+     * not accepted later.
      *
      * @param is_aimed the step was to end at an event
-     * @param momentum of the body, its scale so far
+     * @param momentum scale of the momentum of the body per unit cross-section,
+     *   $\sqrt{2bE}$ with its largest elastic or kinetic energy E so far
      */
     Finding
     examine(const ContactValues &next,
@@ -191,6 +195,7 @@ namespace ThermoContact
     CubicHermite
     margin(const ContactValues &next, const unsigned int node) const;
 
+    /** True if a margin s is as good as zero, (M.32). */
     bool
     is_near(const double s, const double rate, const double momentum) const;
 

@@ -14,9 +14,9 @@
 namespace ThermoContact
 {
   /**
-   * The files of one run that grow with time: contact.csv, events.csv and the
-   * snapshots. An observer of a Simulation. Rows and snapshots are written at
-   * step ends.
+   * The files of one run that grow with time: contact.csv, events.csv,
+   * steps.csv and the snapshots. An observer of a Simulation. Rows and
+   * snapshots are written at step ends.
    */
   template <int dim>
   class Output

@@ -3,6 +3,9 @@
 #ifndef thermocontact_output_directory_h
 #define thermocontact_output_directory_h
 
+#include <deal.II/base/parameter_handler.h>
+
+#include <set>
 #include <string>
 
 #include "types.h"
@@ -27,6 +30,20 @@ namespace ThermoContact
   void
   prepare_output_directory(const std::string &directory,
                            const MPI_Comm     communicator);
+
+  /**
+   * Writes used.prm: all entries as used, the directory among them, so that
+   * running the file again gives the same files. Rank 0 writes; collective.
+   *
+   * @param omit paths of entries that are left out
+   * @param prm its entry Output/Directory is set to @p directory
+   * @throw ComputationError if the file cannot be written
+   */
+  void
+  write_used_parameters(const std::string           &directory,
+                        const std::set<std::string> &omit,
+                        ParameterHandler            &prm,
+                        const MPI_Comm               communicator);
 
   /**
    * Throws on all ranks if the message of rank 0 is not empty.

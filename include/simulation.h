@@ -75,7 +75,11 @@ namespace ThermoContact
       return events_;
     }
 
-    /** Attempts since the step before the last: the last one is accepted. */
+    /**
+     * For observers: the attempts that the present step took, of which the last
+     * one was accepted; none at the initial state. After a failure the attempts
+     * at the step that failed.
+     */
     const std::vector<StepAttempt> &
     attempts() const
     {

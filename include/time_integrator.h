@@ -66,6 +66,7 @@ namespace ThermoContact
     /**
      * One step with all equations solved, (M.27), (M.28).
      *
+     * @param old_energy $\hat E$ of @p state
      * @param mode unilateral: every stage satisfies the contact law; open,
      *   closed: the state of contact is held, which makes the step a smooth
      *   function of its size
@@ -76,6 +77,7 @@ namespace ThermoContact
      */
     void
     step(const State      &state,
+         const double      old_energy,
          const TimeStep   &time_step,
          const ContactMode mode,
          StepResult       &result);

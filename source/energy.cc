@@ -238,6 +238,15 @@ namespace ThermoContact
 
 
 
+  template <int dim>
+  double
+  Energy<dim>::steady_profile_energy() const
+  {
+    return 0.5 * heat_form(stage_operator.heat_mass(), steady_profile_);
+  }
+
+
+
   template class Energy<1>;
   template class Energy<2>;
   template class Energy<3>;

@@ -38,34 +38,15 @@ namespace ThermoContact
 
 
 
-    /** All entries as used; the scene is the same when it is run again. */
-    void
-    write_used_parameters(const std::string &directory,
-                          const Parameters  &parameters,
-                          ParameterHandler  &prm,
-                          const MPI_Comm     communicator)
+    /** Entries that the scene cannot use; runs of a study may use them. */
+    std::set<std::string>
+    unused_entries(const Parameters &parameters)
     {
-      std::string fault;
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        {
-          std::set<std::string> unused;
-          if (!parameters.study.is_active()) // some run may use them
-            for (const auto &entry : parameters.unused_entries())
-              unused.insert(entry.path);
-          prm.enter_subsection("Output");
-          prm.set("Directory", directory);
-          prm.leave_subsection();
-
-          const std::string path = directory + "/used.prm";
-          std::ofstream     file(path);
-          file << "# thermocontact " << version() << ": every entry as used\n";
-          write_entries(prm, unused, file);
-          file.close();
-          if (!file)
-            fault = path + ": cannot be written\n  remedy:  check free space "
-                           "and rights, or give another Output/Directory";
-        }
-      throw_everywhere<ComputationError>(fault, communicator);
+      std::set<std::string> paths;
+      if (!parameters.study.is_active())
+        for (const auto &entry : parameters.unused_entries())
+          paths.insert(entry.path);
+      return paths;
     }
 
 
@@ -90,7 +71,10 @@ namespace ThermoContact
         }
 
       prepare_output_directory(directory, communicator);
-      write_used_parameters(directory, parameters, prm, communicator);
+      write_used_parameters(directory,
+                            unused_entries(parameters),
+                            prm,
+                            communicator);
       log.open_file(directory + "/log.txt");
       log.line(std::string("thermocontact ") + version() + ", deal.II " +
                DEAL_II_PACKAGE_VERSION + ", ranks: " +
@@ -161,7 +145,10 @@ namespace ThermoContact
           return;
         }
       prepare_output_directory(directory, communicator);
-      write_used_parameters(directory, parameters, prm, communicator);
+      write_used_parameters(directory,
+                            unused_entries(parameters),
+                            prm,
+                            communicator);
       log.open_file(directory + "/log.txt");
       if (!parameters.title.empty())
         log.line(parameters.title);

@@ -8,8 +8,11 @@
 #include <cctype>
 #include <cerrno>
 #include <filesystem>
+#include <fstream>
 
 #include "exceptions.h"
+#include "parameter_file.h"
+#include "version.h"
 
 namespace ThermoContact
 {
@@ -158,5 +161,32 @@ namespace ThermoContact
         make_ready(directory);
       return fault;
     });
+  }
+
+
+
+  void
+  write_used_parameters(const std::string           &directory,
+                        const std::set<std::string> &omit,
+                        ParameterHandler            &prm,
+                        const MPI_Comm               communicator)
+  {
+    std::string fault;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        prm.enter_subsection("Output");
+        prm.set("Directory", directory);
+        prm.leave_subsection();
+
+        const std::string path = directory + "/used.prm";
+        std::ofstream     file(path);
+        file << "# thermocontact " << version() << ": every entry as used\n";
+        write_entries(prm, omit, file);
+        file.close();
+        if (!file)
+          fault = path + ": cannot be written\n  remedy:  check free space "
+                         "and rights, or give another Output/Directory";
+      }
+    throw_everywhere<ComputationError>(fault, communicator);
   }
 } // namespace ThermoContact

@@ -76,7 +76,7 @@ namespace ThermoContact
                  loads,
                  *step_solver)
     , controller(parameters, butcher_tableau(parameters.time.scheme).order)
-    , error_norm(0.5 * (energy_.steady_profile() * energy_.steady_profile()))
+    , error_norm(energy_.steady_profile_energy())
     , event_locator(law,
                     law.is_active && parameters.time.locates_contact_events(),
                     parameters.time.has_error_control() ?
@@ -178,7 +178,8 @@ namespace ThermoContact
         if (is_prescribed_step())
           integrator.prescribed_step(state_, time_step, result);
         else
-          integrator.step(state_, time_step, event_locator.mode(), result);
+          integrator.step(
+            state_, record_.energy, time_step, event_locator.mode(), result);
       }
     catch (const ComputationError &error)
       {

@@ -5,7 +5,6 @@
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -124,26 +123,18 @@ namespace ThermoContact
 
 
 
-    /** The run by itself: running the file again gives the same. */
-    void
-    write_used_parameters(const Parameters  &scene,
-                          ParameterHandler  &prm,
-                          const std::string &directory)
+    /** What used.prm of a single run leaves out: the study is not its own. */
+    std::set<std::string>
+    foreign_entries(const Parameters &scene)
     {
-      std::set<std::string> omit = {"Study/Vary",
-                                    "Study/Reference",
-                                    "Study/Repetitions",
-                                    "Study/Target error",
-                                    "Study/Keep files"};
+      std::set<std::string> paths = {"Study/Vary",
+                                     "Study/Reference",
+                                     "Study/Repetitions",
+                                     "Study/Target error",
+                                     "Study/Keep files"};
       for (const auto &unused : scene.unused_entries())
-        omit.insert(unused.path);
-      prm.enter_subsection("Output");
-      prm.set("Directory", directory);
-      prm.leave_subsection();
-      std::ofstream file(directory + "/used.prm");
-      write_entries(prm, omit, file);
-      if (!file.flush())
-        throw ComputationError(directory + "/used.prm: cannot be written");
+        paths.insert(unused.path);
+      return paths;
     }
 
 
@@ -188,6 +179,8 @@ namespace ThermoContact
       catch (const ComputationError &)
         {
           finish();
+          if (output)
+            output->observe_failure(simulation);
           throw;
         }
       finish();
@@ -318,7 +311,10 @@ namespace ThermoContact
         if (!directory.empty())
           {
             prepare_output_directory(directory, MPI_COMM_SELF);
-            write_used_parameters(scene, prm, directory);
+            write_used_parameters(directory,
+                                  foreign_entries(scene),
+                                  prm,
+                                  MPI_COMM_SELF);
           }
         for (unsigned int i = 0; i < n_repetitions; ++i)
           if (scene.dimension == 1)

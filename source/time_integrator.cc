@@ -62,6 +62,7 @@ namespace ThermoContact
   template <int dim>
   void
   TimeIntegrator<dim>::step(const State      &state,
+                            const double      old_energy,
                             const TimeStep   &time_step,
                             const ContactMode mode,
                             StepResult       &result)
@@ -106,8 +107,7 @@ namespace ThermoContact
     result.numerical_dissipation =
       tableau.n_stages() == 1 ?
         energy.numerical_dissipation(state, result.state) :
-        energy.energy(state).sum() - result.energy.sum() + result.work -
-          result.dissipation;
+        old_energy - result.energy.sum() + result.work - result.dissipation;
   }
 
 
@@ -231,9 +231,9 @@ namespace ThermoContact
     for (const auto &[node, entry] : discretization.contact_entries(1))
       state.displacement.begin()[entry] = law.gap;
     impulse += discretization.contact_mean(impulses);
-    numerical_dissipation += energy_terms.sum();
-    energy_terms = energy.energy(state);
-    numerical_dissipation -= energy_terms.sum();
+    const double old_energy = energy_terms.sum();
+    energy_terms            = energy.energy(state);
+    numerical_dissipation += old_energy - energy_terms.sum();
   }
 
 
@@ -243,23 +243,25 @@ namespace ThermoContact
   TimeIntegrator<dim>::finish_pressure(const bool  begins_contact,
                                        StepResult &result)
   {
-    std::vector<double> displacement;
-    discretization.contact_values(1, result.state.displacement, displacement);
-    bool changed = false;
-    for (unsigned int i = 0; i < displacement.size(); ++i)
+    std::vector<double> &pressure = result.state.contact_pressure;
+    bool                 changed  = false;
+    for (double &p : pressure)
       {
-        double      &p   = result.state.contact_pressure[i];
-        const double old = p;
-        if (begins_contact && law.compliance > 0.)
-          p = law.pressure(displacement[i], 0.);
+        changed |= p < 0.;
         p = std::max(p, 0.);
-        changed |= p != old;
+      }
+    if (begins_contact && law.compliance > 0.)
+      {
+        changed = true;
+        discretization.contact_values(1, result.state.displacement, pressure);
+        for (double &p : pressure) // displacements so far
+          p = law.pressure(p, 0.);
       }
     if (!changed)
       return;
-    result.numerical_dissipation += result.energy.sum();
-    result.energy = energy.energy(result.state);
-    result.numerical_dissipation -= result.energy.sum();
+    const double old_energy = result.energy.sum();
+    result.energy           = energy.energy(result.state);
+    result.numerical_dissipation += old_energy - result.energy.sum();
   }
 
 
