@@ -8,6 +8,7 @@
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/fe/mapping_q.h>
 
 #include <deal.II/lac/affine_constraints.h>
@@ -28,7 +29,10 @@ namespace ThermoContact
   {
     Point<dim> position;
 
-    /** Temperature and normal displacement there, each within its block. */
+    /**
+     * Temperature and normal displacement there, each within its block;
+     * invalid for a field that the scene does not have.
+     */
     std::array<types::global_dof_index, 2> dofs;
 
     /** $w_i=\int_{\Gamma_C}\varphi_i$, the lumped boundary mass. */
@@ -42,9 +46,10 @@ namespace ThermoContact
    * $(0,1)\times(0,\text{width})^{dim-1}$.
    *
    * One DoFHandler for the FESystem of temperature and displacement, numbered
-   * by field: block 0 is the temperature, block 1 the displacement. The
-   * constraints are those of rates: homogeneous, temperature and displacement
-   * at the fixed end, normal displacement at rollers.
+   * by field: block 0 is the temperature, block 1 the displacement. A field
+   * that the scene does not have is absent from the FESystem, and its block is
+   * empty. The constraints are those of rates: homogeneous, temperature and
+   * displacement at the fixed end, normal displacement at rollers.
    */
   template <int dim>
   class Discretization
@@ -74,6 +79,39 @@ namespace ThermoContact
     mapping() const
     {
       return mapping_;
+    }
+
+    /** False if block 0 (temperature) or 1 (displacement) is empty. */
+    bool
+    has_field(const unsigned int block) const
+    {
+      return owned_by_block_[block].size() > 0;
+    }
+
+    /** Number of components of the FESystem. */
+    unsigned int
+    n_components() const
+    {
+      return finite_element_.n_components();
+    }
+
+    /** First component of a field that the scene has. */
+    unsigned int
+    first_component(const unsigned int block) const
+    {
+      return block == 1 && has_field(0) ? 1 : 0;
+    }
+
+    FEValuesExtractors::Scalar
+    temperature_extractor() const
+    {
+      return FEValuesExtractors::Scalar(first_component(0));
+    }
+
+    FEValuesExtractors::Vector
+    displacement_extractor() const
+    {
+      return FEValuesExtractors::Vector(first_component(1));
     }
 
     unsigned int
@@ -156,7 +194,7 @@ namespace ThermoContact
      *
      * @param block 0: @p field is a temperature; 1: the normal component of a
      *   displacement or velocity is taken
-     * @param values out: one per contact node
+     * @param values out: one per contact node; zeros if the field is absent
      */
     void
     contact_values(const unsigned int   block,
@@ -254,7 +292,7 @@ namespace ThermoContact
     make_grid(const MeshParameters &mesh);
 
     void
-    distribute_dofs();
+    distribute_dofs(const ModelParameters &model);
 
     void
     make_constraints(const bool has_rollers);

@@ -78,8 +78,14 @@ namespace ThermoContact
     double
     numerical_dissipation(const State &old_state, const State &state) const;
 
+    /** True if anything does work: sources, or heat that drives the rod. */
+    bool
+    has_work() const;
+
     /**
-     * Rate of work of the sources, (M.25) without its $\Delta t$.
+     * Rate of work of the sources and, if thermoelastic heating is off, of the
+     * thermal stress, $a(\hat\theta,\mathrm{div}\,v)$; (M.25) without its
+     * $\Delta t$.
      *
      * @param heat_load,momentum_load loads at the time of @p state as
      *   Loads::assemble() gives them
@@ -117,6 +123,10 @@ namespace ThermoContact
 
     double
     momentum_form(const SparseMatrix &matrix, const Vector &vector) const;
+
+    /** The thermal stress works and takes no heat for it. */
+    bool
+    is_driven_by_heat() const;
 
     double
     contact_dissipation(const State &old_state, const State &state) const;

@@ -99,10 +99,13 @@ namespace ThermoContact
   public:
     /**
      * @param is_active false: all steps are unilateral
+     * @param has_velocity false: velocities say nothing about the end of a
+     *   step, and margins are interpolated linearly
      * @param tolerance relative accuracy of an event
      */
     EventLocator(const ContactLaw &law,
                  const bool        is_active,
+                 const bool        has_velocity,
                  const double      tolerance);
 
     /** Forgets all and takes the initial state. */
@@ -179,6 +182,7 @@ namespace ThermoContact
   private:
     const ContactLaw law;
     const bool       is_active;
+    const bool       has_velocity;
     const double     tolerance;
     ContactMode      mode_;
     ContactValues    present;

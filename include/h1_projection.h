@@ -30,8 +30,7 @@ namespace ThermoContact
     explicit H1Projection(const Discretization<dim> &discretization);
 
     /**
-     * Projects @p function with 1 + dim components (temperature,
-     * displacement).
+     * Projects @p function, with the components of the FESystem.
      *
      * @param temperature,displacement out: the two blocks of the projection
      */

@@ -14,7 +14,8 @@ namespace ThermoContact
 {
   /**
    * One row of contact.csv. Extensive quantities are per unit cross-section;
-   * values at the contact end are means over it.
+   * values at the contact end are means over it. Values of a field that the
+   * scene does not have are NaN.
    */
   struct StepRecord
   {
@@ -72,6 +73,7 @@ namespace ThermoContact
     const Discretization<dim> &discretization;
     const ContactLaw           law;
     const BoundaryParameters   boundary;
+    const bool                 has_no_initial_velocity; ///< $b=\zeta=0$
 
     /** Position in the local vector and weight; empty on other ranks. */
     std::vector<std::pair<unsigned int, double>> mid_weights;
@@ -80,6 +82,14 @@ namespace ThermoContact
 
     void
     find_mid_point(const double width);
+
+    void
+    measure_displacement(const State            &state,
+                         const ProblemData<dim> &data,
+                         StepRecord             &record);
+
+    void
+    measure_temperature(const State &state, StepRecord &record);
   };
 } // namespace ThermoContact
 

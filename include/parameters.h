@@ -18,16 +18,64 @@ namespace ThermoContact
 {
   using dealii::ParameterHandler;
 
+  /** Name of the scheme that is no Runge-Kutta scheme, doc/model.md section 13.
+   */
+  constexpr char energy_conserving_scheme[] = "energy conserving";
+
+
+
   /** Section Model: coefficients of doc/model.md (M.1), (M.2), (M.6). */
   struct ModelParameters
   {
-    double inertia       = 1.;    ///< $b>0$
-    double viscosity     = 0.2;   ///< $\zeta\ge0$
-    double coupling      = 0.017; ///< $a$
-    double poisson_ratio = 0.;    ///< $\nu$, dim > 1
+    std::string fields        = "temperature and displacement";
+    double      inertia       = 1.;    ///< $b\ge0$; 0 is quasi-static
+    double      viscosity     = 0.2;   ///< $\zeta\ge0$
+    double      coupling      = 0.017; ///< $a$
+    bool        heating       = true;  ///< the term $-a\,\mathrm{div}\,u_t$
+    double      poisson_ratio = 0.;    ///< $\nu$, dim > 1
 
     void
     add_parameters(ParameterHandler &prm);
+
+    bool
+    has_temperature() const
+    {
+      return fields != "displacement";
+    }
+
+    bool
+    has_displacement() const
+    {
+      return fields != "temperature";
+    }
+
+    /** Number of scalar unknowns per node. */
+    unsigned int
+    n_components(const unsigned int dim) const
+    {
+      return (has_temperature() ? 1 : 0) + (has_displacement() ? dim : 0);
+    }
+
+    /** $a$ of the thermal stress $-a\theta$; 0 if a field is absent. */
+    double
+    thermal_stress() const
+    {
+      return has_temperature() && has_displacement() ? coupling : 0.;
+    }
+
+    /** $a$ of the heating $-a\,\mathrm{div}\,u_t$; 0 if it is off. */
+    double
+    thermoelastic_heating() const
+    {
+      return heating ? thermal_stress() : 0.;
+    }
+
+    /** True if displacements are in equilibrium at every time, $b=\zeta=0$. */
+    bool
+    is_static() const
+    {
+      return inertia == 0. && viscosity == 0.;
+    }
   };
 
 
@@ -49,9 +97,10 @@ namespace ThermoContact
   /** Section Contact: doc/model.md (M.4), (M.5). */
   struct ContactParameters
   {
-    std::string condition  = "normal compliance";
-    double      compliance = 0.01; ///< $\varepsilon>0$
-    double      gap        = 0.1;  ///< $g$
+    std::string condition      = "normal compliance";
+    double      compliance     = 0.01; ///< $\varepsilon>0$
+    double      gap            = 0.1;  ///< $g$
+    std::string massless_nodes = "automatic";
 
     void
     add_parameters(ParameterHandler &prm);
@@ -66,12 +115,6 @@ namespace ThermoContact
     is_rigid() const
     {
       return condition == "rigid";
-    }
-
-    ContactLaw
-    law() const
-    {
-      return {!is_none(), is_none() || is_rigid() ? 0. : compliance, gap};
     }
   };
 
@@ -111,11 +154,29 @@ namespace ThermoContact
     unsigned int degree       = 4;
     unsigned int refinements  = 0;
     double       grading      = 1.;
+    std::string  mass_matrix  = "consistent";
     double       width        = 0.1;
     unsigned int cells_across = 4;
 
     void
     add_parameters(ParameterHandler &prm);
+
+    bool
+    is_lumped() const
+    {
+      return mass_matrix == "lumped";
+    }
+
+    /**
+     * Lengths of the cells along the rod before the refinements, in geometric
+     * progression.
+     */
+    std::vector<double>
+    cell_sizes() const;
+
+    /** Mean distance of nodes in the cells of the contact end. */
+    double
+    contact_spacing() const;
   };
 
 
@@ -150,12 +211,10 @@ namespace ThermoContact
              (locate_contact_events == "automatic" && has_error_control());
     }
 
-    /** True if the first step has the prescribed velocity of the paper. */
     bool
-    has_prescribed_start() const
+    is_energy_conserving() const
     {
-      return start == "paper" ||
-             (start == "automatic" && scheme == "backward euler");
+      return scheme == energy_conserving_scheme;
     }
 
     /**
@@ -274,6 +333,23 @@ namespace ThermoContact
     void
     check() const;
 
+    /** The contact law; not active without displacement or obstacle. */
+    ContactLaw
+    contact_law() const;
+
+    /**
+     * True if the contact nodes have no mass, doc/model.md (M.34): where the
+     * viscosity does not damp the oscillations of one node on its obstacle,
+     * $\zeta/\sqrt b$ below the spacing of the nodes, and if the scheme needs
+     * it.
+     */
+    bool
+    has_massless_contact() const;
+
+    /** True if the first step has the prescribed velocity of the paper. */
+    bool
+    has_prescribed_start() const;
+
     /** The entries that this scene cannot use. */
     std::vector<UnusedEntry>
     unused_entries() const;
@@ -281,6 +357,16 @@ namespace ThermoContact
   private:
     void
     check_steps() const;
+
+    void
+    check_scheme() const;
+
+    void
+    check_fixed_point() const;
+
+    /** The entries that mean a field or a term that the scene does not have. */
+    void
+    add_unused_by_model(std::vector<UnusedEntry> &unused) const;
   };
 } // namespace ThermoContact
 

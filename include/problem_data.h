@@ -32,13 +32,14 @@ namespace ThermoContact
     explicit ProblemData(const Parameters &parameters);
 
     /**
-     * Initial temperature and displacement: 1 + dim components
-     * $(\theta_0, u_0)$.
+     * Initial values $(\theta_0, u_0)$ of the fields that the scene has, with
+     * the components of its FESystem. A displacement that has to be computed,
+     * $b=\zeta=0$, is 0 here.
      */
     const Function<dim> &
     initial_fields() const;
 
-    /** $(0, u_1)$ with 1 + dim components. */
+    /** $(0, u_1)$ likewise; 0 without inertia. */
     const Function<dim> &
     initial_velocity() const;
 

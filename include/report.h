@@ -22,6 +22,10 @@ namespace ThermoContact
 
 
 
+  /** The fields that a scene has. */
+  std::vector<std::string>
+  scene_fields(const ModelParameters &model);
+
   /** The terms that a scene contains, in words. */
   std::vector<std::string>
   scene_terms(const Parameters &parameters);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "contact_transition.h"
 #include "discretization.h"
 #include "energy.h"
 #include "error_norm.h"
@@ -167,7 +168,8 @@ namespace ThermoContact
     const Energy<dim>                     energy_;
     Measurements<dim>                     measurements;
     std::unique_ptr<StepSolver>           step_solver;
-    TimeIntegrator<dim>                   integrator;
+    std::unique_ptr<TimeIntegrator>       integrator;
+    ContactTransition<dim>                transition;
     StepController                        controller;
     ErrorNorm                             error_norm;
     EventLocator                          event_locator;
@@ -187,6 +189,10 @@ namespace ThermoContact
 
     void
     set_initial_state();
+
+    /** True if the contact nodes have momentum. */
+    bool
+    has_contact_mass() const;
 
     /** True if the step that is due is the first one of the paper. */
     bool

@@ -6,10 +6,9 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <list>
-#include <memory>
 
 #include "contact_solver.h"
-#include "direct_solver.h"
+#include "stage_factorization.h"
 #include "step_solver.h"
 #include "thermoviscoelastic_operator.h"
 
@@ -41,19 +40,47 @@ namespace ThermoContact
     types::global_dof_index
     n_factorized_unknowns() const override;
 
+    /**
+     * The rates of a stage for zero pressures, to be followed by
+     * apply_pressure(); parameters as for solve().
+     */
+    void
+    solve_without_contact(const State  &known,
+                          const double  tau,
+                          const Vector &heat_load,
+                          const Vector &momentum_load,
+                          StageRates   &rates);
+
+    /** $W$ of (M.16) for the stage that was solved last. */
+    const FullMatrix<double> &
+    response();
+
+    /**
+     * Adds the response to @p rates.pressure to the rates of the stage that was
+     * solved last without contact.
+     */
+    void
+    apply_pressure(StageRates &rates) const;
+
   private:
     const Discretization<dim>             &discretization;
     const ThermoviscoelasticOperator<dim> &stage_operator;
     const ContactLaw                       law;
     const ContactSolver                    contact_solver;
 
+    /** Rates per unit pressure at a node, with the sign reversed. */
+    struct UnitResponse
+    {
+      Vector temperature_rate;
+      Vector velocity;
+    };
+
     /** The stage matrix for one stage length and what goes with it. */
     struct Factorization
     {
-      double                        tau;
-      std::unique_ptr<DirectSolver> solver;
-      std::vector<Vector>           unit_responses; ///< rates, whole system
-      FullMatrix<double>            response;       ///< $W$
+      StageFactorization<dim>   matrix;
+      std::vector<UnitResponse> unit_responses;
+      FullMatrix<double>        response; ///< $W$
     };
 
     const unsigned int       max_factorizations;
@@ -61,8 +88,6 @@ namespace ThermoContact
 
     Vector              heat_rhs;
     Vector              momentum_rhs;
-    Vector              system_rhs;
-    Vector              system_rates;
     std::vector<double> known_displacement;
     std::vector<double> free_displacement;
 
@@ -75,8 +100,7 @@ namespace ThermoContact
 
     /** Pressures from the displacements without contact. */
     void
-    solve_contact(Factorization    &factorization,
-                  const State      &known,
+    solve_contact(const State      &known,
                   const ContactMode mode,
                   StageRates       &rates);
   };

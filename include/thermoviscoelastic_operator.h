@@ -4,6 +4,7 @@
 #define thermocontact_thermoviscoelastic_operator_h
 
 #include "discretization.h"
+#include "field_matrices.h"
 #include "parameters.h"
 #include "state.h"
 #include "types.h"
@@ -16,6 +17,9 @@ namespace ThermoContact
    *   M\theta' + (K+kB)\theta + aDv = \ell_\theta(t), \quad
    *   bM_u v' + Su + \zeta Sv - aD^T\theta = \ell_u(t) - N p .
    * @f]
+   *
+   * A field that the scene does not have has no matrices, and $a$ is zero then;
+   * $a$ of the first equation is zero if thermoelastic heating is off.
    *
    * Field matrices are assembled once, without constraints; the constrained
    * rows of stage matrices and right-hand sides say that rates vanish. Vectors
@@ -33,7 +37,7 @@ namespace ThermoContact
     const SparseMatrix &
     heat_mass() const
     {
-      return mass.block(0, 0);
+      return matrices.mass.block(0, 0);
     }
 
     /** $K+kB$, $\int\nabla\eta_i\cdot\nabla\eta_j + k\int_{\Gamma_C}\eta_i
@@ -41,7 +45,7 @@ namespace ThermoContact
     const SparseMatrix &
     conduction() const
     {
-      return stiffness_.block(0, 0);
+      return matrices.stiffness.block(0, 0);
     }
 
     /** $D$, $\int\eta_i\,\mathrm{div}\,\varphi_j$; temperature rows,
@@ -49,28 +53,47 @@ namespace ThermoContact
     const SparseMatrix &
     divergence() const
     {
-      return coupling.block(0, 1);
+      return matrices.coupling.block(0, 1);
     }
 
     /** $D^T$; displacement rows, temperature columns. */
     const SparseMatrix &
     thermal_stress() const
     {
-      return coupling.block(1, 0);
+      return matrices.coupling.block(1, 0);
     }
 
     /** $M_u$, without the inertia coefficient $b$. */
     const SparseMatrix &
     momentum_mass() const
     {
-      return mass.block(1, 1);
+      return last_block(matrices.mass);
     }
 
     /** $S$, $\int C{:}\varepsilon(\varphi_i){:}\varepsilon(\varphi_j)$. */
     const SparseMatrix &
     stiffness() const
     {
-      return stiffness_.block(1, 1);
+      return last_block(matrices.stiffness);
+    }
+
+    /**
+     * $S_\zeta$, without the viscosity $\zeta$: $S$, but for the scheme energy
+     * conserving, whose contact nodes have no viscous stress (M.39).
+     */
+    const SparseMatrix &
+    viscous_stiffness() const
+    {
+      return matrices.has_own_viscous_stiffness ?
+               last_block(matrices.viscous_stiffness) :
+               stiffness();
+    }
+
+    /** $a$ of the heat equation; 0 if no heat comes from the motion. */
+    double
+    heating_coefficient() const
+    {
+      return model.thermoelastic_heating();
     }
 
     /**
@@ -79,7 +102,7 @@ namespace ThermoContact
     SparseMatrix
     heat_stage_matrix(const double tau) const;
 
-    /** Matrix of the momentum block, $bM_u+\tau\zeta S+\tau^2S$. */
+    /** Matrix of the momentum block, $bM_u+\tau\zeta S_\zeta+\tau^2S$. */
     SparseMatrix
     momentum_stage_matrix(const double tau) const;
 
@@ -128,15 +151,16 @@ namespace ThermoContact
   private:
     const Discretization<dim> &discretization;
     const ModelParameters      model;
-    const BoundaryParameters   boundary;
-    BlockSparseMatrix          mass;
-    BlockSparseMatrix          stiffness_;
-    BlockSparseMatrix          coupling;
+    const FieldMatrices<dim>   matrices;
     mutable Vector             heat_scratch;
     mutable Vector             momentum_scratch;
 
-    void
-    setup_matrices();
+    /** The diagonal block of the displacement. */
+    static const SparseMatrix &
+    last_block(const BlockSparseMatrix &matrix)
+    {
+      return matrix.block(matrix.n_block_rows() - 1, matrix.n_block_cols() - 1);
+    }
 
     /** Weighted sum of two matrices of a block, with constrained rows. */
     SparseMatrix
@@ -145,12 +169,6 @@ namespace ThermoContact
             const SparseMatrix &second,
             const double        second_factor,
             const unsigned int  block) const;
-
-    void
-    assemble_cells();
-
-    void
-    assemble_contact_end();
   };
 } // namespace ThermoContact
 

@@ -20,39 +20,20 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    /** Cell sizes in geometric progression, first over last = @p ratio. */
-    std::vector<double>
-    graded_sizes(const unsigned int n_cells, const double ratio)
-    {
-      const double factor =
-        n_cells > 1 ? std::pow(ratio, -1. / (n_cells - 1.)) : 1.;
-      std::vector<double> sizes(n_cells);
-      double              sum = 0.;
-      for (unsigned int i = 0; i < n_cells; ++i)
-        sum += sizes[i] = std::pow(factor, i);
-      for (double &size : sizes)
-        size /= sum;
-      return sizes;
-    }
-  } // namespace
-
-
-
   template <int dim>
   Discretization<dim>::Discretization(const Parameters &parameters,
                                       const MPI_Comm    communicator)
     : communicator_(communicator)
     , triangulation(DimensionTraits<dim>::make_triangulation(communicator))
-    , finite_element_(FE_Q<dim>(parameters.mesh.degree), 1 + dim)
+    , finite_element_(FE_Q<dim>(parameters.mesh.degree),
+                      parameters.model.n_components(dim))
     , mapping_(1)
     , dof_handler_(*triangulation)
     , cross_section_(std::pow(parameters.mesh.width, dim - 1))
     , constrained_entries_(2)
   {
     make_grid(parameters.mesh);
-    distribute_dofs();
+    distribute_dofs(parameters.model);
     make_constraints(parameters.boundary.lateral_support == "rollers");
     find_contact_nodes();
   }
@@ -79,7 +60,7 @@ namespace ThermoContact
           dim,
           std::vector<double>(mesh.cells_across,
                               mesh.width / mesh.cells_across));
-        sizes[0] = graded_sizes(mesh.cells, mesh.grading);
+        sizes[0] = mesh.cell_sizes();
         GridGenerator::subdivided_hyper_rectangle(
           *triangulation, sizes, Point<dim>(), corner, colorize);
       }
@@ -90,15 +71,18 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Discretization<dim>::distribute_dofs()
+  Discretization<dim>::distribute_dofs(const ModelParameters &model)
   {
     dof_handler_.distribute_dofs(finite_element_);
-    std::vector<unsigned int> block_of_component(1 + dim, 1);
-    block_of_component[0] = 0;
-    DoFRenumbering::component_wise(dof_handler_, block_of_component);
+    std::vector<unsigned int> field_of_component(n_components(), 0);
+    if (model.has_temperature())
+      std::fill(field_of_component.begin() + 1, field_of_component.end(), 1);
+    DoFRenumbering::component_wise(dof_handler_, field_of_component);
 
-    const std::vector<types::global_dof_index> n_dofs =
-      DoFTools::count_dofs_per_fe_block(dof_handler_, block_of_component);
+    std::vector<types::global_dof_index> n_dofs =
+      DoFTools::count_dofs_per_fe_block(dof_handler_, field_of_component);
+    if (n_dofs.size() == 1)
+      n_dofs.insert(model.has_temperature() ? n_dofs.end() : n_dofs.begin(), 0);
     owned_ = dof_handler_.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dof_handler_, relevant_);
     for (const auto &[first, last] :
@@ -120,13 +104,13 @@ namespace ThermoContact
   {
     constraints_.reinit(relevant_);
 
-    const Functions::ZeroFunction<dim> zero(1 + dim);
+    const Functions::ZeroFunction<dim> zero(n_components());
     VectorTools::interpolate_boundary_values(
       mapping_, dof_handler_, fixed_boundary_id, zero, constraints_);
-    for (unsigned int d = 1; has_rollers && d < dim; ++d)
+    for (unsigned int d = 1; has_rollers && has_field(1) && d < dim; ++d)
       {
-        ComponentMask normal(1 + dim, false);
-        normal.set(1 + d, true);
+        ComponentMask normal(n_components(), false);
+        normal.set(first_component(1) + d, true);
         for (const types::boundary_id id : {2 * d, 2 * d + 1})
           VectorTools::interpolate_boundary_values(
             mapping_, dof_handler_, id, zero, constraints_, normal);
@@ -177,19 +161,25 @@ namespace ThermoContact
               face_values.reinit(cell, f);
               cell->get_dof_indices(dofs);
               for (unsigned int i = 0; i < dofs.size(); ++i)
-                if (finite_element_.system_to_component_index(i).first == 1 &&
+                if (finite_element_.system_to_component_index(i).first == 0 &&
                     finite_element_.has_support_on_face(i, f))
                   {
                     double weight = 0.;
                     for (const unsigned int q :
                          face_values.quadrature_point_indices())
-                      weight += face_values.shape_value_component(i, q, 1) *
+                      weight += face_values.shape_value_component(i, q, 0) *
                                 face_values.JxW(q);
-                    const unsigned int partner =
-                      finite_element_.component_to_system_index(
-                        0, finite_element_.system_to_component_index(i).second);
+                    const auto dof_of_field = [&](const unsigned int block) {
+                      return has_field(block) ?
+                               dofs[finite_element_.component_to_system_index(
+                                 first_component(block),
+                                 finite_element_.system_to_component_index(i)
+                                   .second)] -
+                                 (block == 1 ? n_temperature_dofs() : 0) :
+                               numbers::invalid_dof_index;
+                    };
                     shares.emplace_back(
-                      Dofs{{dofs[partner], dofs[i] - n_temperature_dofs()}},
+                      Dofs{{dof_of_field(0), dof_of_field(1)}},
                       weight,
                       mapping_.transform_unit_to_real_cell(
                         cell, finite_element_.unit_support_point(i)));
@@ -220,7 +210,8 @@ namespace ThermoContact
               });
 
     for (unsigned int block = 0; block < 2; ++block)
-      for (unsigned int i = 0; i < contact_nodes_.size(); ++i)
+      for (unsigned int i = 0; has_field(block) && i < contact_nodes_.size();
+           ++i)
         if (const auto dof = contact_nodes_[i].dofs[block];
             owned_by_block_[block].is_element(dof))
           contact_entries_[block].emplace_back(

@@ -17,8 +17,9 @@ namespace ThermoContact
     class SteadyProfile : public Function<dim>
     {
     public:
-      explicit SteadyProfile(const BoundaryParameters &boundary)
-        : Function<dim>(1 + dim)
+      SteadyProfile(const unsigned int        n_components,
+                    const BoundaryParameters &boundary)
+        : Function<dim>(n_components)
         , left(boundary.fixed_end_temperature)
         , slope(
             -boundary.heat_exchange / (boundary.heat_exchange + 1.) *
@@ -65,13 +66,17 @@ namespace ThermoContact
     , momentum_scratch(steady_stress)
     , momentum_product(steady_stress)
   {
+    if (!model.has_temperature())
+      return;
     Vector system = discretization.make_system_vector();
     VectorTools::interpolate(discretization.mapping(),
                              discretization.dof_handler(),
-                             SteadyProfile<dim>(parameters.boundary),
+                             SteadyProfile<dim>(discretization.n_components(),
+                                                parameters.boundary),
                              system);
     discretization.split(system, steady_profile_, momentum_scratch);
-    stage_operator.thermal_stress().vmult(steady_stress, steady_profile_);
+    if (model.thermal_stress() != 0.)
+      stage_operator.thermal_stress().vmult(steady_stress, steady_profile_);
   }
 
 
@@ -80,6 +85,8 @@ namespace ThermoContact
   double
   Energy<dim>::heat_form(const SparseMatrix &matrix, const Vector &vector) const
   {
+    if (!model.has_temperature())
+      return 0.;
     matrix.vmult(heat_product, vector);
     return vector * heat_product / discretization.cross_section();
   }
@@ -91,6 +98,8 @@ namespace ThermoContact
   Energy<dim>::momentum_form(const SparseMatrix &matrix,
                              const Vector       &vector) const
   {
+    if (!model.has_displacement())
+      return 0.;
     matrix.vmult(momentum_product, vector);
     return vector * momentum_product / discretization.cross_section();
   }
@@ -106,9 +115,10 @@ namespace ThermoContact
 
     EnergyTerms terms;
     terms.thermal = 0.5 * heat_form(stage_operator.heat_mass(), heat_scratch);
-    terms.kinetic =
-      0.5 * model.inertia *
-      momentum_form(stage_operator.momentum_mass(), state.velocity);
+    if (model.inertia > 0.)
+      terms.kinetic =
+        0.5 * model.inertia *
+        momentum_form(stage_operator.momentum_mass(), state.velocity);
     terms.elastic =
       0.5 * momentum_form(stage_operator.stiffness(), state.displacement);
     for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
@@ -116,8 +126,10 @@ namespace ThermoContact
                         discretization.contact_nodes()[i].weight /
                         discretization.cross_section() *
                         state.contact_pressure[i] * state.contact_pressure[i];
-    terms.coupling = -model.coupling * (steady_stress * state.displacement) /
-                     discretization.cross_section();
+    if (model.thermal_stress() != 0.)
+      terms.coupling = -model.thermal_stress() *
+                       (steady_stress * state.displacement) /
+                       discretization.cross_section();
     return terms;
   }
 
@@ -131,9 +143,10 @@ namespace ThermoContact
     EnergyTerms terms;
     terms.thermal =
       0.5 * heat_form(stage_operator.heat_mass(), difference.temperature);
-    terms.kinetic =
-      0.5 * model.inertia *
-      momentum_form(stage_operator.momentum_mass(), difference.velocity);
+    if (model.inertia > 0.)
+      terms.kinetic =
+        0.5 * model.inertia *
+        momentum_form(stage_operator.momentum_mass(), difference.velocity);
     terms.elastic =
       0.5 * momentum_form(stage_operator.stiffness(), difference.displacement);
     if (law.compliance == 0.)
@@ -156,9 +169,11 @@ namespace ThermoContact
   {
     heat_scratch = state.temperature;
     heat_scratch -= steady_profile_;
-    return heat_form(stage_operator.conduction(), heat_scratch) +
-           model.viscosity *
-             momentum_form(stage_operator.stiffness(), state.velocity);
+    double rate = heat_form(stage_operator.conduction(), heat_scratch);
+    if (model.viscosity > 0.)
+      rate += model.viscosity *
+              momentum_form(stage_operator.viscous_stiffness(), state.velocity);
+    return rate;
   }
 
 
@@ -172,10 +187,13 @@ namespace ThermoContact
     heat_scratch -= old_state.temperature;
     double sum = 0.5 * heat_form(stage_operator.heat_mass(), heat_scratch);
 
-    momentum_scratch = state.velocity;
-    momentum_scratch -= old_state.velocity;
-    sum += 0.5 * model.inertia *
-           momentum_form(stage_operator.momentum_mass(), momentum_scratch);
+    if (model.inertia > 0.)
+      {
+        momentum_scratch = state.velocity;
+        momentum_scratch -= old_state.velocity;
+        sum += 0.5 * model.inertia *
+               momentum_form(stage_operator.momentum_mass(), momentum_scratch);
+      }
 
     momentum_scratch = state.displacement;
     momentum_scratch -= old_state.displacement;
@@ -219,12 +237,44 @@ namespace ThermoContact
                          const Vector &momentum_load,
                          const State  &state) const
   {
-    heat_scratch = state.temperature;
-    heat_scratch -= steady_profile_;
-    heat_product = heat_load;
-    heat_product -= loads.obstacle_heat();
-    return (heat_scratch * heat_product + momentum_load * state.velocity) /
-           discretization.cross_section();
+    double rate = 0.;
+    if (model.has_temperature())
+      {
+        heat_scratch = state.temperature;
+        heat_scratch -= steady_profile_;
+        if (loads.has_sources())
+          {
+            heat_product = heat_load;
+            heat_product -= loads.obstacle_heat();
+            rate += heat_scratch * heat_product;
+          }
+        if (is_driven_by_heat())
+          {
+            stage_operator.divergence().vmult(heat_product, state.velocity);
+            rate += model.thermal_stress() * (heat_scratch * heat_product);
+          }
+      }
+    if (model.has_displacement() && loads.has_sources())
+      rate += momentum_load * state.velocity;
+    return rate / discretization.cross_section();
+  }
+
+
+
+  template <int dim>
+  bool
+  Energy<dim>::is_driven_by_heat() const
+  {
+    return model.thermal_stress() != 0. && !model.heating;
+  }
+
+
+
+  template <int dim>
+  bool
+  Energy<dim>::has_work() const
+  {
+    return loads.has_sources() || is_driven_by_heat();
   }
 
 

@@ -37,9 +37,11 @@ namespace ThermoContact
 
   EventLocator::EventLocator(const ContactLaw &law,
                              const bool        is_active,
+                             const bool        has_velocity,
                              const double      tolerance)
     : law(law)
     , is_active(is_active)
+    , has_velocity(has_velocity)
     , tolerance(tolerance)
     , mode_(ContactMode::unilateral)
     , is_in_contact(false)
@@ -93,9 +95,13 @@ namespace ThermoContact
       }
     const double sign = mode_ == ContactMode::closed ? -1. : 1.;
     const double size = next.time - present.time;
-    return CubicHermite(sign * (law.gap - present.displacement[node]),
+    const double s0   = sign * (law.gap - present.displacement[node]);
+    const double s1   = sign * (law.gap - next.displacement[node]);
+    if (!has_velocity)
+      return CubicHermite(s0, s1 - s0, s1, s1 - s0);
+    return CubicHermite(s0,
                         -sign * size * present.velocity[node],
-                        sign * (law.gap - next.displacement[node]),
+                        s1,
                         -sign * size * next.velocity[node]);
   }
 

@@ -27,6 +27,11 @@ namespace ThermoContact
     class VelocityPostprocessor : public DataPostprocessor<dim>
     {
     public:
+      /** @param first component of the displacement */
+      explicit VelocityPostprocessor(const unsigned int first)
+        : first(first)
+      {}
+
       std::vector<std::string>
       get_names() const override
       {
@@ -53,8 +58,21 @@ namespace ThermoContact
       {
         for (unsigned int q = 0; q < computed.size(); ++q)
           for (unsigned int d = 0; d < dim; ++d)
-            computed[q](d) = inputs.solution_values[q](1 + d);
+            computed[q](d) = inputs.solution_values[q](first + d);
       }
+
+      /** The displacement of a rod, alone in its FESystem, is a scalar. */
+      void
+      evaluate_scalar_field(
+        const DataPostprocessorInputs::Scalar<dim> &inputs,
+        std::vector<dealii::Vector<double>>        &computed) const override
+      {
+        for (unsigned int q = 0; q < computed.size(); ++q)
+          computed[q](0) = inputs.solution_values[q];
+      }
+
+    private:
+      const unsigned int first;
     };
 
 
@@ -67,7 +85,8 @@ namespace ThermoContact
       explicit StressPostprocessor(const ModelParameters &model)
         : lambda(model.poisson_ratio / (1. - model.poisson_ratio))
         , mu(0.5 * (1. - 2. * model.poisson_ratio) / (1. - model.poisson_ratio))
-        , coupling(model.coupling)
+        , coupling(model.thermal_stress())
+        , first(model.has_temperature() ? 1 : 0)
       {}
 
       std::vector<std::string>
@@ -98,24 +117,36 @@ namespace ThermoContact
       {
         for (unsigned int q = 0; q < computed.size(); ++q)
           {
-            const auto &gradients  = inputs.solution_gradients[q];
-            double      divergence = 0.;
+            const auto  &gradients = inputs.solution_gradients[q];
+            const double thermal =
+              coupling == 0. ? 0. : coupling * inputs.solution_values[q](0);
+            double divergence = 0.;
             for (unsigned int d = 0; d < dim; ++d)
-              divergence += gradients[1 + d][d];
+              divergence += gradients[first + d][d];
             for (unsigned int d = 0; d < dim; ++d)
               for (unsigned int e = 0; e < dim; ++e)
                 computed[q](d * dim + e) =
-                  mu * (gradients[1 + d][e] + gradients[1 + e][d]) +
-                  (d == e ? lambda * divergence -
-                              coupling * inputs.solution_values[q](0) :
-                            0.);
+                  mu * (gradients[first + d][e] + gradients[first + e][d]) +
+                  (d == e ? lambda * divergence - thermal : 0.);
           }
+      }
+
+      void
+      evaluate_scalar_field(
+        const DataPostprocessorInputs::Scalar<dim> &inputs,
+        std::vector<dealii::Vector<double>>        &computed) const override
+      {
+        for (unsigned int q = 0; q < computed.size(); ++q)
+          computed[q](0) = inputs.solution_gradients[q][0];
       }
 
     private:
       const double lambda;
       const double mu;
       const double coupling;
+
+      /** Component of the axial displacement. */
+      const unsigned int first;
     };
 
 
@@ -181,10 +212,17 @@ namespace ThermoContact
   FieldOutput<dim>::joined(const Vector &temperature,
                            const Vector &displacement) const
   {
-    TrilinosWrappers::MPI::BlockVector result(discretization.owned_by_block(),
+    // several ranks cannot exchange the ghosts of an empty block
+    std::vector<IndexSet> owned;
+    for (unsigned int block = 0; block < 2; ++block)
+      if (discretization.has_field(block))
+        owned.push_back(discretization.owned_by_block()[block]);
+    TrilinosWrappers::MPI::BlockVector result(owned,
                                               discretization.communicator());
-    result.block(0) = temperature;
-    result.block(1) = displacement;
+    if (discretization.has_field(0))
+      result.block(0) = temperature;
+    if (discretization.has_field(1))
+      result.block(result.n_blocks() - 1) = displacement;
     return result;
   }
 
@@ -194,20 +232,31 @@ namespace ThermoContact
   void
   FieldOutput<dim>::write(const State &state)
   {
-    const VelocityPostprocessor<dim> velocity_postprocessor;
-    const StressPostprocessor<dim>   stress_postprocessor(model);
-    Vector                           viscous_displacement = state.displacement;
+    std::vector<std::string>    names;
+    std::vector<Interpretation> interpretation;
+    if (model.has_temperature())
+      {
+        names.emplace_back("temperature");
+        interpretation.push_back(
+          DataComponentInterpretation::component_is_scalar);
+      }
+    if (model.has_displacement())
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          names.emplace_back("displacement");
+          interpretation.push_back(
+            DataComponentInterpretation::component_is_part_of_vector);
+        }
+
+    const VelocityPostprocessor<dim> velocity_postprocessor(
+      discretization.first_component(1));
+    const StressPostprocessor<dim> stress_postprocessor(model);
+    Vector                         viscous_displacement = state.displacement;
     viscous_displacement.add(model.viscosity, state.velocity);
 
     const auto fields   = joined(state.temperature, state.displacement);
     const auto velocity = joined(state.temperature, state.velocity);
     const auto strain   = joined(state.temperature, viscous_displacement);
-
-    std::vector<std::string> names(1 + dim, "displacement");
-    names[0] = "temperature";
-    std::vector<Interpretation> interpretation(
-      1 + dim, DataComponentInterpretation::component_is_part_of_vector);
-    interpretation[0] = DataComponentInterpretation::component_is_scalar;
 
     Snapshot<dim> data_out;
     data_out.attach_dof_handler(discretization.dof_handler());
@@ -215,8 +264,11 @@ namespace ThermoContact
                              names,
                              DataOut<dim>::type_dof_data,
                              interpretation);
-    data_out.add_data_vector(velocity, velocity_postprocessor);
-    data_out.add_data_vector(strain, stress_postprocessor);
+    if (model.has_displacement())
+      {
+        data_out.add_data_vector(velocity, velocity_postprocessor);
+        data_out.add_data_vector(strain, stress_postprocessor);
+      }
 
     DataOutBase::VtkFlags flags;
     flags.time                = state.time;

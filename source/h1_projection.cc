@@ -29,9 +29,10 @@ namespace ThermoContact
     const FiniteElement<dim> &fe          = discretization.finite_element();
     const auto               &constraints = discretization.constraints();
 
-    Table<2, DoFTools::Coupling> coupling(1 + dim, 1 + dim);
+    const unsigned int           n_components = discretization.n_components();
+    Table<2, DoFTools::Coupling> coupling(n_components, n_components);
     coupling.fill(DoFTools::none);
-    for (unsigned int c = 0; c < 1 + dim; ++c)
+    for (unsigned int c = 0; c < n_components; ++c)
       coupling(c, c) = DoFTools::always;
     TrilinosWrappers::SparsityPattern pattern(discretization.owned(),
                                               discretization.owned(),
@@ -111,7 +112,8 @@ namespace ThermoContact
     // adds factor (w - interpolant, test) over a cell or a face
     const auto integrate = [&](const auto &values, const auto &test) {
       std::vector<dealii::Vector<double>> interpolated(
-        values.n_quadrature_points, dealii::Vector<double>(1 + dim));
+        values.n_quadrature_points,
+        dealii::Vector<double>(discretization.n_components()));
       values.get_function_values(ghosted, interpolated);
       for (const unsigned int q : values.quadrature_point_indices())
         for (const unsigned int i : values.dof_indices())

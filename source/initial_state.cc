@@ -47,6 +47,8 @@ namespace ThermoContact
             ": not zero at the fixed end x = 0 or normal to rollers\n  allowed: "
             "an expression that vanishes there, e.g. 20*x*(x-1)^2");
 
+      if (!discretization.has_field(0))
+        return;
       const double theta_A = parameters.boundary.fixed_end_temperature;
       const double mismatch =
         largest_constrained(0, state.temperature, theta_A);
@@ -73,8 +75,8 @@ namespace ThermoContact
                   const State               &state,
                   std::vector<std::string>  &warnings)
     {
-      if (!law.is_active)
-        return;
+      if (!law.is_active || parameters.model.is_static())
+        return; // what is static is in equilibrium with the obstacle
       std::vector<double> displacement, velocity;
       discretization.contact_values(1, state.displacement, displacement);
       discretization.contact_values(1, state.velocity, velocity);
@@ -101,8 +103,7 @@ namespace ThermoContact
                      "Contact/Condition = normal compliance";
           throw InputError(message.str());
         }
-      if (parameters.time.has_prescribed_start() &&
-          parameters.time.end_time > 0.)
+      if (parameters.has_prescribed_start() && parameters.time.end_time > 0.)
         for (unsigned int i = 0; i < velocity.size(); ++i)
           if (displacement[i] + first_step_size * velocity[i] > law.gap)
             {

@@ -8,9 +8,6 @@ namespace ThermoContact
 {
   namespace
   {
-    const FEValuesExtractors::Scalar temperature(0);
-    const FEValuesExtractors::Vector displacement(1);
-
     /** Sources are no polynomials: more points than the products need. */
     template <int dim>
     unsigned int
@@ -41,6 +38,8 @@ namespace ThermoContact
     , obstacle_heat_(discretization.make_vector(0))
   {
     unconstrained.close();
+    if (!parameters.model.has_temperature())
+      return;
     const BoundaryParameters &boundary = parameters.boundary;
     integrate_end_flux(Functions::ConstantFunction<dim>(
       boundary.heat_exchange * boundary.obstacle_temperature));
@@ -93,7 +92,8 @@ namespace ThermoContact
         const double f_JxW =
           function.value(values.quadrature_point(q)) * values.JxW(q);
         for (const unsigned int i : values.dof_indices())
-          cell_load(i) += f_JxW * values[temperature].value(i, q);
+          cell_load(i) +=
+            f_JxW * values[discretization.temperature_extractor()].value(i, q);
       }
   }
 
@@ -110,7 +110,9 @@ namespace ThermoContact
           const double f_JxW =
             function.value(values.quadrature_point(q), c) * values.JxW(q);
           for (const unsigned int i : values.dof_indices())
-            cell_load(i) += f_JxW * values[displacement].value(i, q)[c];
+            cell_load(i) +=
+              f_JxW *
+              values[discretization.displacement_extractor()].value(i, q)[c];
         }
   }
 

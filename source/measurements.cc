@@ -18,10 +18,13 @@ namespace ThermoContact
     : discretization(discretization)
     , law(law)
     , boundary(parameters.boundary)
+    , has_no_initial_velocity(parameters.model.is_static())
     , mean_weights(discretization.make_vector(0))
   {
-    find_mid_point(parameters.mesh.width);
-
+    if (discretization.has_field(1))
+      find_mid_point(parameters.mesh.width);
+    if (!discretization.has_field(0))
+      return;
     Vector ones(mean_weights);
     ones = 1.;
     stage_operator.heat_mass().vmult(mean_weights, ones);
@@ -69,7 +72,8 @@ namespace ThermoContact
                                                                mid_point);
         found->get_dof_indices(dofs);
         for (unsigned int i = 0; i < dofs.size(); ++i)
-          if (fe.system_to_component_index(i).first == 1)
+          if (fe.system_to_component_index(i).first ==
+              discretization.first_component(1))
             weights.emplace_back(dofs[i] - discretization.n_temperature_dofs(),
                                  fe.shape_value(i, unit_point));
       }
@@ -89,17 +93,38 @@ namespace ThermoContact
                              const ProblemData<dim> &data,
                              StepRecord             &record)
   {
-    record.time = state.time;
+    record.time             = state.time;
+    record.displacement_end = record.displacement_mid = record.velocity_end =
+      record.stress_end = record.gap = record.temperature_end =
+        record.heat_flux_end         = record.temperature_mean =
+          std::numeric_limits<double>::quiet_NaN();
+    record.penetration = record.contact_force = 0.;
+    record.in_contact                         = false;
+    if (discretization.has_field(1))
+      measure_displacement(state, data, record);
+    if (discretization.has_field(0))
+      measure_temperature(state, record);
+  }
 
+
+
+  template <int dim>
+  void
+  Measurements<dim>::measure_displacement(const State            &state,
+                                          const ProblemData<dim> &data,
+                                          StepRecord             &record)
+  {
     discretization.contact_values(1, state.displacement, contact_values);
     record.displacement_end = discretization.contact_mean(contact_values);
-    record.gap              = law.is_active ?
-                                law.gap - *std::max_element(contact_values.begin(),
-                                               contact_values.end()) :
-                                std::numeric_limits<double>::quiet_NaN();
+    if (law.is_active)
+      record.gap = law.gap - *std::max_element(contact_values.begin(),
+                                               contact_values.end());
 
-    discretization.contact_values(1, state.velocity, contact_values);
-    record.velocity_end = discretization.contact_mean(contact_values);
+    if (!(has_no_initial_velocity && state.time == 0.))
+      {
+        discretization.contact_values(1, state.velocity, contact_values);
+        record.velocity_end = discretization.contact_mean(contact_values);
+      }
 
     const double largest_pressure =
       *std::max_element(state.contact_pressure.begin(),
@@ -118,19 +143,26 @@ namespace ThermoContact
       }
     record.stress_end = traction - record.contact_force;
 
-    discretization.contact_values(0, state.temperature, contact_values);
-    record.temperature_end = discretization.contact_mean(contact_values);
-    record.heat_flux_end =
-      boundary.heat_exchange *
-      (record.temperature_end - boundary.obstacle_temperature);
-    record.temperature_mean = mean_weights * state.temperature;
-
     double mid = 0.;
     for (const auto &[entry, weight] : mid_weights)
       mid += weight * state.displacement.begin()[entry];
     if (Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
       mid = Utilities::MPI::sum(mid, discretization.communicator());
     record.displacement_mid = mid;
+  }
+
+
+
+  template <int dim>
+  void
+  Measurements<dim>::measure_temperature(const State &state, StepRecord &record)
+  {
+    discretization.contact_values(0, state.temperature, contact_values);
+    record.temperature_end = discretization.contact_mean(contact_values);
+    record.heat_flux_end =
+      boundary.heat_exchange *
+      (record.temperature_end - boundary.obstacle_temperature);
+    record.temperature_mean = mean_weights * state.temperature;
   }
 
 

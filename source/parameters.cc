@@ -29,9 +29,16 @@ namespace ThermoContact
   ModelParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Model");
+    prm.add_parameter("Fields",
+                      fields,
+                      "The fields that the scene has; the other one is absent "
+                      "from the unknowns, the matrices and the files.",
+                      Selection("temperature and displacement|temperature|"
+                                "displacement"));
     prm.add_parameter("Inertia",
                       inertia,
-                      "Inertia coefficient b > 0 of the momentum equation.",
+                      "Inertia coefficient b >= 0 of the momentum equation; 0 "
+                      "is quasi-static.",
                       coefficient);
     prm.add_parameter("Viscosity",
                       viscosity,
@@ -42,6 +49,10 @@ namespace ThermoContact
                       "Thermoelastic coupling a: thermal stress -a theta and "
                       "heating -a div u_t.",
                       signed_coefficient);
+    prm.add_parameter("Thermoelastic heating",
+                      heating,
+                      "The term -a div u_t of the heat equation; false: heat "
+                      "drives the rod, not the reverse.");
     prm.add_parameter("Poisson ratio",
                       poisson_ratio,
                       "Poisson ratio nu, for Dimension > 1; the P-wave modulus "
@@ -98,6 +109,13 @@ namespace ThermoContact
                       "Initial gap g between the undeformed rod and the "
                       "obstacle; negative is a preload.",
                       any_number);
+    prm.add_parameter("Massless nodes",
+                      massless_nodes,
+                      "The mass of the contact nodes is moved to their "
+                      "neighbours, for impacts without oscillations; "
+                      "automatic: where the viscosity is small against the "
+                      "mesh, and for the scheme energy conserving.",
+                      Selection("automatic|on|off"));
     prm.leave_subsection();
   }
 
@@ -177,6 +195,11 @@ namespace ThermoContact
                       "Size of the first cell over size of the last, in "
                       "geometric progression; 1 is uniform.",
                       Double(1e-8, 1e8));
+    prm.add_parameter("Mass matrix",
+                      mass_matrix,
+                      "consistent, or lumped (Gauss-Lobatto rule: diagonal); "
+                      "lumped with Degree = 1 and dt = h is best for waves.",
+                      Selection("consistent|lumped"));
     prm.add_parameter("Width",
                       width,
                       "Width (and height) of the body, for Dimension > 1; its "
@@ -191,6 +214,31 @@ namespace ThermoContact
 
 
 
+  std::vector<double>
+  MeshParameters::cell_sizes() const
+  {
+    const double factor =
+      cells > 1 ? std::pow(grading, -1. / (cells - 1.)) : 1.;
+    std::vector<double> sizes(cells);
+    double              sum = 0.;
+    for (unsigned int i = 0; i < cells; ++i)
+      sum += sizes[i] = std::pow(factor, i);
+    for (double &size : sizes)
+      size /= sum;
+    return sizes;
+  }
+
+
+
+  double
+  MeshParameters::contact_spacing() const
+  {
+    return std::ldexp(cell_sizes().back(), -static_cast<int>(refinements)) /
+           degree;
+  }
+
+
+
   void
   TimeParameters::add_parameters(ParameterHandler &prm)
   {
@@ -199,9 +247,10 @@ namespace ThermoContact
       "Scheme",
       scheme,
       "Time integrator: backward euler (order 1, the paper's), "
-      "or the L-stable schemes sdirk2, sdirk3, sdirk4 of orders "
-      "2, 3, 4 with 2, 3, 5 solves per step.",
-      Selection(scheme_names()));
+      "the L-stable schemes sdirk2, sdirk3, sdirk4 of orders "
+      "2, 3, 4 with 2, 3, 5 solves per step, or energy conserving "
+      "(order 2, for impacts of elastic bodies).",
+      Selection(scheme_names() + "|" + energy_conserving_scheme));
     prm.add_parameter("Start",
                       start,
                       "First step: paper (the end of the step is u_0 + dt u_1, "

@@ -215,37 +215,53 @@ namespace ThermoContact
                                   initial.displacement};
     const Expression velocity{"Initial values/Velocity", initial.velocity};
 
-    // alone first, so that a message names the entry that is wrong
-    parse<dim>(temperature, scalar_component(temperature), false, theta_A);
-    initial_fields_ =
-      parse<dim>(displacement,
-                 temperature.text + ";" + vector_components(displacement, dim),
-                 false,
-                 theta_A);
-    initial_velocity_ = parse<dim>(velocity,
-                                   "0;" + vector_components(velocity, dim),
-                                   false,
-                                   theta_A);
+    const ModelParameters &model = parameters.model;
+    const Expression       nothing{"", "0"};
+    std::string            fields, rates;
+    if (model.has_temperature())
+      {
+        // alone first, so that a message names the entry that is wrong
+        parse<dim>(temperature, scalar_component(temperature), false, theta_A);
+        fields = temperature.text;
+        rates  = "0";
+      }
+    const auto append = [&](const Expression &expression, std::string &text) {
+      const std::string components = vector_components(expression, dim);
+      parse<dim>(expression, components, false, theta_A);
+      text += (text.empty() ? "" : ";") + components;
+    };
+    if (model.has_displacement())
+      {
+        append(model.is_static() ? nothing : displacement, fields);
+        append(model.inertia == 0. ? nothing : velocity, rates);
+      }
+    initial_fields_   = parse<dim>(nothing, fields, false, theta_A);
+    initial_velocity_ = parse<dim>(nothing, rates, false, theta_A);
 
     const auto      &sources = parameters.sources;
     const Expression body_force{"Sources/Body force", sources.body_force};
-    if (!is_zero(body_force))
+    if (model.has_displacement() && !is_zero(body_force))
       body_force_ = parse<dim>(body_force,
                                vector_components(body_force, dim),
                                true,
                                theta_A);
-    const auto parse_scalar = [&](const Expression &expression) {
-      return is_zero(expression) ? nullptr :
-                                   parse<dim>(expression,
-                                              scalar_component(expression),
-                                              true,
-                                              theta_A);
+    const auto parse_scalar = [&](const bool        is_used,
+                                  const Expression &expression) {
+      return !is_used || is_zero(expression) ?
+               nullptr :
+               parse<dim>(expression,
+                          scalar_component(expression),
+                          true,
+                          theta_A);
     };
-    heat_source_ = parse_scalar({"Sources/Heat source", sources.heat_source});
+    heat_source_ = parse_scalar(model.has_temperature(),
+                                {"Sources/Heat source", sources.heat_source});
     end_traction_ =
-      parse_scalar({"Sources/End traction", sources.end_traction});
+      parse_scalar(model.has_displacement(),
+                   {"Sources/End traction", sources.end_traction});
     end_heat_flux_ =
-      parse_scalar({"Sources/End heat flux", sources.end_heat_flux});
+      parse_scalar(model.has_temperature(),
+                   {"Sources/End heat flux", sources.end_heat_flux});
   }
 
 

@@ -63,16 +63,49 @@ namespace ThermoContact
 
 
     std::string
-    describe_contact(const ContactParameters &contact)
+    join_words(const std::vector<std::string> &words)
     {
-      if (contact.is_none())
+      std::string line;
+      for (const std::string &word : words)
+        line += (line.empty() ? "" : ", ") + word;
+      return line;
+    }
+
+
+
+    template <int dim>
+    std::string
+    describe_unknowns(const Simulation<dim> &simulation)
+    {
+      const auto &space = simulation.discretization();
+      std::string line;
+      if (space.has_field(0))
+        line = text(space.n_temperature_dofs(), " temperature");
+      if (space.has_field(1))
+        line += text(line.empty() ? "" : " + ",
+                     space.n_displacement_dofs(),
+                     " displacement");
+      return line +
+             text("; factorised at once: ", simulation.n_factorized_unknowns());
+    }
+
+
+
+    std::string
+    describe_contact(const Parameters &parameters)
+    {
+      const ContactLaw law = parameters.contact_law();
+      if (!law.is_active)
         return "none: free end";
-      if (contact.is_rigid())
-        return text("rigid obstacle, g = ", contact.gap);
+      const std::string nodes =
+        parameters.has_massless_contact() ? ", massless contact nodes" : "";
+      if (law.compliance == 0.)
+        return text("rigid obstacle, g = ", law.gap, nodes);
       return text("elastic obstacle, epsilon = ",
-                  contact.compliance,
+                  law.compliance,
                   ", g = ",
-                  contact.gap);
+                  law.gap,
+                  nodes);
     }
 
 
@@ -91,12 +124,12 @@ namespace ThermoContact
                   ", T = ",
                   time.end_time,
                   time.locates_contact_events() &&
-                      !parameters.contact.is_none() ?
+                      parameters.contact_law().is_active ?
                     ", contact events located" :
                     "",
                   ", ",
-                  time.has_prescribed_start() ? "start of the paper" :
-                                                "consistent start",
+                  parameters.has_prescribed_start() ? "start of the paper" :
+                                                      "consistent start",
                   ", ",
                   parameters.solver.step_solver,
                   " solver");
@@ -122,9 +155,22 @@ namespace ThermoContact
 
 
   std::vector<std::string>
+  scene_fields(const ModelParameters &model)
+  {
+    std::vector<std::string> fields;
+    if (model.has_temperature())
+      fields.emplace_back("temperature");
+    if (model.has_displacement())
+      fields.emplace_back("displacement");
+    return fields;
+  }
+
+
+
+  std::vector<std::string>
   scene_terms(const Parameters &parameters)
   {
-    std::vector<std::string> terms = {"heat conduction"};
+    std::vector<std::string> terms;
     const auto add_if = [&terms](const bool condition, const char *term) {
       if (condition)
         terms.emplace_back(term);
@@ -132,20 +178,28 @@ namespace ThermoContact
     const auto is_source = [](const std::string &expression) {
       return Utilities::trim(expression) != "0";
     };
-    const SourceParameters  &sources = parameters.sources;
-    const ContactParameters &contact = parameters.contact;
-    add_if(parameters.boundary.heat_exchange > 0., "heat exchange");
-    add_if(true, "inertia");
-    add_if(true, "elasticity");
-    add_if(parameters.model.viscosity > 0., "viscosity");
-    add_if(parameters.model.coupling != 0., "thermal stress");
-    add_if(parameters.model.coupling != 0., "thermoelastic heating");
-    add_if(contact.is_rigid(), "rigid contact");
-    add_if(!contact.is_rigid() && !contact.is_none(), "normal compliance");
-    add_if(is_source(sources.heat_source), "heat source");
-    add_if(is_source(sources.body_force), "body force");
-    add_if(is_source(sources.end_traction), "end traction");
-    add_if(is_source(sources.end_heat_flux), "end heat flux");
+    const ModelParameters  &model            = parameters.model;
+    const SourceParameters &sources          = parameters.sources;
+    const ContactLaw        law              = parameters.contact_law();
+    const bool              has_temperature  = model.has_temperature();
+    const bool              has_displacement = model.has_displacement();
+    add_if(has_temperature, "heat conduction");
+    add_if(has_temperature && parameters.boundary.heat_exchange > 0.,
+           "heat exchange");
+    add_if(has_displacement && model.inertia > 0., "inertia");
+    add_if(has_displacement, "elasticity");
+    add_if(has_displacement && model.viscosity > 0., "viscosity");
+    add_if(model.thermal_stress() != 0., "thermal stress");
+    add_if(model.thermoelastic_heating() != 0., "thermoelastic heating");
+    add_if(law.is_active && law.compliance == 0., "rigid contact");
+    add_if(law.is_active && law.compliance > 0., "normal compliance");
+    add_if(parameters.has_massless_contact(), "massless contact nodes");
+    add_if(parameters.mesh.is_lumped(), "lumped mass");
+    add_if(has_temperature && is_source(sources.heat_source), "heat source");
+    add_if(has_displacement && is_source(sources.body_force), "body force");
+    add_if(has_displacement && is_source(sources.end_traction), "end traction");
+    add_if(has_temperature && is_source(sources.end_heat_flux),
+           "end heat flux");
     return terms;
   }
 
@@ -158,31 +212,30 @@ namespace ThermoContact
     const Parameters &parameters = simulation.parameters();
     const auto       &model      = parameters.model;
     const auto       &boundary   = parameters.boundary;
-    const auto       &space      = simulation.discretization();
 
     if (!parameters.title.empty())
       log.line(parameters.title);
     log.line("  body      " + describe_body(simulation));
-    log.line(text("  unknowns  ",
-                  space.n_temperature_dofs(),
-                  " temperature + ",
-                  space.n_displacement_dofs(),
-                  " displacement; factorised at once: ",
-                  simulation.n_factorized_unknowns()));
-    log.line(text("  model     a = ",
-                  model.coupling,
-                  ", b = ",
-                  model.inertia,
-                  ", zeta = ",
-                  model.viscosity,
-                  dim == 1 ? "" : text(", nu = ", model.poisson_ratio)));
-    log.line(text("  heat      theta_A = ",
-                  boundary.fixed_end_temperature,
-                  ", k = ",
-                  boundary.heat_exchange,
-                  ", theta_obs = ",
-                  boundary.obstacle_temperature));
-    log.line("  contact   " + describe_contact(parameters.contact));
+    log.line("  unknowns  " + describe_unknowns(simulation));
+    log.line("  terms     " + join_words(scene_terms(parameters)));
+    if (model.has_displacement())
+      log.line(
+        text("  model     ",
+             model.has_temperature() ? text("a = ", model.coupling, ", ") : "",
+             "b = ",
+             model.inertia,
+             ", zeta = ",
+             model.viscosity,
+             dim == 1 ? "" : text(", nu = ", model.poisson_ratio)));
+    if (model.has_temperature())
+      log.line(text("  heat      theta_A = ",
+                    boundary.fixed_end_temperature,
+                    ", k = ",
+                    boundary.heat_exchange,
+                    ", theta_obs = ",
+                    boundary.obstacle_temperature));
+    if (model.has_displacement())
+      log.line("  contact   " + describe_contact(parameters));
     log.line("  time      " + describe_time(parameters));
     for (const std::string &warning : simulation.warnings())
       log.line("  warning:  " + warning);
@@ -285,7 +338,7 @@ namespace ThermoContact
       {"version", version()},
       {"dimension", dim},
       {"ranks", Utilities::MPI::n_mpi_processes(space.communicator())},
-      {"fields", {"temperature", "displacement"}},
+      {"fields", scene_fields(parameters.model)},
       {"terms", scene_terms(parameters)},
       {"dofs", space.n_temperature_dofs() + space.n_displacement_dofs()},
       {"factorized_unknowns", simulation.n_factorized_unknowns()},

@@ -9,33 +9,14 @@
 #include <sstream>
 
 #include "exceptions.h"
-#include "fixed_point_solver.h"
 #include "initial_state.h"
-#include "stage_solver.h"
+#include "quasi_static_start.h"
+#include "scheme_selection.h"
 
 namespace ThermoContact
 {
   namespace
   {
-    template <int dim>
-    std::unique_ptr<StepSolver>
-    make_step_solver(const Discretization<dim>             &discretization,
-                     const ThermoviscoelasticOperator<dim> &stage_operator,
-                     const ContactLaw                      &law,
-                     const Parameters                      &parameters)
-    {
-      if (parameters.solver.is_fixed_point())
-        return std::make_unique<FixedPointSolver<dim>>(discretization,
-                                                       stage_operator,
-                                                       law,
-                                                       parameters);
-      return std::make_unique<StageSolver<dim>>(discretization,
-                                                stage_operator,
-                                                law);
-    }
-
-
-
     /** Why error-controlled steps end, and what to try. */
     std::string
     describe_exhaustion(const StepAttempt &attempt, const std::string &failure)
@@ -60,7 +41,7 @@ namespace ThermoContact
   Simulation<dim>::Simulation(const Parameters &parameters,
                               const MPI_Comm    communicator)
     : parameters_(parameters)
-    , law(parameters.contact.law())
+    , law(parameters.contact_law())
     , data(parameters)
     , discretization_(parameters, communicator)
     , operator_(discretization_, parameters)
@@ -68,17 +49,19 @@ namespace ThermoContact
     , energy_(discretization_, operator_, loads, law, parameters)
     , measurements(discretization_, operator_, law, parameters)
     , step_solver(make_step_solver(discretization_, operator_, law, parameters))
-    , integrator(discretization_,
-                 operator_,
-                 energy_,
-                 law,
-                 butcher_tableau(parameters.time.scheme),
-                 loads,
-                 *step_solver)
-    , controller(parameters, butcher_tableau(parameters.time.scheme).order)
+    , integrator(make_time_integrator(discretization_,
+                                      operator_,
+                                      energy_,
+                                      law,
+                                      parameters,
+                                      loads,
+                                      *step_solver))
+    , transition(discretization_, operator_, energy_, law, has_contact_mass())
+    , controller(parameters, order_of(parameters.time))
     , error_norm(energy_.steady_profile_energy())
     , event_locator(law,
                     law.is_active && parameters.time.locates_contact_events(),
+                    !parameters.model.is_static(),
                     parameters.time.has_error_control() ?
                       parameters.time.tolerance :
                       1e-13)
@@ -103,6 +86,9 @@ namespace ThermoContact
                            law,
                            controller.propose(0.).size,
                            warnings_);
+    if (discretization_.has_field(1) && parameters_.model.inertia == 0.)
+      complete_quasi_static_state(
+        parameters_.model, discretization_, operator_, law, loads, state_);
     data.set_time(0.);
     measurements.measure(state_, data, record_);
     record_.energy_terms = energy_.energy(state_);
@@ -162,9 +148,19 @@ namespace ThermoContact
 
   template <int dim>
   bool
+  Simulation<dim>::has_contact_mass() const
+  {
+    return parameters_.model.inertia > 0. &&
+           !parameters_.has_massless_contact();
+  }
+
+
+
+  template <int dim>
+  bool
   Simulation<dim>::is_prescribed_step() const
   {
-    return record_.step == 0 && parameters_.time.has_prescribed_start();
+    return record_.step == 0 && parameters_.has_prescribed_start();
   }
 
 
@@ -176,9 +172,9 @@ namespace ThermoContact
     try
       {
         if (is_prescribed_step())
-          integrator.prescribed_step(state_, time_step, result);
+          integrator->prescribed_step(state_, time_step, result);
         else
-          integrator.step(
+          integrator->step(
             state_, record_.energy, time_step, event_locator.mode(), result);
       }
     catch (const ComputationError &error)
@@ -199,7 +195,7 @@ namespace ThermoContact
     if (!parameters_.time.has_error_control())
       return std::numeric_limits<double>::quiet_NaN();
     EnergyTerms error = result.error;
-    if (law.is_active && law.compliance == 0. &&
+    if (law.is_active && law.compliance == 0. && has_contact_mass() &&
         event_locator.mode() == ContactMode::unilateral &&
         result.n_iterations > 0) // a node was pushed back in some stage
       error.kinetic = 0.;
@@ -287,7 +283,7 @@ namespace ThermoContact
         event_locator.switch_at_start(finding.time, events_);
         if (is_rigid && event_locator.mode() == ContactMode::closed)
           {
-            integrator.impact(state_,
+            transition.impact(state_,
                               record_.energy_terms,
                               record_.contact_impulse,
                               record_.numerical_dissipation);
@@ -306,13 +302,13 @@ namespace ThermoContact
       {
         event_locator.accept(contact_values, finding, events_);
         n_retakes = 0;
-        integrator.finish_pressure(finding.kind ==
+        transition.finish_pressure(finding.kind ==
                                        EventLocator::Finding::at_end &&
                                      mode == ContactMode::open,
                                    result);
         if (is_rigid && mode != ContactMode::closed &&
             event_locator.mode() == ContactMode::closed)
-          integrator.impact(result.state,
+          transition.impact(result.state,
                             result.energy,
                             result.impulse,
                             result.numerical_dissipation);
@@ -382,8 +378,13 @@ namespace ThermoContact
   Simulation<dim>::counters() const
   {
     SolverCounters sum = step_solver->counters();
-    sum.factorizations += integrator.counters().factorizations;
-    sum.solves += integrator.counters().solves;
+    for (const SolverCounters &part :
+         {integrator->counters(), transition.counters()})
+      {
+        sum.factorizations += part.factorizations;
+        sum.solves += part.solves;
+        sum.responses += part.responses;
+      }
     return sum;
   }
 

@@ -31,8 +31,6 @@ namespace ThermoContact
     , max_factorizations(cache_size(discretization.dof_handler().n_dofs()))
     , heat_rhs(discretization.make_vector(0))
     , momentum_rhs(discretization.make_vector(1))
-    , system_rhs(discretization.make_system_vector())
-    , system_rates(system_rhs)
   {}
 
 
@@ -41,7 +39,10 @@ namespace ThermoContact
   types::global_dof_index
   StageSolver<dim>::n_factorized_unknowns() const
   {
-    return discretization.dof_handler().n_dofs();
+    return StageFactorization<dim>::is_coupled(stage_operator) ?
+             discretization.dof_handler().n_dofs() :
+             std::max(discretization.n_temperature_dofs(),
+                      discretization.n_displacement_dofs());
   }
 
 
@@ -50,10 +51,11 @@ namespace ThermoContact
   void
   StageSolver<dim>::provide_factorization(const double tau)
   {
-    const auto known =
-      std::find_if(factorizations.begin(),
-                   factorizations.end(),
-                   [tau](const Factorization &f) { return f.tau == tau; });
+    const auto known = std::find_if(factorizations.begin(),
+                                    factorizations.end(),
+                                    [tau](const Factorization &f) {
+                                      return f.matrix.tau() == tau;
+                                    });
     if (known != factorizations.end())
       {
         factorizations.splice(factorizations.begin(), factorizations, known);
@@ -61,11 +63,12 @@ namespace ThermoContact
       }
     while (factorizations.size() >= max_factorizations)
       factorizations.pop_back();
-    Factorization &factorization = factorizations.emplace_front();
-    factorization.tau            = tau;
-    factorization.solver =
-      std::make_unique<DirectSolver>(stage_operator.stage_matrix(tau));
-    ++counters_.factorizations;
+    factorizations.push_front(
+      {StageFactorization<dim>(discretization, stage_operator, tau),
+       {},
+       FullMatrix<double>()});
+    counters_.factorizations +=
+      factorizations.front().matrix.n_factorizations();
   }
 
 
@@ -74,41 +77,69 @@ namespace ThermoContact
   void
   StageSolver<dim>::compute_response(Factorization &factorization)
   {
-    const unsigned int n = discretization.contact_nodes().size();
-    factorization.response.reinit(n, n);
+    const unsigned int  n   = discretization.contact_nodes().size();
+    const double        tau = factorization.matrix.tau();
     std::vector<double> displacement(n);
+    factorization.response.reinit(n, n);
     for (unsigned int j = 0; j < n; ++j)
       {
         std::vector<double> unit_pressure(n, 0.);
         unit_pressure[j] = 1.;
         heat_rhs         = 0.;
         momentum_rhs     = 0.;
-        stage_operator.subtract_pressure(unit_pressure,
-                                         -factorization.tau,
-                                         momentum_rhs);
-        discretization.join(heat_rhs, momentum_rhs, system_rhs);
-        Vector &unit_response =
-          factorization.unit_responses.emplace_back(system_rhs);
-        factorization.solver->solve(unit_response, system_rhs);
+        stage_operator.subtract_pressure(unit_pressure, -tau, momentum_rhs);
+        factorization.unit_responses.push_back({heat_rhs, momentum_rhs});
+        UnitResponse &unit_response = factorization.unit_responses.back();
+        factorization.matrix.solve(heat_rhs,
+                                   momentum_rhs,
+                                   unit_response.temperature_rate,
+                                   unit_response.velocity);
         ++counters_.responses;
 
-        discretization.split(unit_response, heat_rhs, momentum_rhs);
-        discretization.contact_values(1, momentum_rhs, displacement);
+        discretization.contact_values(1, unit_response.velocity, displacement);
         for (unsigned int i = 0; i < n; ++i)
-          factorization.response(i, j) = factorization.tau * displacement[i];
+          factorization.response(i, j) = tau * displacement[i];
       }
   }
 
 
 
   template <int dim>
+  const FullMatrix<double> &
+  StageSolver<dim>::response()
+  {
+    Factorization &factorization = factorizations.front();
+    if (factorization.unit_responses.empty())
+      compute_response(factorization);
+    return factorization.response;
+  }
+
+
+
+  template <int dim>
   void
-  StageSolver<dim>::solve_contact(Factorization    &factorization,
-                                  const State      &known,
+  StageSolver<dim>::apply_pressure(StageRates &rates) const
+  {
+    const Factorization &factorization = factorizations.front();
+    for (unsigned int j = 0; j < rates.pressure.size(); ++j)
+      if (const double p = rates.pressure[j]; p != 0.)
+        {
+          const UnitResponse &unit_response = factorization.unit_responses[j];
+          rates.velocity.add(-p, unit_response.velocity);
+          if (StageFactorization<dim>::is_coupled(stage_operator))
+            rates.temperature_rate.add(-p, unit_response.temperature_rate);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  StageSolver<dim>::solve_contact(const State      &known,
                                   const ContactMode mode,
                                   StageRates       &rates)
   {
-    const double tau = factorization.tau;
+    const double tau = factorizations.front().matrix.tau();
     discretization.contact_values(1, known.displacement, known_displacement);
     discretization.contact_values(1, rates.velocity, free_displacement);
     bool reaches_obstacle = false;
@@ -121,10 +152,8 @@ namespace ThermoContact
     if (mode == ContactMode::unilateral && !reaches_obstacle)
       return; // no node is pushed back: zero pressures solve (M.18)
 
-    if (factorization.unit_responses.empty())
-      compute_response(factorization);
     if (mode == ContactMode::closed)
-      contact_solver.solve_closed(factorization.response,
+      contact_solver.solve_closed(response(),
                                   free_displacement,
                                   rates.pressure);
     else
@@ -132,14 +161,34 @@ namespace ThermoContact
         std::copy(known.contact_pressure.begin(),
                   known.contact_pressure.end(),
                   rates.pressure.begin());
-        rates.n_iterations = contact_solver.solve(factorization.response,
-                                                  free_displacement,
-                                                  rates.pressure);
+        rates.n_iterations =
+          contact_solver.solve(response(), free_displacement, rates.pressure);
       }
-    for (unsigned int j = 0; j < rates.pressure.size(); ++j)
-      if (rates.pressure[j] != 0.)
-        system_rates.add(-rates.pressure[j], factorization.unit_responses[j]);
-    discretization.split(system_rates, rates.temperature_rate, rates.velocity);
+    apply_pressure(rates);
+  }
+
+
+
+  template <int dim>
+  void
+  StageSolver<dim>::solve_without_contact(const State  &known,
+                                          const double  tau,
+                                          const Vector &heat_load,
+                                          const Vector &momentum_load,
+                                          StageRates   &rates)
+  {
+    provide_factorization(tau);
+    stage_operator.stage_rhs(
+      known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
+    factorizations.front().matrix.solve(heat_rhs,
+                                        momentum_rhs,
+                                        rates.temperature_rate,
+                                        rates.velocity);
+    ++counters_.solves;
+
+    rates.failure.clear();
+    rates.n_iterations = 0;
+    rates.pressure.assign(discretization.contact_nodes().size(), 0.);
   }
 
 
@@ -153,21 +202,9 @@ namespace ThermoContact
                           const ContactMode mode,
                           StageRates       &rates)
   {
-    provide_factorization(tau);
-    Factorization &factorization = factorizations.front();
-
-    stage_operator.stage_rhs(
-      known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
-    discretization.join(heat_rhs, momentum_rhs, system_rhs);
-    factorization.solver->solve(system_rates, system_rhs);
-    ++counters_.solves;
-    discretization.split(system_rates, rates.temperature_rate, rates.velocity);
-
-    rates.failure.clear();
-    rates.n_iterations = 0;
-    rates.pressure.assign(discretization.contact_nodes().size(), 0.);
+    solve_without_contact(known, tau, heat_load, momentum_load, rates);
     if (law.is_active && mode != ContactMode::open)
-      solve_contact(factorization, known, mode, rates);
+      solve_contact(known, mode, rates);
   }
 
 

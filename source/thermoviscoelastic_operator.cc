@@ -4,32 +4,12 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
-#include <deal.II/fe/fe_values.h>
-
-#include <deal.II/lac/block_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/trilinos_block_sparse_matrix.h>
-#include <deal.II/lac/trilinos_parallel_block_vector.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 namespace ThermoContact
 {
   namespace
   {
-    const FEValuesExtractors::Scalar temperature(0);
-    const FEValuesExtractors::Vector displacement(1);
-
-    /** Field matrices know nothing of the fixed end. */
-    AffineConstraints<double>
-    no_constraints()
-    {
-      AffineConstraints<double> constraints;
-      constraints.close();
-      return constraints;
-    }
-
-
-
     /**
      * Adds @p factor times @p block to @p target at the offsets of the block
      * in the whole system. Rows in @p skipped are left out; columns of
@@ -77,155 +57,10 @@ namespace ThermoContact
     const Parameters          &parameters)
     : discretization(discretization)
     , model(parameters.model)
-    , boundary(parameters.boundary)
+    , matrices(discretization, parameters)
     , heat_scratch(discretization.make_vector(0))
     , momentum_scratch(discretization.make_vector(1))
-  {
-    setup_matrices();
-    assemble_cells();
-    assemble_contact_end();
-  }
-
-
-
-  template <int dim>
-  void
-  ThermoviscoelasticOperator<dim>::setup_matrices()
-  {
-    const auto make_matrix = [this](const bool         couples_fields,
-                                    BlockSparseMatrix &matrix) {
-      Table<2, DoFTools::Coupling> couplings(1 + dim, 1 + dim);
-      for (unsigned int i = 0; i < 1 + dim; ++i)
-        for (unsigned int j = 0; j < 1 + dim; ++j)
-          couplings(i, j) = ((i == 0) == (j == 0)) != couples_fields ?
-                              DoFTools::always :
-                              DoFTools::none;
-      TrilinosWrappers::BlockSparsityPattern pattern(
-        discretization.owned_by_block(),
-        discretization.owned_by_block(),
-        discretization.relevant_by_block(),
-        discretization.communicator());
-      DoFTools::make_sparsity_pattern(discretization.dof_handler(),
-                                      couplings,
-                                      pattern,
-                                      AffineConstraints<double>(),
-                                      true,
-                                      Utilities::MPI::this_mpi_process(
-                                        discretization.communicator()));
-      pattern.compress();
-      matrix.reinit(pattern);
-    };
-    make_matrix(false, mass);
-    make_matrix(false, stiffness_);
-    make_matrix(true, coupling);
-  }
-
-
-
-  template <int dim>
-  void
-  ThermoviscoelasticOperator<dim>::assemble_cells()
-  {
-    const FiniteElement<dim>       &fe = discretization.finite_element();
-    FEValues<dim>                   fe_values(discretization.mapping(),
-                            fe,
-                            QGauss<dim>(fe.degree + 1),
-                            update_values | update_gradients |
-                              update_JxW_values);
-    const AffineConstraints<double> unconstrained = no_constraints();
-
-    const unsigned int                   n = fe.dofs_per_cell;
-    FullMatrix<double>                   cell_mass(n, n);
-    FullMatrix<double>                   cell_stiffness(n, n);
-    FullMatrix<double>                   cell_coupling(n, n);
-    std::vector<types::global_dof_index> dofs(n);
-
-    // Elasticity scaled to unit P-wave modulus, doc/model.md (M.6).
-    const double nu     = model.poisson_ratio;
-    const double lambda = nu / (1. - nu);
-    const double two_mu = (1. - 2. * nu) / (1. - nu);
-
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          fe_values.reinit(cell);
-          cell_mass         = 0.;
-          cell_stiffness    = 0.;
-          cell_coupling     = 0.;
-          const auto &theta = fe_values[temperature];
-          const auto &u     = fe_values[displacement];
-          for (const unsigned int q : fe_values.quadrature_point_indices())
-            for (const unsigned int i : fe_values.dof_indices())
-              for (const unsigned int j : fe_values.dof_indices())
-                {
-                  const double JxW = fe_values.JxW(q);
-                  cell_mass(i, j) += (theta.value(i, q) * theta.value(j, q) +
-                                      u.value(i, q) * u.value(j, q)) *
-                                     JxW;
-                  cell_stiffness(i, j) +=
-                    (theta.gradient(i, q) * theta.gradient(j, q) +
-                     lambda * u.divergence(i, q) * u.divergence(j, q) +
-                     two_mu * (u.symmetric_gradient(i, q) *
-                               u.symmetric_gradient(j, q))) *
-                    JxW;
-                  cell_coupling(i, j) +=
-                    (theta.value(i, q) * u.divergence(j, q) +
-                     u.divergence(i, q) * theta.value(j, q)) *
-                    JxW;
-                }
-          cell->get_dof_indices(dofs);
-          unconstrained.distribute_local_to_global(cell_mass, dofs, mass);
-          unconstrained.distribute_local_to_global(cell_stiffness,
-                                                   dofs,
-                                                   stiffness_);
-          unconstrained.distribute_local_to_global(cell_coupling,
-                                                   dofs,
-                                                   coupling);
-        }
-    for (BlockSparseMatrix *matrix : {&mass, &stiffness_, &coupling})
-      matrix->compress(VectorOperation::add);
-  }
-
-
-
-  template <int dim>
-  void
-  ThermoviscoelasticOperator<dim>::assemble_contact_end()
-  {
-    const FiniteElement<dim>       &fe = discretization.finite_element();
-    FEFaceValues<dim>               face_values(discretization.mapping(),
-                                  fe,
-                                  QGauss<dim - 1>(fe.degree + 1),
-                                  update_values | update_JxW_values);
-    const AffineConstraints<double> unconstrained = no_constraints();
-
-    FullMatrix<double> cell_matrix(fe.dofs_per_cell, fe.dofs_per_cell);
-    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
-    const auto                          &theta = face_values[temperature];
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              cell->face(f)->boundary_id() == contact_boundary_id)
-            {
-              face_values.reinit(cell, f);
-              cell_matrix = 0.;
-              for (const unsigned int q :
-                   face_values.quadrature_point_indices())
-                for (const unsigned int i : face_values.dof_indices())
-                  for (const unsigned int j : face_values.dof_indices())
-                    cell_matrix(i, j) += boundary.heat_exchange *
-                                         theta.value(i, q) * theta.value(j, q) *
-                                         face_values.JxW(q);
-              cell->get_dof_indices(dofs);
-              unconstrained.distribute_local_to_global(cell_matrix,
-                                                       dofs,
-                                                       stiffness_);
-            }
-    stiffness_.compress(VectorOperation::add);
-  }
+  {}
 
 
 
@@ -242,11 +77,17 @@ namespace ThermoContact
   SparseMatrix
   ThermoviscoelasticOperator<dim>::momentum_stage_matrix(const double tau) const
   {
-    return combine(momentum_mass(),
-                   model.inertia,
-                   stiffness(),
-                   tau * model.viscosity + tau * tau,
-                   1);
+    if (&viscous_stiffness() == &stiffness())
+      return combine(momentum_mass(),
+                     model.inertia,
+                     stiffness(),
+                     tau * model.viscosity + tau * tau,
+                     1);
+    SparseMatrix viscous_and_elastic;
+    viscous_and_elastic.copy_from(stiffness());
+    viscous_and_elastic *= tau * tau;
+    viscous_and_elastic.add(tau * model.viscosity, viscous_stiffness());
+    return combine(momentum_mass(), model.inertia, viscous_and_elastic, 1., 1);
   }
 
 
@@ -290,14 +131,18 @@ namespace ThermoContact
     SparseMatrix matrix;
     matrix.reinit(pattern);
 
-    const double                  a = model.coupling;
     const types::global_dof_index n = discretization.n_temperature_dofs();
     const IndexSet                none_of_heat(n);
     const IndexSet none_of_momentum(discretization.n_displacement_dofs());
     add_block(heat_stage_matrix(tau), 1., 0, 0, none_of_heat, matrix);
-    add_block(divergence(), a, 0, n, discretization.constrained(0), matrix);
+    add_block(divergence(),
+              model.thermoelastic_heating(),
+              0,
+              n,
+              discretization.constrained(0),
+              matrix);
     add_block(thermal_stress(),
-              -tau * tau * a,
+              -tau * tau * model.thermal_stress(),
               n,
               0,
               discretization.constrained(1),
@@ -318,16 +163,27 @@ namespace ThermoContact
                                              Vector       &heat,
                                              Vector       &momentum) const
   {
-    conduction().vmult(heat, known.temperature);
-    heat.sadd(-1., heat_load);
-    zero_constrained(0, heat);
-
-    thermal_stress().vmult(momentum, known.temperature);
-    momentum *= model.coupling;
+    if (model.has_temperature())
+      {
+        conduction().vmult(heat, known.temperature);
+        heat.sadd(-1., heat_load);
+        zero_constrained(0, heat);
+      }
+    if (!model.has_displacement())
+      return;
     stiffness().vmult(momentum_scratch, known.displacement);
-    momentum.add(-1., momentum_scratch, 1., momentum_load);
-    momentum_mass().vmult(momentum_scratch, known.velocity);
-    momentum.sadd(tau, model.inertia, momentum_scratch);
+    momentum.equ(tau, momentum_load);
+    momentum.add(-tau, momentum_scratch);
+    if (model.thermal_stress() != 0.)
+      {
+        thermal_stress().vmult(momentum_scratch, known.temperature);
+        momentum.add(tau * model.thermal_stress(), momentum_scratch);
+      }
+    if (model.inertia > 0.)
+      {
+        momentum_mass().vmult(momentum_scratch, known.velocity);
+        momentum.add(model.inertia, momentum_scratch);
+      }
     zero_constrained(1, momentum);
   }
 
@@ -338,8 +194,10 @@ namespace ThermoContact
   ThermoviscoelasticOperator<dim>::subtract_heating(const Vector &velocity,
                                                     Vector       &heat) const
   {
+    if (model.thermoelastic_heating() == 0.)
+      return;
     divergence().vmult(heat_scratch, velocity);
-    heat.add(-model.coupling, heat_scratch);
+    heat.add(-model.thermoelastic_heating(), heat_scratch);
     zero_constrained(0, heat);
   }
 
@@ -351,8 +209,10 @@ namespace ThermoContact
                                                       const double  factor,
                                                       Vector &momentum) const
   {
+    if (model.thermal_stress() == 0.)
+      return;
     thermal_stress().vmult(momentum_scratch, temperature);
-    momentum.add(factor * model.coupling, momentum_scratch);
+    momentum.add(factor * model.thermal_stress(), momentum_scratch);
     zero_constrained(1, momentum);
   }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "time_integrator.h"
+#include "dirk_integrator.h"
 
-#include <algorithm>
-
+#include "direct_solver.h"
 
 namespace ThermoContact
 {
   template <int dim>
-  TimeIntegrator<dim>::TimeIntegrator(
+  DirkIntegrator<dim>::DirkIntegrator(
     const Discretization<dim>             &discretization,
     const ThermoviscoelasticOperator<dim> &stage_operator,
     const Energy<dim>                     &energy,
@@ -41,7 +40,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  TimeIntegrator<dim>::set_known_values(const State       &state,
+  DirkIntegrator<dim>::set_known_values(const State       &state,
                                         const double       step_size,
                                         const unsigned int i)
   {
@@ -61,7 +60,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  TimeIntegrator<dim>::step(const State      &state,
+  DirkIntegrator<dim>::step(const State      &state,
                             const double      old_energy,
                             const TimeStep   &time_step,
                             const ContactMode mode,
@@ -114,7 +113,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  TimeIntegrator<dim>::estimate_error(const double step_size,
+  DirkIntegrator<dim>::estimate_error(const double step_size,
                                       StepResult  &result)
   {
     difference.temperature  = 0.;
@@ -138,22 +137,24 @@ namespace ThermoContact
 
   template <int dim>
   void
-  TimeIntegrator<dim>::prescribed_step(const State    &state,
+  DirkIntegrator<dim>::prescribed_step(const State    &state,
                                        const TimeStep &time_step,
                                        StepResult     &result)
   {
     const double tau   = time_step.size;
     StageRates  &stage = stages[0];
-    DirectSolver heat_solver(stage_operator.heat_stage_matrix(tau));
-    ++counters_.factorizations;
-
-    Vector heat_rhs(heat_load), momentum_rhs(momentum_load);
     loads.assemble(time_step.end, heat_load, momentum_load);
-    stage_operator.stage_rhs(
-      state, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
-    stage_operator.subtract_heating(state.velocity, heat_rhs);
-    heat_solver.solve(stage.temperature_rate, heat_rhs);
-    ++counters_.solves;
+    if (discretization.has_field(0))
+      {
+        DirectSolver heat_solver(stage_operator.heat_stage_matrix(tau));
+        ++counters_.factorizations;
+        Vector heat_rhs(heat_load), momentum_rhs(momentum_load);
+        stage_operator.stage_rhs(
+          state, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
+        stage_operator.subtract_heating(state.velocity, heat_rhs);
+        heat_solver.solve(stage.temperature_rate, heat_rhs);
+        ++counters_.solves;
+      }
 
     result.failure.clear();
     result.n_iterations  = 0;
@@ -184,105 +185,21 @@ namespace ThermoContact
 
   template <int dim>
   void
-  TimeIntegrator<dim>::compute_impulse_responses()
-  {
-    mass_solver =
-      std::make_unique<DirectSolver>(stage_operator.momentum_stage_matrix(0.));
-    ++counters_.factorizations;
-
-    const unsigned int n = discretization.contact_nodes().size();
-    inverse_receptance.reinit(n, n);
-    std::vector<double> velocity(n);
-    Vector              load(momentum_load);
-    for (unsigned int j = 0; j < n; ++j)
-      {
-        std::vector<double> unit_impulse(n, 0.);
-        unit_impulse[j] = 1.;
-        load            = 0.;
-        stage_operator.subtract_pressure(unit_impulse, -1., load);
-        mass_solver->solve(impulse_responses.emplace_back(load), load);
-        ++counters_.responses;
-        discretization.contact_values(1, impulse_responses[j], velocity);
-        for (unsigned int i = 0; i < n; ++i)
-          inverse_receptance(i, j) = velocity[i];
-      }
-    inverse_receptance.gauss_jordan();
-  }
-
-
-
-  template <int dim>
-  void
-  TimeIntegrator<dim>::impact(State       &state,
-                              EnergyTerms &energy_terms,
-                              double      &impulse,
-                              double      &numerical_dissipation)
-  {
-    if (!mass_solver)
-      compute_impulse_responses();
-    std::vector<double> velocity;
-    discretization.contact_values(1, state.velocity, velocity);
-    std::vector<double> impulses(velocity.size(), 0.);
-    for (unsigned int i = 0; i < impulses.size(); ++i)
-      for (unsigned int j = 0; j < impulses.size(); ++j)
-        impulses[i] += inverse_receptance(i, j) * velocity[j];
-    for (unsigned int i = 0; i < impulses.size(); ++i)
-      state.velocity.add(-impulses[i], impulse_responses[i]);
-    for (const auto &[node, entry] : discretization.contact_entries(1))
-      state.displacement.begin()[entry] = law.gap;
-    impulse += discretization.contact_mean(impulses);
-    const double old_energy = energy_terms.sum();
-    energy_terms            = energy.energy(state);
-    numerical_dissipation += old_energy - energy_terms.sum();
-  }
-
-
-
-  template <int dim>
-  void
-  TimeIntegrator<dim>::finish_pressure(const bool  begins_contact,
-                                       StepResult &result)
-  {
-    std::vector<double> &pressure = result.state.contact_pressure;
-    bool                 changed  = false;
-    for (double &p : pressure)
-      {
-        changed |= p < 0.;
-        p = std::max(p, 0.);
-      }
-    if (begins_contact && law.compliance > 0.)
-      {
-        changed = true;
-        discretization.contact_values(1, result.state.displacement, pressure);
-        for (double &p : pressure) // displacements so far
-          p = law.pressure(p, 0.);
-      }
-    if (!changed)
-      return;
-    const double old_energy = result.energy.sum();
-    result.energy           = energy.energy(result.state);
-    result.numerical_dissipation += old_energy - result.energy.sum();
-  }
-
-
-
-  template <int dim>
-  void
-  TimeIntegrator<dim>::book(const State &stage_state,
+  DirkIntegrator<dim>::book(const State &stage_state,
                             const double weight,
                             StepResult  &result)
   {
     result.dissipation += weight * energy.dissipation_rate(stage_state);
     result.impulse +=
       weight * discretization.contact_mean(stage_state.contact_pressure);
-    if (loads.has_sources())
+    if (energy.has_work())
       result.work +=
         weight * energy.work_rate(heat_load, momentum_load, stage_state);
   }
 
 
 
-  template class TimeIntegrator<1>;
-  template class TimeIntegrator<2>;
-  template class TimeIntegrator<3>;
+  template class DirkIntegrator<1>;
+  template class DirkIntegrator<2>;
+  template class DirkIntegrator<3>;
 } // namespace ThermoContact
