@@ -70,6 +70,15 @@ namespace ThermoContact
 
 
 
+  /** What a contact event is compared with; per unit cross-section. */
+  struct BodyScales
+  {
+    double energy   = 0.; ///< largest elastic or kinetic energy E
+    double momentum = 0.; ///< $\sqrt{2bE}$
+  };
+
+
+
   /**
    * Follows the state of contact and finds the instants where it changes,
    * doc/model.md section 11, so that steps can end there: between them the
@@ -85,8 +94,9 @@ namespace ThermoContact
    * A step that ends near a zero is as good as one that ends there: the contact
    * force misses the impulse $s^2/(2\varepsilon|\dot s|)$, which is to be below
    * a tenth of the tolerance of the momentum of the body, or s itself is below
-   * a hundredth of the tolerance of the displacement. The time of the event is
-   * that of the zero all the same.
+   * a hundredth of the tolerance of the displacement and of the penetration
+   * that all the energy of the body could make. The time of the event is that
+   * of the zero all the same.
    *
    * With several nodes in different states, and if events are not to be
    * located, steps are unilateral. An event within such a step is found by
@@ -144,13 +154,12 @@ namespace ThermoContact
      * not accepted later.
      *
      * @param is_aimed the step was to end at an event
-     * @param momentum scale of the momentum of the body per unit cross-section,
-     *   $\sqrt{2bE}$ with its largest elastic or kinetic energy E so far
+     * @param scales of the body so far
      */
     Finding
     examine(const ContactValues &next,
             const bool           is_aimed,
-            const double         momentum);
+            const BodyScales    &scales);
 
     /**
      * Contact changes at @p time, before the step that was examined last or
@@ -201,7 +210,7 @@ namespace ThermoContact
 
     /** True if a margin s is as good as zero, (M.32). */
     bool
-    is_near(const double s, const double rate, const double momentum) const;
+    is_near(const double s, const double rate, const BodyScales &scales) const;
 
     ContactMode
     mode_of(const ContactValues &values) const;

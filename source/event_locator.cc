@@ -108,18 +108,24 @@ namespace ThermoContact
 
 
   bool
-  EventLocator::is_near(const double s,
-                        const double rate,
-                        const double momentum) const
+  EventLocator::is_near(const double      s,
+                        const double      rate,
+                        const BodyScales &scales) const
   {
     if (mode_ == ContactMode::closed && law.compliance == 0.)
       return std::abs(s) <= 0.1 * tolerance * max_pressure;
     // what the floating-point numbers of displacement and time can tell apart
     const double rounding =
       4e-15 * (max_displacement + std::abs(present.time * rate));
-    return s * s <=
-             0.2 * law.compliance * std::abs(rate) * tolerance * momentum ||
-           std::abs(s) <= 0.01 * tolerance * max_displacement + rounding;
+    // a miss of an elastic obstacle by s costs the energy s^2 / (2 epsilon)
+    const double smallest_scale =
+      law.compliance > 0. ?
+        std::min(max_displacement,
+                 std::sqrt(2. * law.compliance * scales.energy)) :
+        max_displacement;
+    return s * s <= 0.2 * law.compliance * std::abs(rate) * tolerance *
+                      scales.momentum ||
+           std::abs(s) <= 0.01 * tolerance * smallest_scale + rounding;
   }
 
 
@@ -140,7 +146,7 @@ namespace ThermoContact
   EventLocator::Finding
   EventLocator::examine(const ContactValues &next,
                         const bool           is_aimed,
-                        const double         momentum)
+                        const BodyScales    &scales)
   {
     add_to_scales(next);
     const double size         = next.time - present.time;
@@ -164,16 +170,15 @@ namespace ThermoContact
         if (node_zero <= resolution || (s.value(0.) == 0. && node_zero < 1e-9))
           node_zero = 0.;
         const bool starts_here =
-          node_zero == 0. ||
-          (node_zero < 0.1 && s.slope(0.) < 0. &&
-           is_near(s.value(0.), s.slope(0.) / size, momentum));
+          node_zero == 0. || (node_zero < 0.1 && s.slope(0.) < 0. &&
+                              is_near(s.value(0.), s.slope(0.) / size, scales));
         starts_near |= starts_here;
         all_start &= starts_here;
         if (node_zero < zero ||
             (zero == infinity && s1 < margin(next, node).value(1.)))
           node = i;
         zero                    = std::min(zero, node_zero);
-        const bool is_node_near = is_near(s1, s.slope(1.) / size, momentum);
+        const bool is_node_near = is_near(s1, s.slope(1.) / size, scales);
         ends_near &= s1 >= 0. || is_node_near;
         is_near_zero |= is_node_near;
         all_change &= s1 < 0. || is_node_near;

@@ -263,16 +263,15 @@ namespace ThermoContact
     EventLocator::Finding finding;
     if (is_prescribed_step())
       event_locator.hold_nothing();
-    const ContactMode mode = event_locator.mode();
+    const ContactMode mode       = event_locator.mode();
+    const double      mechanical = std::max({error_norm.mechanical_energy(),
+                                             result.energy.elastic,
+                                             result.energy.kinetic});
     if (mode != ContactMode::unilateral)
-      finding =
-        event_locator.examine(contact_values,
-                              time_step.target == TimeStep::event,
-                              std::sqrt(
-                                2. * parameters_.model.inertia *
-                                std::max({error_norm.mechanical_energy(),
-                                          result.energy.elastic,
-                                          result.energy.kinetic})));
+      finding = event_locator.examine(
+        contact_values,
+        time_step.target == TimeStep::event,
+        {mechanical, std::sqrt(2. * parameters_.model.inertia * mechanical)});
 
     const bool is_rigid = law.compliance == 0.;
     if (finding.kind == EventLocator::Finding::at_start &&

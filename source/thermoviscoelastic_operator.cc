@@ -6,6 +6,8 @@
 
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <Epetra_CrsMatrix.h>
+
 namespace ThermoContact
 {
   namespace
@@ -23,22 +25,32 @@ namespace ThermoContact
               const IndexSet               &skipped,
               SparseMatrix                 &target)
     {
+      // deal.II's iterators set up arrays of the whole width at each row.
+      const Epetra_CrsMatrix              &source = block.trilinos_matrix();
       std::vector<types::global_dof_index> columns;
       std::vector<double>                  values;
-      for (const types::global_dof_index row :
-           block.locally_owned_range_indices())
+      for (int local_row = 0; local_row < source.NumMyRows(); ++local_row)
         {
+          const types::global_dof_index row = source.RowMap().GID64(local_row);
           if (skipped.is_element(row))
             continue;
+          int     n_entries   = 0;
+          double *row_values  = nullptr;
+          int    *row_columns = nullptr;
+          source.ExtractMyRowView(local_row,
+                                  n_entries,
+                                  row_values,
+                                  row_columns);
           columns.clear();
           values.clear();
           // On several ranks Trilinos adds zero entries of its own to the
           // pattern of a block, which the whole matrix does not have.
-          for (auto entry = block.begin(row); entry != block.end(row); ++entry)
-            if (entry->value() != 0.)
+          for (int i = 0; i < n_entries; ++i)
+            if (row_values[i] != 0.)
               {
-                columns.push_back(entry->column() + column_offset);
-                values.push_back(factor * entry->value());
+                columns.push_back(source.ColMap().GID64(row_columns[i]) +
+                                  column_offset);
+                values.push_back(factor * row_values[i]);
               }
           target.add(row + row_offset,
                      columns.size(),

@@ -150,7 +150,8 @@ namespace
        const bool                 is_aimed,
        std::vector<ContactEvent> &events)
   {
-    const EventLocator::Finding finding = locator.examine(next, is_aimed, 1.);
+    const EventLocator::Finding finding =
+      locator.examine(next, is_aimed, {1., 1.});
     deallog << "  to " << next.time << (is_aimed ? ", aimed: " : ": ");
     switch (finding.kind)
       {
