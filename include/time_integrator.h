@@ -37,6 +37,15 @@ namespace ThermoContact
     virtual ~TimeIntegrator() = default;
 
     /**
+     * Makes the initial state one of the scheme; most take it as it is.
+     *
+     * @throw ComputationError if that fails
+     */
+    virtual void
+    start(State &)
+    {}
+
+    /**
      * One step with all equations solved.
      *
      * @param old_energy $\hat E$ of @p state
@@ -65,9 +74,10 @@ namespace ThermoContact
      * @throw ComputationError if the heat matrix cannot be factorised
      */
     virtual void
-    prescribed_step(const State    &state,
-                    const TimeStep &time_step,
-                    StepResult     &result) = 0;
+    prescribed_step(const State &, const TimeStep &, StepResult &)
+    {
+      Assert(false, dealii::ExcNotImplemented());
+    }
 
     /** What was spent beside the step solver. */
     const SolverCounters &

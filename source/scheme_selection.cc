@@ -4,6 +4,7 @@
 
 #include "butcher_tableau.h"
 #include "dirk_integrator.h"
+#include "energy_conserving_integrator.h"
 #include "fixed_point_solver.h"
 #include "stage_solver.h"
 
@@ -38,6 +39,14 @@ namespace ThermoContact
                        Loads<dim>                            &loads,
                        StepSolver                            &step_solver)
   {
+    if (parameters.time.is_energy_conserving())
+      return std::make_unique<EnergyConservingIntegrator<dim>>(
+        discretization,
+        stage_operator,
+        energy,
+        law,
+        loads,
+        dynamic_cast<StageSolver<dim> &>(step_solver));
     return std::make_unique<DirkIntegrator<dim>>(discretization,
                                                  stage_operator,
                                                  energy,

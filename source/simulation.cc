@@ -89,6 +89,7 @@ namespace ThermoContact
     if (discretization_.has_field(1) && parameters_.model.inertia == 0.)
       complete_quasi_static_state(
         parameters_.model, discretization_, operator_, law, loads, state_);
+    integrator->start(state_);
     data.set_time(0.);
     measurements.measure(state_, data, record_);
     record_.energy_terms = energy_.energy(state_);
