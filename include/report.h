@@ -22,13 +22,15 @@ namespace ThermoContact
 
 
 
-  /** The fields that a scene has. */
-  std::vector<std::string>
-  scene_fields(const ModelParameters &model);
-
-  /** The terms that a scene contains, in words. */
-  std::vector<std::string>
-  scene_terms(const Parameters &parameters);
+  /**
+   * Prints the warnings after the first @p n_reported.
+   *
+   * @return their number
+   */
+  unsigned int
+  report_warnings(const std::vector<std::string> &warnings,
+                  const unsigned int              n_reported,
+                  Log                            &log);
 
   /** Prints what is going to be computed, and the warnings so far. */
   template <int dim>

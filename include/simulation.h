@@ -11,6 +11,7 @@
 #include "contact_transition.h"
 #include "discretization.h"
 #include "energy.h"
+#include "energy_watch.h"
 #include "error_norm.h"
 #include "event_locator.h"
 #include "loads.h"
@@ -172,6 +173,7 @@ namespace ThermoContact
     ContactTransition<dim>                transition;
     StepController                        controller;
     ErrorNorm                             error_norm;
+    EnergyWatch                           energy_watch;
     EventLocator                          event_locator;
 
     State                     state_;

@@ -4,6 +4,7 @@
 #define thermocontact_step_controller_h
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "parameters.h"
@@ -20,6 +21,17 @@ namespace ThermoContact
     const char *reason       = ""; ///< why it ends there or was rejected
     double      wall_seconds = 0.;
   };
+
+
+
+  /**
+   * Why error-controlled steps end, and what to try.
+   *
+   * @param attempt the last one
+   * @param failure why it could not be computed, or empty
+   */
+  std::string
+  describe_exhaustion(const StepAttempt &attempt, const std::string &failure);
 
 
 

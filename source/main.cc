@@ -84,8 +84,11 @@ namespace ThermoContact
       Output<dim> output(directory, simulation);
       simulation.add_observer(
         [&](const Simulation<dim> &s) { output.observe(s); });
-      simulation.add_observer(
-        [&](const Simulation<dim> &s) { report_progress(s, log); });
+      unsigned int n_reported = simulation.warnings().size();
+      simulation.add_observer([&](const Simulation<dim> &s) {
+        n_reported = report_warnings(s.warnings(), n_reported, log);
+        report_progress(s, log);
+      });
 
       RunTimes times;
       times.set_up            = since_start.wall_time();

@@ -15,28 +15,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    /** Why error-controlled steps end, and what to try. */
-    std::string
-    describe_exhaustion(const StepAttempt &attempt, const std::string &failure)
-    {
-      std::ostringstream message;
-      message << "no step is accepted, the last one tried had size "
-              << attempt.size << ": ";
-      if (failure.empty())
-        message << "its error is " << attempt.error
-                << " times the tolerance (1 is allowed, 0.2 after an event)"
-                   "\n  remedy:  a smaller Time/Minimum step size, a larger "
-                   "Time/Tolerance, or loads without jumps";
-      else
-        message << failure;
-      return message.str();
-    }
-  } // namespace
-
-
-
   template <int dim>
   Simulation<dim>::Simulation(const Parameters &parameters,
                               const MPI_Comm    communicator)
@@ -59,6 +37,7 @@ namespace ThermoContact
     , transition(discretization_, operator_, energy_, law, has_contact_mass())
     , controller(parameters, order_of(parameters.time))
     , error_norm(energy_.steady_profile_energy())
+    , energy_watch(parameters.time, energy_.has_work())
     , event_locator(law,
                     law.is_active && parameters.time.locates_contact_events(),
                     !parameters.model.is_static(),
@@ -100,6 +79,7 @@ namespace ThermoContact
                        "\n  allowed: expressions that are finite, with their "
                        "gradients, in the whole body");
     error_norm.add(record_.energy_terms);
+    energy_watch.start(record_.energy_terms);
     get_contact_values(state_, contact_values);
     event_locator.start(contact_values, events_);
     max_penetration_   = record_.penetration;
@@ -365,10 +345,18 @@ namespace ThermoContact
     error_norm.add(result.energy);
     max_penetration_   = std::max(max_penetration_, record_.penetration);
     max_contact_force_ = std::max(max_contact_force_, record_.contact_force);
-    if (!result.is_prescribed)
-      max_energy_increase_ =
-        std::max(max_energy_increase_,
-                 record_.energy - old_record.energy - result.work);
+    if (result.is_prescribed)
+      {
+        energy_watch.start(record_.energy_terms);
+        return;
+      }
+    max_energy_increase_ =
+      std::max(max_energy_increase_,
+               record_.energy - old_record.energy - result.work);
+    const std::string warning =
+      energy_watch.add(record_.step, record_.time, record_.energy_terms);
+    if (!warning.empty())
+      warnings_.push_back(warning);
   }
 
 

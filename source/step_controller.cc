@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace ThermoContact
 {
@@ -39,6 +40,24 @@ namespace ThermoContact
         default:
           return "ok";
       }
+  }
+
+
+
+  std::string
+  describe_exhaustion(const StepAttempt &attempt, const std::string &failure)
+  {
+    std::ostringstream message;
+    message << "no step is accepted, the last one tried had size "
+            << attempt.size << ": ";
+    if (failure.empty())
+      message << "its error is " << attempt.error
+              << " times the tolerance (1 is allowed, 0.2 after an event)"
+                 "\n  remedy:  a smaller Time/Minimum step size, a larger "
+                 "Time/Tolerance, or loads without jumps";
+    else
+      message << failure;
+    return message.str();
   }
 
 
