@@ -75,6 +75,10 @@ namespace ThermoContact
                   const State               &state,
                   std::vector<std::string>  &warnings)
     {
+      if (law.is_active && law.gap < 0.)
+        warnings.push_back("Contact/Gap = " + std::to_string(law.gap) +
+                           ": negative, the obstacle presses the body from the "
+                           "start (preload)");
       if (!law.is_active || parameters.model.is_static())
         return; // what is static is in equilibrium with the obstacle
       std::vector<double> displacement, velocity;
