@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 
 #include "exceptions.h"
@@ -216,17 +216,27 @@ namespace ThermoContact
     if (record.step == 0 ||
         tenths(record.time) == tenths(record.time - record.step_size))
       return;
-    char line[160];
-    std::snprintf(line,
-                  sizeof(line),
-                  "  %3u %%   t = %-10.6g  u(1) = %-12.6g  gap = %-12.6g  "
-                  "force = %.6g",
-                  10 * tenths(record.time),
-                  record.time,
-                  record.displacement_end,
-                  record.gap,
-                  record.contact_force);
-    log.line(line);
+    std::string line = text("  ",
+                            std::setw(3),
+                            10 * tenths(record.time),
+                            " %   t = ",
+                            std::setw(10),
+                            std::left,
+                            record.time);
+    const auto  add  = [&line](const char *name, const double value) {
+      line += text("  ", name, " = ", std::setw(12), std::left, value);
+    };
+    const Parameters &parameters = simulation.parameters();
+    if (parameters.model.has_displacement())
+      add("u(1)", record.displacement_end);
+    if (parameters.contact_law().is_active)
+      {
+        add("gap", record.gap);
+        add("force", record.contact_force);
+      }
+    if (parameters.model.has_temperature())
+      add("theta(1)", record.temperature_end);
+    log.line(line.substr(0, line.find_last_not_of(' ') + 1));
   }
 
 
@@ -237,17 +247,24 @@ namespace ThermoContact
                 const RunTimes        &times,
                 Log                   &log)
   {
-    const StepRecord    &record   = simulation.record();
-    const SolverCounters counters = simulation.counters();
-    log.line("  contact   " + join_events(simulation) +
-             text(", impulse ", record.contact_impulse));
-    log.line(text("  final     u(1) = ",
-                  record.displacement_end,
-                  ", theta(1) = ",
-                  record.temperature_end,
-                  ", force ",
-                  record.contact_force,
-                  record.in_contact ? ", in contact" : ", open"));
+    const StepRecord    &record      = simulation.record();
+    const SolverCounters counters    = simulation.counters();
+    const Parameters    &parameters  = simulation.parameters();
+    const bool           has_contact = parameters.contact_law().is_active;
+    if (has_contact)
+      log.line("  contact   " + join_events(simulation) +
+               text(", impulse ", record.contact_impulse));
+    std::string final_state;
+    if (parameters.model.has_displacement())
+      final_state = text("u(1) = ", record.displacement_end);
+    if (parameters.model.has_temperature())
+      final_state += text(
+        final_state.empty() ? "" : ", ", "theta(1) = ", record.temperature_end);
+    if (has_contact)
+      final_state += text(", force ",
+                          record.contact_force,
+                          record.in_contact ? ", in contact" : ", open");
+    log.line("  final     " + final_state);
     log.line(text("  energy    ",
                   record.energy,
                   ", dissipated ",
