@@ -22,8 +22,9 @@ namespace ThermoContact
    *
    * One stage of length $\Delta t/2$, whose matrix and factorisation are those
    * of other schemes. The contact nodes have no mass and carry elastic and
-   * thermal stress alone, so that they are in equilibrium at every time level.
-   * Their velocity is the mean one of the step.
+   * thermal stress alone, so that they are in equilibrium at every time level,
+   * as the caller has put them in the initial state. Their velocity is the mean
+   * one of the step.
    */
   template <int dim>
   class EnergyConservingIntegrator : public TimeIntegrator
@@ -37,10 +38,6 @@ namespace ThermoContact
       const ContactLaw                      &law,
       Loads<dim>                            &loads,
       StageSolver<dim>                      &stage_solver);
-
-    /** Puts the contact nodes into equilibrium, (M.40). */
-    void
-    start(State &state) override;
 
     void
     step(const State      &state,
@@ -69,14 +66,15 @@ namespace ThermoContact
 
     std::vector<double> old_free_position; ///< $s$ at the beginning
     std::vector<double> free_position;     ///< $s$ at the end
-
-    /** $S$ between the contact nodes. */
-    FullMatrix<double>
-    contact_stiffness() const;
+    std::vector<double> mean_load; ///< on the contact nodes, of both ends
 
     /** Computes $X$ and what goes with it. */
     void
     set_up_contact();
+
+    /** Work of loads and of heat that drives the body, (M.25). */
+    double
+    work(const double size, const State &new_state);
 
     /** Load on the contact nodes at @p time, per weight. */
     std::vector<double>

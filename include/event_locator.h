@@ -74,7 +74,7 @@ namespace ThermoContact
   struct BodyScales
   {
     double energy   = 0.; ///< largest elastic or kinetic energy E
-    double momentum = 0.; ///< $\sqrt{2bE}$
+    double momentum = 0.; ///< $\sqrt{2bE}$; 0 if contact nodes have no mass
   };
 
 
@@ -187,6 +187,13 @@ namespace ThermoContact
     accept(const ContactValues       &next,
            const Finding             &finding,
            std::vector<ContactEvent> &events);
+
+    /** The state that was accepted last was computed anew. */
+    void
+    set_present(const ContactValues &values)
+    {
+      present = values;
+    }
 
   private:
     const ContactLaw law;

@@ -340,11 +340,25 @@ namespace ThermoContact
     /**
      * True if the contact nodes have no mass, doc/model.md (M.34): where the
      * viscosity does not damp the oscillations of one node on its obstacle,
-     * $\zeta/\sqrt b$ below the spacing of the nodes, and if the scheme needs
-     * it.
+     * $\zeta/\sqrt b$ below the spacing of the nodes; on a rigid obstacle that
+     * several nodes meet one by one; and if the scheme needs it.
      */
     bool
     has_massless_contact() const;
+
+    /** True if the contact nodes have momentum. */
+    bool
+    has_contact_mass() const
+    {
+      return model.inertia > 0. && !has_massless_contact();
+    }
+
+    /**
+     * True if the contact nodes are in equilibrium at all times, since they, or
+     * the whole body, have neither mass nor viscous stress.
+     */
+    bool
+    has_contact_equilibrium() const;
 
     /** True if the first step has the prescribed velocity of the paper. */
     bool

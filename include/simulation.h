@@ -192,16 +192,14 @@ namespace ThermoContact
     void
     set_initial_state();
 
-    /** True if the contact nodes have momentum. */
-    bool
-    has_contact_mass() const;
-
     /** True if the step that is due is the first one of the paper. */
     bool
     is_prescribed_step() const;
 
     void
-    compute_step(const TimeStep &time_step, StepResult &result);
+    compute_step(const TimeStep   &time_step,
+                 const ContactMode mode,
+                 StepResult       &result);
 
     /**
      * The error of a step relative to the tolerance. Impacts of nodes on a
@@ -235,6 +233,19 @@ namespace ThermoContact
 
     void
     get_contact_values(const State &state, ContactValues &values) const;
+
+    /**
+     * Makes the end of a step a state that the next one can start from: a rigid
+     * obstacle takes velocity away; where the contact nodes are in equilibrium,
+     * a step that ends with an event is taken once more with the contact law.
+     *
+     * @param mode of the step
+     */
+    void
+    finish_contact(const TimeStep   &time_step,
+                   const ContactMode mode,
+                   const bool        has_event,
+                   StepResult       &result);
 
     void
     accept(const TimeStep &time_step, StepResult &result);

@@ -32,15 +32,15 @@ namespace ThermoContact
     /**
      * Solves (M.15) without contact.
      *
-     * @param heat_rhs,momentum_rhs its right-hand side; the latter may be
+     * @param heat_rhs,momentum_rhs its right-hand side; both may be
      *   changed
      * @param temperature_rate,velocity out: $\theta'$, $v$
      */
     void
-    solve(const Vector &heat_rhs,
-          Vector       &momentum_rhs,
-          Vector       &temperature_rate,
-          Vector       &velocity);
+    solve(Vector &heat_rhs,
+          Vector &momentum_rhs,
+          Vector &temperature_rate,
+          Vector &velocity);
 
     double
     tau() const

@@ -107,7 +107,9 @@ namespace ThermoContact
     momentum_stage_matrix(const double tau) const;
 
     /**
-     * The whole stage matrix (M.15) in the numbering of the whole system.
+     * The whole stage matrix in the numbering of the whole system, of a scene
+     * with thermal stress: (M.15) for the unknowns $(\tau\theta',v)$ with its
+     * first row times $\tau$.
      */
     SparseMatrix
     stage_matrix(const double tau) const;

@@ -37,15 +37,6 @@ namespace ThermoContact
     virtual ~TimeIntegrator() = default;
 
     /**
-     * Makes the initial state one of the scheme; most take it as it is.
-     *
-     * @throw ComputationError if that fails
-     */
-    virtual void
-    start(State &)
-    {}
-
-    /**
      * One step with all equations solved.
      *
      * @param old_energy $\hat E$ of @p state

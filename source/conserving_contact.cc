@@ -82,7 +82,7 @@ namespace ThermoContact
         // end = x > 0: p = x^2 / (2e (x - start)) = (free_end - x) / (2r)
         const double half = 0.5 * e * (free_end + start);
         const double root =
-          std::sqrt(half * half - (r + e) * e * free_end * start);
+          std::hypot(half, std::sqrt((r + e) * e * free_end * -start));
         const double x = half > 0. ? (half + root) / (r + e) :
                                      -e * free_end * start / (root - half);
         return x * x / (2. * e * (x - start));
@@ -93,7 +93,7 @@ namespace ThermoContact
     // end < 0: 2e p (start - end) = start^2, end = free_end - 2r p
     const double half = e * (start - free_end);
     return start * start /
-           (half + std::sqrt(half * half + 4. * e * r * start * start));
+           (half + std::hypot(half, 2. * std::sqrt(e * r) * start));
   }
 
 
@@ -113,7 +113,9 @@ namespace ThermoContact
 
     // Where nodes change together, the set that follows is that of a point a
     // little further on; what is wrong up to there is of second order in it.
-    const double           peep = 1e-10;
+    // Nodes that move within rounding are not seen to change: then further on.
+    const double           smallest_peep = 1e-10;
+    double                 peep          = smallest_peep;
     std::vector<double>    s(n), pressure(n, 0.);
     dealii::Vector<double> begin(n), slope(n), p(n), change(n);
     for (double xi = 0.; xi < 1.;)
@@ -157,7 +159,8 @@ namespace ThermoContact
         for (unsigned int i = 0; i < n; ++i)
           mean[i] += length * (p(i) + 0.5 * length * change(i));
         derivative.add(0.5 * (next * next - xi * xi), inverse);
-        xi = next;
+        peep = next > xi + peep ? smallest_peep : 2. * peep;
+        xi   = next;
       }
   }
 
@@ -193,6 +196,19 @@ namespace ThermoContact
         residual(i) = p[i] - mean[i];
       return residual.linfty_norm();
     };
+    // what the rounding of the displacements does to the pressures
+    const auto rounding = [&](const std::vector<double> &p) {
+      double size = 0.;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          double sum =
+            std::abs(law.gap) + std::abs(start[i]) + std::abs(free_end[i]);
+          for (unsigned int j = 0; j < n; ++j)
+            sum += 2. * std::abs(receptance(i, j) * p[j]);
+          size = std::max(size, sum);
+        }
+      return 1e-16 * (derivative.linfty_norm() * size + largest_entry(p));
+    };
     double norm = evaluate(pressure);
     for (unsigned int iteration = 1; iteration <= 50; ++iteration)
       {
@@ -218,9 +234,7 @@ namespace ThermoContact
               break;
           }
         // at the rounding of the displacements no step is an improvement
-        if (norm >= old_norm &&
-            old_norm <= 1e-10 * std::max(largest_entry(old_pressure),
-                                         largest_entry(mean)))
+        if (norm >= old_norm && old_norm <= 100. * rounding(old_pressure))
           {
             pressure = old_pressure;
             return iteration;

@@ -2,6 +2,7 @@
 
 #include "energy_conserving_integrator.h"
 
+#include "contact_equilibrium.h"
 #include "direct_solver.h"
 
 namespace ThermoContact
@@ -19,20 +20,6 @@ namespace ThermoContact
       return result;
     }
 
-
-
-    /** Receptance per unit pressure from a stiffness. */
-    template <int dim>
-    FullMatrix<double>
-    receptance_of(FullMatrix<double>                   stiffness,
-                  const std::vector<ContactNode<dim>> &nodes)
-    {
-      stiffness.gauss_jordan();
-      for (unsigned int i = 0; i < nodes.size(); ++i)
-        for (unsigned int j = 0; j < nodes.size(); ++j)
-          stiffness(i, j) *= nodes[j].weight;
-      return stiffness;
-    }
   } // namespace
 
 
@@ -64,34 +51,12 @@ namespace ThermoContact
 
 
   template <int dim>
-  FullMatrix<double>
-  EnergyConservingIntegrator<dim>::contact_stiffness() const
-  {
-    const unsigned int  n = discretization.contact_nodes().size();
-    FullMatrix<double>  matrix(n, n);
-    Vector              unit = discretization.make_vector(1), force(unit);
-    std::vector<double> values;
-    for (unsigned int j = 0; j < n; ++j)
-      {
-        unit = 0.;
-        for (const auto &[node, entry] : discretization.contact_entries(1))
-          unit.begin()[entry] = node == j ? 1. : 0.;
-        stage_operator.stiffness().vmult(force, unit);
-        discretization.contact_values(1, force, values);
-        for (unsigned int i = 0; i < n; ++i)
-          matrix(i, j) = values[i];
-      }
-    return matrix;
-  }
-
-
-
-  template <int dim>
   void
   EnergyConservingIntegrator<dim>::set_up_contact()
   {
-    FullMatrix<double> stiffness = contact_stiffness();
-    const unsigned int n         = stiffness.m();
+    FullMatrix<double> stiffness =
+      contact_stiffness(discretization, stage_operator);
+    const unsigned int n = stiffness.m();
     if (stage_operator.heating_coefficient() != 0.)
       {
         DirectSolver mass_solver(stage_operator.heat_stage_matrix(0.));
@@ -116,7 +81,7 @@ namespace ThermoContact
               stiffness(i, j) -= values[i];
           }
       }
-    receptance = receptance_of<dim>(stiffness, discretization.contact_nodes());
+    receptance = contact_receptance(discretization, stiffness);
     contact    = std::make_unique<ConservingContact>(law, receptance);
   }
 
@@ -132,39 +97,6 @@ namespace ThermoContact
     for (unsigned int i = 0; i < load.size(); ++i)
       load[i] /= discretization.contact_nodes()[i].weight;
     return load;
-  }
-
-
-
-  template <int dim>
-  void
-  EnergyConservingIntegrator<dim>::start(State &state)
-  {
-    if (!law.is_active)
-      return;
-    // The nodes have no mass, so that a stage of length 1 has the forces on
-    // them on its right-hand side.
-    loads.assemble(state.time, heat_load, momentum_load);
-    Vector heat_rhs(heat_load), force(momentum_load);
-    stage_operator.stage_rhs(
-      state, 1., heat_load, momentum_load, heat_rhs, force);
-    std::vector<double> s, stress;
-    discretization.contact_values(1, state.displacement, s);
-    discretization.contact_values(1, force, stress);
-    for (unsigned int i = 0; i < stress.size(); ++i)
-      stress[i] /= discretization.contact_nodes()[i].weight;
-
-    // the temperature is given: the receptance without its response
-    const FullMatrix<double> isothermal =
-      receptance_of<dim>(contact_stiffness(), discretization.contact_nodes());
-    const std::vector<double> shift = product(isothermal, stress);
-    for (unsigned int i = 0; i < s.size(); ++i)
-      s[i] += shift[i];
-    ConservingContact(law, isothermal).equilibrium(s, state.contact_pressure);
-    const std::vector<double> loss =
-      product(isothermal, state.contact_pressure);
-    for (const auto &[node, entry] : discretization.contact_entries(1))
-      state.displacement.begin()[entry] = s[node] - loss[node];
   }
 
 
@@ -189,11 +121,15 @@ namespace ThermoContact
       }
     if (loads.has_sources())
       {
-        std::vector<double>       curvature = contact_load(time_step.end);
-        const std::vector<double> old_load  = contact_load(state.time);
-        const std::vector<double> load      = contact_load(midpoint.time);
+        mean_load                          = contact_load(time_step.end);
+        const std::vector<double> old_load = contact_load(state.time);
+        const std::vector<double> load     = contact_load(midpoint.time);
+        std::vector<double>       curvature(n);
         for (unsigned int i = 0; i < n; ++i)
-          curvature[i] += old_load[i] - 2. * load[i];
+          {
+            mean_load[i] = 0.5 * (mean_load[i] + old_load[i]);
+            curvature[i] = 2. * (mean_load[i] - load[i]);
+          }
         const std::vector<double> shift = product(receptance, curvature);
         for (unsigned int i = 0; i < n; ++i)
           free_position[i] += shift[i];
@@ -249,6 +185,26 @@ namespace ThermoContact
 
 
   template <int dim>
+  double
+  EnergyConservingIntegrator<dim>::work(const double size,
+                                        const State &new_state)
+  {
+    // Contact nodes are in equilibrium with the loads at both ends of the step,
+    // whose mean works on the way from one to the other.
+    if (law.is_active)
+      for (const auto &[node, entry] : discretization.contact_entries(1))
+        {
+          midpoint.velocity.begin()[entry] = new_state.velocity.begin()[entry];
+          if (loads.has_sources())
+            momentum_load.begin()[entry] =
+              discretization.contact_nodes()[node].weight * mean_load[node];
+        }
+    return size * energy.work_rate(heat_load, momentum_load, midpoint);
+  }
+
+
+
+  template <int dim>
   void
   EnergyConservingIntegrator<dim>::step(const State    &state,
                                         const double    old_energy,
@@ -280,12 +236,9 @@ namespace ThermoContact
     result.n_iterations  = rates.n_iterations;
     result.is_prescribed = false;
     result.dissipation   = size * energy.dissipation_rate(midpoint);
-    result.work =
-      energy.has_work() ?
-        size * energy.work_rate(heat_load, momentum_load, midpoint) :
-        0.;
-    result.impulse = size * discretization.contact_mean(rates.pressure);
-    result.energy  = energy.energy(result.state);
+    result.work          = energy.has_work() ? work(size, result.state) : 0.;
+    result.impulse       = size * discretization.contact_mean(rates.pressure);
+    result.energy        = energy.energy(result.state);
     result.numerical_dissipation =
       old_energy - result.energy.sum() + result.work - result.dissipation;
   }

@@ -203,7 +203,19 @@ namespace ThermoContact
     if (contact.massless_nodes != "automatic")
       return contact.massless_nodes == "on";
     return time.is_energy_conserving() ||
+           (dimension > 1 && contact.is_rigid()) ||
            model.viscosity < std::sqrt(model.inertia) * mesh.contact_spacing();
+  }
+
+
+
+  bool
+  Parameters::has_contact_equilibrium() const
+  {
+    const bool has_viscous_stress =
+      model.viscosity > 0. && !time.is_energy_conserving();
+    return contact_law().is_active && !has_contact_mass() &&
+           !has_viscous_stress;
   }
 
 

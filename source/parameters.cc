@@ -114,7 +114,8 @@ namespace ThermoContact
                       "The mass of the contact nodes is moved to their "
                       "neighbours, for impacts without oscillations; "
                       "automatic: where the viscosity is small against the "
-                      "mesh, and for the scheme energy conserving.",
+                      "mesh, on a rigid obstacle if Dimension > 1, and for the "
+                      "scheme energy conserving.",
                       Selection("automatic|on|off"));
     prm.leave_subsection();
   }

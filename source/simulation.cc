@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 
+#include "contact_equilibrium.h"
 #include "exceptions.h"
 #include "initial_state.h"
 #include "quasi_static_start.h"
@@ -34,7 +35,11 @@ namespace ThermoContact
                                       parameters,
                                       loads,
                                       *step_solver))
-    , transition(discretization_, operator_, energy_, law, has_contact_mass())
+    , transition(discretization_,
+                 operator_,
+                 energy_,
+                 law,
+                 parameters_.has_contact_mass())
     , controller(parameters, order_of(parameters.time))
     , error_norm(energy_.steady_profile_energy())
     , energy_watch(parameters.time, energy_.has_work())
@@ -68,7 +73,8 @@ namespace ThermoContact
     if (discretization_.has_field(1) && parameters_.model.inertia == 0.)
       complete_quasi_static_state(
         parameters_.model, discretization_, operator_, law, loads, state_);
-    integrator->start(state_);
+    else if (parameters_.has_contact_equilibrium())
+      settle_contact_nodes(discretization_, operator_, law, loads, state_);
     data.set_time(0.);
     measurements.measure(state_, data, record_);
     record_.energy_terms = energy_.energy(state_);
@@ -129,16 +135,6 @@ namespace ThermoContact
 
   template <int dim>
   bool
-  Simulation<dim>::has_contact_mass() const
-  {
-    return parameters_.model.inertia > 0. &&
-           !parameters_.has_massless_contact();
-  }
-
-
-
-  template <int dim>
-  bool
   Simulation<dim>::is_prescribed_step() const
   {
     return record_.step == 0 && parameters_.has_prescribed_start();
@@ -148,15 +144,16 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Simulation<dim>::compute_step(const TimeStep &time_step, StepResult &result)
+  Simulation<dim>::compute_step(const TimeStep   &time_step,
+                                const ContactMode mode,
+                                StepResult       &result)
   {
     try
       {
         if (is_prescribed_step())
           integrator->prescribed_step(state_, time_step, result);
         else
-          integrator->step(
-            state_, record_.energy, time_step, event_locator.mode(), result);
+          integrator->step(state_, record_.energy, time_step, mode, result);
       }
     catch (const ComputationError &error)
       {
@@ -176,7 +173,8 @@ namespace ThermoContact
     if (!parameters_.time.has_error_control())
       return std::numeric_limits<double>::quiet_NaN();
     EnergyTerms error = result.error;
-    if (law.is_active && law.compliance == 0. && has_contact_mass() &&
+    if (law.is_active && law.compliance == 0. &&
+        parameters_.has_contact_mass() &&
         event_locator.mode() == ContactMode::unilateral &&
         result.n_iterations > 0) // a node was pushed back in some stage
       error.kinetic = 0.;
@@ -189,11 +187,11 @@ namespace ThermoContact
   bool
   Simulation<dim>::attempt(const TimeStep &time_step, StepResult &result)
   {
-    const auto begin = std::chrono::steady_clock::now();
-    compute_step(time_step, result);
+    const auto        begin = std::chrono::steady_clock::now();
+    const ContactMode mode  = event_locator.mode();
+    compute_step(time_step, mode, result);
 
-    const ContactMode mode = event_locator.mode();
-    StepAttempt       attempt{state_.time, time_step.size};
+    StepAttempt attempt{state_.time, time_step.size};
     if (!result.failure.empty())
       {
         attempt.reason = "failed";
@@ -252,16 +250,19 @@ namespace ThermoContact
       finding = event_locator.examine(
         contact_values,
         time_step.target == TimeStep::event,
-        {mechanical, std::sqrt(2. * parameters_.model.inertia * mechanical)});
+        {mechanical,
+         parameters_.has_contact_mass() ?
+           std::sqrt(2. * parameters_.model.inertia * mechanical) :
+           0.});
 
-    const bool is_rigid = law.compliance == 0.;
     if (finding.kind == EventLocator::Finding::at_start &&
         !finding.is_of_all_nodes)
       event_locator.hold_nothing();
     else if (finding.kind == EventLocator::Finding::at_start)
       {
         event_locator.switch_at_start(finding.time, events_);
-        if (is_rigid && event_locator.mode() == ContactMode::closed)
+        if (law.compliance == 0. && !parameters_.has_contact_equilibrium() &&
+            event_locator.mode() == ContactMode::closed)
           {
             transition.impact(state_,
                               record_.energy_terms,
@@ -282,19 +283,40 @@ namespace ThermoContact
       {
         event_locator.accept(contact_values, finding, events_);
         n_retakes = 0;
-        transition.finish_pressure(finding.kind ==
-                                       EventLocator::Finding::at_end &&
-                                     mode == ContactMode::open,
-                                   result);
-        if (is_rigid && mode != ContactMode::closed &&
-            event_locator.mode() == ContactMode::closed)
-          transition.impact(result.state,
-                            result.energy,
-                            result.impulse,
-                            result.numerical_dissipation);
+        finish_contact(time_step,
+                       mode,
+                       finding.kind == EventLocator::Finding::at_end,
+                       result);
         return true;
       }
     return false;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::finish_contact(const TimeStep   &time_step,
+                                  const ContactMode mode,
+                                  const bool        has_event,
+                                  StepResult       &result)
+  {
+    if (has_event && parameters_.has_contact_equilibrium())
+      {
+        compute_step(time_step, ContactMode::unilateral, result);
+        if (!result.failure.empty())
+          give_up(time_step, result.failure);
+        get_contact_values(result.state, contact_values);
+        event_locator.set_present(contact_values);
+        return;
+      }
+    transition.finish_pressure(has_event && mode == ContactMode::open, result);
+    if (law.compliance == 0. && mode != ContactMode::closed &&
+        event_locator.mode() == ContactMode::closed)
+      transition.impact(result.state,
+                        result.energy,
+                        result.impulse,
+                        result.numerical_dissipation);
   }
 
 

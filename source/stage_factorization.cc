@@ -33,16 +33,21 @@ namespace ThermoContact
 
   template <int dim>
   void
-  StageFactorization<dim>::solve(const Vector &heat_rhs,
-                                 Vector       &momentum_rhs,
-                                 Vector       &temperature_rate,
-                                 Vector       &velocity)
+  StageFactorization<dim>::solve(Vector &heat_rhs,
+                                 Vector &momentum_rhs,
+                                 Vector &temperature_rate,
+                                 Vector &velocity)
   {
     if (whole)
       {
+        // The unknowns of the whole matrix are tau theta' and v: pivots that
+        // mix rows would otherwise lose v beside the large theta' of short
+        // steps.
+        heat_rhs *= tau_;
         discretization.join(heat_rhs, momentum_rhs, system_rhs);
         whole->solve(system_rates, system_rhs);
         discretization.split(system_rates, temperature_rate, velocity);
+        temperature_rate /= tau_;
         return;
       }
     if (heat)

@@ -27,7 +27,7 @@ namespace ThermoContact
     : discretization(discretization)
     , stage_operator(stage_operator)
     , law(law)
-    , contact_solver(law)
+    , contact_solver({law.is_active, law.compliance, 0.})
     , max_factorizations(cache_size(discretization.dof_handler().n_dofs()))
     , heat_rhs(discretization.make_vector(0))
     , momentum_rhs(discretization.make_vector(1))
@@ -145,9 +145,11 @@ namespace ThermoContact
     bool reaches_obstacle = false;
     for (unsigned int i = 0; i < free_displacement.size(); ++i)
       {
+        // from the obstacle on: in contact the first term is small or zero,
+        // and the sum keeps the digits of the second in short stages
         free_displacement[i] =
-          known_displacement[i] + tau * free_displacement[i];
-        reaches_obstacle |= free_displacement[i] > law.gap;
+          (known_displacement[i] - law.gap) + tau * free_displacement[i];
+        reaches_obstacle |= free_displacement[i] > 0.;
       }
     if (mode == ContactMode::unilateral && !reaches_obstacle)
       return; // no node is pushed back: zero pressures solve (M.18)

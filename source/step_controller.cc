@@ -51,10 +51,11 @@ namespace ThermoContact
     message << "no step is accepted, the last one tried had size "
             << attempt.size << ": ";
     if (failure.empty())
-      message << "its error is " << attempt.error
-              << " times the tolerance (1 is allowed, 0.2 after an event)"
-                 "\n  remedy:  a smaller Time/Minimum step size, a larger "
-                 "Time/Tolerance, or loads without jumps";
+      message
+        << "its error is " << attempt.error
+        << " times the tolerance (1 is allowed, 0.2 after an event)"
+           "\n  remedy:  a larger Time/Tolerance, loads without jumps, or "
+           "a smaller Time/Minimum step size if one is given";
     else
       message << failure;
     return message.str();

@@ -129,6 +129,7 @@ namespace ThermoContact
   SparseMatrix
   ThermoviscoelasticOperator<dim>::stage_matrix(const double tau) const
   {
+    Assert(model.thermal_stress() != 0., ExcInternalError());
     TrilinosWrappers::SparsityPattern pattern(discretization.owned(),
                                               discretization.owned(),
                                               discretization.relevant(),
@@ -148,13 +149,13 @@ namespace ThermoContact
     const IndexSet none_of_momentum(discretization.n_displacement_dofs());
     add_block(heat_stage_matrix(tau), 1., 0, 0, none_of_heat, matrix);
     add_block(divergence(),
-              model.thermoelastic_heating(),
+              tau * model.thermoelastic_heating(),
               0,
               n,
               discretization.constrained(0),
               matrix);
     add_block(thermal_stress(),
-              -tau * tau * model.thermal_stress(),
+              -tau * model.thermal_stress(),
               n,
               0,
               discretization.constrained(1),

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_extremes_table_h
+#define thermocontact_extremes_table_h
+
+#include <algorithm>
+
+#include "refusals.h"
+#include "scene.h"
+
+namespace ThermoContact
+{
+  /** The schemes, with 15 steps of a body that soon touches the obstacle. */
+  inline std::vector<Overrides>
+  scheme_settings()
+  {
+    const Overrides fixed = {"Time/Step size=0.02", "Time/End time=0.3"};
+    return {Overrides{"Time/Scheme=backward euler"} + fixed,
+            Overrides{"Time/Scheme=backward euler", "Time/Start=consistent"} +
+              fixed,
+            Overrides{"Time/Scheme=sdirk2"} + fixed,
+            Overrides{"Time/Scheme=sdirk3"} + fixed,
+            Overrides{"Time/Scheme=sdirk4"} + fixed,
+            {"Time/Scheme=sdirk4", "Time/Tolerance=1e-4", "Time/End time=0.3"},
+            Overrides{"Time/Scheme=energy conserving"} + fixed};
+  }
+
+
+
+  inline Overrides
+  small_mesh()
+  {
+    return {"Mesh/Cells=4", "Mesh/Degree=3"};
+  }
+
+
+
+  /** One parameter at an end of its range, the others as in experiment 1. */
+  inline std::vector<Overrides>
+  ends_of_ranges()
+  {
+    std::vector<Overrides> ends;
+    const auto             add = [&](const std::string              &entry,
+                         const std::vector<std::string> &values) {
+      for (const std::string &value : values)
+        ends.push_back({entry + "=" + value});
+    };
+    add("Model/Coupling",
+        {"0", "1e-300", "0.017", "1", "10", "1e3", "-0.017", "-10"});
+    add("Model/Inertia", {"0", "4e-18", "1e-12", "1", "1e8"});
+    add("Model/Viscosity", {"0", "1e-12", "0.2", "1e6"});
+    add("Contact/Compliance", {"1e-14", "1e-8", "1", "1e12"});
+    add("Boundary/Heat exchange", {"0", "1e-12", "1e12"});
+    add("Contact/Gap", {"0", "1e-15", "1e30"});
+    add("Boundary/Fixed end temperature",
+        {"0", "1e-300", "-1e-300", "1e6", "-1e6"});
+    add("Model/Fields", {"temperature", "displacement"});
+    add("Model/Thermoelastic heating", {"false"});
+    add("Contact/Massless nodes", {"on", "off"});
+    add("Mesh/Mass matrix", {"lumped"});
+    ends.push_back({"Model/Inertia=0", "Model/Viscosity=0"});
+    ends.push_back({"Contact/Condition=rigid"});
+    ends.push_back({"Contact/Condition=none"});
+    return ends;
+  }
+
+
+
+  /** A gap that the body covers, unless the end of the range is a gap. */
+  inline Overrides
+  small_gap(const Overrides &overrides)
+  {
+    for (const std::string &o : overrides)
+      if (o.rfind("Contact/Gap", 0) == 0 || o == "Contact/Condition=none" ||
+          o == "Model/Fields=temperature")
+        return {};
+    return {"Contact/Gap=0.01"};
+  }
+
+
+
+  inline bool
+  has(const Overrides &overrides, const std::string &text)
+  {
+    return std::find(overrides.begin(), overrides.end(), text) !=
+           overrides.end();
+  }
+
+
+
+  /** False for what is refused, see Parameters::check() and unused_entries().
+   */
+  inline bool
+  is_possible(const Overrides &scene)
+  {
+    if (has(scene, "Model/Fields=temperature") &&
+        has(scene, "Time/Start=consistent"))
+      return false;
+    return !has(scene, "Time/Scheme=energy conserving") ||
+           !(has(scene, "Model/Inertia=0") ||
+             has(scene, "Contact/Massless nodes=off") ||
+             has(scene, "Mesh/Degree=1"));
+  }
+
+
+
+  inline void
+  add_ends(std::vector<Scene> &scenes)
+  {
+    for (const Overrides &end : ends_of_ranges())
+      for (const Overrides &scheme : scheme_settings())
+        if (is_possible(end + scheme))
+          scenes.push_back({join(end) + "; " + join(scheme),
+                            scheme + small_mesh() + small_gap(end) + end});
+  }
+
+
+
+  /** All combinations of ends of five parameters, each with one scheme. */
+  inline void
+  add_corners(std::vector<Scene> &scenes)
+  {
+    const std::vector<Overrides> schemes = scheme_settings();
+    unsigned int                 i       = 0;
+    for (const char *a : {"0", "1e3"})
+      for (const char *b : {"0", "4e-18", "1e8"})
+        for (const char *zeta : {"0", "1e6"})
+          for (const char *k : {"0", "1e12"})
+            for (const Overrides &contact :
+                 {Overrides{"Contact/Compliance=1e-14"},
+                  Overrides{"Contact/Compliance=1e12"},
+                  Overrides{"Contact/Condition=rigid"}})
+              {
+                const Overrides corner =
+                  Overrides{std::string("Model/Coupling=") + a,
+                            std::string("Model/Inertia=") + b,
+                            std::string("Model/Viscosity=") + zeta,
+                            std::string("Boundary/Heat exchange=") + k} +
+                  contact;
+                // 7 and 72 have no common divisor: all pairs come up
+                while (!is_possible(corner + schemes[i % 7]))
+                  ++i;
+                const Overrides &scheme = schemes[i++ % 7];
+                scenes.push_back(
+                  {join(corner) + "; " + join(scheme),
+                   scheme + small_mesh() + small_gap(corner) + corner});
+              }
+  }
+
+
+
+  inline void
+  add_meshes_and_times(std::vector<Scene> &scenes)
+  {
+    const std::vector<Overrides> meshes = {
+      {"Mesh/Cells=1", "Mesh/Degree=1"},
+      {"Mesh/Cells=1", "Mesh/Degree=20"},
+      {"Mesh/Cells=20", "Mesh/Degree=2", "Mesh/Grading=1e4"},
+      {"Mesh/Cells=20", "Mesh/Degree=2", "Mesh/Grading=1e-4"}};
+    for (const Overrides &mesh : meshes)
+      for (const Overrides &scheme : scheme_settings())
+        if (is_possible(mesh + scheme))
+          scenes.push_back({join(mesh) + "; " + join(scheme),
+                            scheme + mesh + Overrides{"Contact/Gap=0.01"}});
+    const Overrides long_mesh = {"Mesh/Cells=100000", "Mesh/Degree=1"};
+    scenes.push_back({"1e5 cells",
+                      long_mesh + Overrides{"Time/Scheme=sdirk2",
+                                            "Time/Step size=0.02",
+                                            "Time/End time=0.06"}});
+
+    for (const char *scheme :
+         {"backward euler", "sdirk2", "sdirk3", "sdirk4", "energy conserving"})
+      {
+        const Overrides body =
+          small_mesh() +
+          Overrides{"Contact/Gap=0.01", std::string("Time/Scheme=") + scheme};
+        const auto add = [&](const std::string &dt, const std::string &T) {
+          scenes.push_back(
+            {"dt = " + dt + ", T = " + T + ", " + scheme,
+             body + Overrides{"Time/Step size=" + dt, "Time/End time=" + T}});
+        };
+        add("0.3", "0.3");
+        add("0.07", "0.3");
+        add("1e-12", "2e-11");
+        add("0.02", "0");
+      }
+  }
+
+
+
+  /** Steps and times so long that nothing but the steady state is left. */
+  inline void
+  add_steady(std::vector<Scene> &scenes)
+  {
+    const std::vector<Overrides> obstacles = {{"Contact/Gap=0.01"},
+                                              {"Contact/Gap=-0.01"},
+                                              {"Contact/Gap=0.2"},
+                                              {"Contact/Condition=rigid"},
+                                              {"Contact/Condition=none"}};
+    const auto add = [&](const std::string &name, const Overrides &overrides) {
+      for (const Overrides &obstacle : obstacles)
+        {
+          scenes.push_back({name + "; " + join(obstacle),
+                            small_mesh() + overrides + obstacle});
+          scenes.back().ends_steady = true;
+          scenes.back().max_steps   = 10000;
+        }
+    };
+    for (const char *scheme : {"backward euler", "sdirk2", "sdirk3", "sdirk4"})
+      {
+        const Overrides time  = {std::string("Time/Scheme=") + scheme,
+                                 "Time/Start=consistent",
+                                 "Time/Step size=1e6"};
+        const Overrides start = scheme == std::string("backward euler") ?
+                                  time :
+                                  Overrides{time[0], time[2]};
+        add("one step of 1e6, " + start[0],
+            start + Overrides{"Time/End time=1e6"});
+        add("20 steps of 1e6, " + start[0],
+            start + Overrides{"Time/End time=2e7"});
+      }
+    add("T = 1e6, error control", {"Time/Tolerance=1e-4", "Time/End time=1e6"});
+  }
+
+
+
+  inline void
+  add_two_dimensional(std::vector<Scene> &scenes)
+  {
+    const Overrides              body     = {"Dimension=2",
+                                             "Mesh/Cells=4",
+                                             "Mesh/Cells across=2",
+                                             "Mesh/Degree=2",
+                                             "Mesh/Width=0.5",
+                                             "Contact/Gap=0.01"};
+    const std::vector<Overrides> settings = {
+      {},
+      {"Model/Poisson ratio=0.49", "Boundary/Lateral support=free"},
+      {"Model/Poisson ratio=-0.9", "Boundary/Lateral support=free"},
+      {"Contact/Condition=rigid", "Boundary/Lateral support=free"},
+      {"Contact/Compliance=1e-14",
+       "Model/Poisson ratio=0.3",
+       "Boundary/Lateral support=free",
+       "Initial values/Velocity=5*x*(1+sin(5*y));x*y"},
+      {"Contact/Condition=rigid",
+       "Boundary/Lateral support=free",
+       "Initial values/Velocity=5*x*(1+sin(5*y));x*y"}};
+    for (const Overrides &setting : settings)
+      for (const Overrides &scheme : scheme_settings())
+        if (scheme[0] != "Time/Scheme=backward euler" ||
+            scheme[1] == "Time/Start=consistent")
+          scenes.push_back({"2-D " + join(setting) + "; " + join(scheme),
+                            scheme + body + setting});
+  }
+
+
+
+  inline void
+  add_warnings(std::vector<Scene> &scenes)
+  {
+    for (const Overrides &scheme : scheme_settings())
+      {
+        const Overrides base = scheme + small_mesh();
+        scenes.push_back({"preload; " + join(scheme),
+                          base + Overrides{"Contact/Gap=-0.05"},
+                          Scene::warns,
+                          "initial pressure 5"});
+        scenes.push_back({"u_0(1) beyond the gap; " + join(scheme),
+                          base + Overrides{"Initial values/Displacement=0.2*x"},
+                          Scene::warns,
+                          "initial pressure 10"});
+        scenes.push_back({"corner layer; " + join(scheme),
+                          base + Overrides{"Initial values/Temperature=5"},
+                          Scene::warns,
+                          "corner layer"});
+      }
+  }
+
+
+
+  /** Every scene that is written down, as opposed to drawn. */
+  inline std::vector<Scene>
+  table_scenes()
+  {
+    std::vector<Scene> scenes;
+    add_ends(scenes);
+    add_corners(scenes);
+    add_meshes_and_times(scenes);
+    add_steady(scenes);
+    add_two_dimensional(scenes);
+    add_warnings(scenes);
+    add_refusals(scenes);
+    return scenes;
+  }
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_extremes_variations_h
+#define thermocontact_extremes_variations_h
+
+#include <iomanip>
+
+#include "butcher_tableau.h"
+#include "checks.h"
+#include "exceptions.h"
+
+namespace ThermoContact
+{
+  /** What a run leaves for comparison. */
+  struct RunResult
+  {
+    enum Status
+    {
+      done,
+      enough, ///< ended by EnoughSteps
+      stopped ///< ComputationError
+    };
+
+    Status                        status = done;
+    std::string                   message;
+    std::map<std::string, double> failures;
+    Scales                        scales;
+    StepRecord                    last;
+    std::vector<ContactEvent>     events;
+    std::vector<std::string>      warnings;
+    bool                          has_contact = false;
+    double                        growth      = 0.;
+  };
+
+
+
+  /** @throw InputError if the scene is refused. */
+  template <int dim>
+  RunResult
+  run_scene(const Parameters &parameters, const unsigned int max_steps)
+  {
+    RunResult       result;
+    StepChecks<dim> checks(max_steps);
+    Simulation<dim> simulation(parameters, MPI_COMM_SELF);
+    simulation.add_observer(
+      [&checks](const Simulation<dim> &s) { checks.observe(s); });
+    try
+      {
+        simulation.run();
+      }
+    catch (const EnoughSteps &)
+      {
+        result.status = RunResult::enough;
+      }
+    catch (const ComputationError &error)
+      {
+        result.status  = RunResult::stopped;
+        result.message = error.what();
+      }
+    result.failures    = checks.failures;
+    result.scales      = checks.scales;
+    result.last        = simulation.record();
+    result.events      = simulation.events();
+    result.warnings    = simulation.warnings();
+    result.has_contact = checks.has_contact;
+    result.growth      = checks.growth;
+    if (!are_in_order(result.events))
+      result.failures["events out of order"] = 1.;
+    return result;
+  }
+
+
+
+  inline RunResult
+  run_scene(const Parameters &parameters, const unsigned int max_steps)
+  {
+    return parameters.dimension == 1 ? run_scene<1>(parameters, max_steps) :
+                                       run_scene<2>(parameters, max_steps);
+  }
+
+
+
+  /** factor * (expression), each component of a vector. */
+  inline std::string
+  times(const double factor, std::string expression, const double theta_A)
+  {
+    std::ostringstream value, result;
+    value << std::setprecision(17) << "(" << theta_A << ")";
+    const std::string name = "theta_A";
+    for (std::size_t at = expression.find(name); at != std::string::npos;
+         at             = expression.find(name, at))
+      expression.replace(at, name.size(), value.str());
+
+    std::istringstream components(expression);
+    std::string        component;
+    for (unsigned int i = 0; std::getline(components, component, ';'); ++i)
+      result << std::setprecision(17) << (i > 0 ? ";" : "") << factor << "*("
+             << component << ")";
+    return result.str();
+  }
+
+
+
+  /**
+   * The scene with thermal and mechanical data multiplied by a factor each. An
+   * expression that is 0 stays absent.
+   */
+  inline Parameters
+  scaled(Parameters parameters, const double thermal, const double mechanical)
+  {
+    const double theta_A = parameters.boundary.fixed_end_temperature;
+    const auto   scale   = [theta_A](const double factor, std::string &text) {
+      if (text != "0")
+        text = times(factor, text, theta_A);
+    };
+    scale(thermal, parameters.initial_values.temperature);
+    scale(mechanical, parameters.initial_values.displacement);
+    scale(mechanical, parameters.initial_values.velocity);
+    scale(thermal, parameters.sources.heat_source);
+    scale(thermal, parameters.sources.end_heat_flux);
+    scale(mechanical, parameters.sources.body_force);
+    scale(mechanical, parameters.sources.end_traction);
+    parameters.boundary.fixed_end_temperature *= thermal;
+    parameters.boundary.obstacle_temperature *= thermal;
+    parameters.contact.gap *= mechanical;
+    return parameters;
+  }
+
+
+
+  /**
+   * Largest difference between a run and the run of a scene that was multiplied
+   * by @p thermal and @p mechanical, relative to the largest values.
+   */
+  inline double
+  difference(const RunResult &run,
+             const RunResult &scaled_run,
+             const double     thermal,
+             const double     mechanical,
+             const double     end_time)
+  {
+    double     largest = 0.;
+    const auto compare =
+      [&](const double x, const double y, const double scale) {
+        if (x != y && !(std::isnan(x) && std::isnan(y)))
+          raise(largest, std::abs(x - y) / scale);
+      };
+    const StepRecord &r = run.last, &s = scaled_run.last;
+    const Scales     &scales = run.scales;
+    compare(run.status, scaled_run.status, 1.);
+    compare(r.step, s.step, 1.);
+    compare(r.time, s.time, end_time);
+    compare(r.displacement_end,
+            s.displacement_end / mechanical,
+            scales.displacement);
+    compare(r.velocity_end, s.velocity_end / mechanical, scales.velocity);
+    compare(r.temperature_end, s.temperature_end / thermal, scales.temperature);
+    compare(r.contact_force, s.contact_force / mechanical, scales.force);
+    compare(run.events.size(), scaled_run.events.size(), 1.);
+    for (unsigned int i = 0;
+         i < std::min(run.events.size(), scaled_run.events.size());
+         ++i)
+      compare(run.events[i].time, scaled_run.events[i].time, end_time);
+    return largest;
+  }
+
+
+
+  /**
+   * Distance of the last state from (M.10), relative to the largest values of
+   * the run and the displacements that its largest temperature and velocity
+   * would cause.
+   */
+  inline double
+  distance_from_steady_state(const RunResult &run, const Parameters &parameters)
+  {
+    const double a         = parameters.model.coupling;
+    const double k         = parameters.boundary.heat_exchange;
+    const double c         = k / (k + 1.);
+    const double left      = parameters.boundary.fixed_end_temperature;
+    const double drop      = left - parameters.boundary.obstacle_temperature;
+    const double free_end  = a * (left - 0.5 * c * drop);
+    const double pressure  = parameters.contact_law().pressure(free_end, 1.);
+    const StepRecord &last = run.last;
+    const double      length =
+      std::max({run.scales.displacement,
+                std::abs(a) * run.scales.temperature,
+                std::sqrt(parameters.model.inertia) * run.scales.velocity});
+    double distance = 0.;
+    raise(distance,
+          std::abs(last.displacement_end - (free_end - pressure)) / length);
+    raise(distance, std::abs(last.contact_force - pressure) / length);
+    raise(distance,
+          std::abs(last.temperature_end - (left - c * drop)) /
+            run.scales.temperature);
+    raise(distance, std::abs(last.velocity_end) / run.scales.velocity);
+    return distance;
+  }
+
+
+
+  /**
+   * What one step of length @p dt leaves of a mode exp(-rate t), for large
+   * rate dt: of a stiffly accurate scheme it is -e_s A^{-1} 1 / (rate dt),
+   * which the stage equations A y = 1 give from the first row to the last.
+   */
+  inline double
+  remainder_of_one_step(const std::string &scheme,
+                        const double       rate,
+                        const double       dt)
+  {
+    const ButcherTableau &tableau = butcher_tableau(scheme);
+    std::vector<double>   y(tableau.n_stages());
+    for (unsigned int i = 0; i < y.size(); ++i)
+      {
+        y[i] = 1.;
+        for (unsigned int j = 0; j < i; ++j)
+          y[i] -= tableau.a[i][j] * y[j];
+        y[i] /= tableau.gamma();
+      }
+    return std::abs(y.back()) / (rate * dt);
+  }
+} // namespace ThermoContact
+
+#endif
