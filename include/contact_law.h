@@ -15,6 +15,16 @@ namespace ThermoContact
 
 
 
+  /** How contact nodes move. */
+  enum class ContactNodes
+  {
+    with_mass,
+    massless,      ///< they follow the pressure at once
+    of_static_body ///< so does the whole body, and velocities say nothing
+  };
+
+
+
   /**
    * Contact condition at one node of the contact boundary; no mesh, no matrix.
    *

@@ -66,7 +66,6 @@ namespace ThermoContact
 
     std::vector<double> old_free_position; ///< $s$ at the beginning
     std::vector<double> free_position;     ///< $s$ at the end
-    std::vector<double> mean_load; ///< on the contact nodes, of both ends
 
     /** Computes $X$ and what goes with it. */
     void
@@ -76,9 +75,12 @@ namespace ThermoContact
     double
     work(const double size, const State &new_state);
 
-    /** Load on the contact nodes at @p time, per weight. */
-    std::vector<double>
-    contact_load(const double time);
+    /**
+     * Loads of a step: those at its middle, but for the contact nodes the mean
+     * ones of both ends, with which they are in equilibrium.
+     */
+    void
+    assemble_loads(const double begin, const double end);
 
     /** Finds $\bar p$ and adds its response to the rates. */
     void

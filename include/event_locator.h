@@ -74,7 +74,7 @@ namespace ThermoContact
   struct BodyScales
   {
     double energy   = 0.; ///< largest elastic or kinetic energy E
-    double momentum = 0.; ///< $\sqrt{2bE}$; 0 if contact nodes have no mass
+    double momentum = 0.; ///< $\sqrt{2bE}$
   };
 
 
@@ -109,14 +109,14 @@ namespace ThermoContact
   public:
     /**
      * @param is_active false: all steps are unilateral
-     * @param has_velocity false: velocities say nothing about the end of a
-     *   step, and margins are interpolated linearly
+     * @param nodes those of a static body have margins that are interpolated
+     *   linearly
      * @param tolerance relative accuracy of an event
      */
-    EventLocator(const ContactLaw &law,
-                 const bool        is_active,
-                 const bool        has_velocity,
-                 const double      tolerance);
+    EventLocator(const ContactLaw  &law,
+                 const bool         is_active,
+                 const ContactNodes nodes,
+                 const double       tolerance);
 
     /** Forgets all and takes the initial state. */
     void
@@ -196,16 +196,16 @@ namespace ThermoContact
     }
 
   private:
-    const ContactLaw law;
-    const bool       is_active;
-    const bool       has_velocity;
-    const double     tolerance;
-    ContactMode      mode_;
-    ContactValues    present;
-    bool             is_in_contact; ///< as the events say
-    bool             was_switched;  ///< without a step since
-    double           max_displacement;
-    double           max_pressure;
+    const ContactLaw   law;
+    const bool         is_active;
+    const ContactNodes nodes;
+    const double       tolerance;
+    ContactMode        mode_;
+    ContactValues      present;
+    bool               is_in_contact; ///< as the events say
+    bool               was_switched;  ///< without a step since
+    double             max_displacement;
+    double             max_pressure;
 
     /** Takes values into the largest displacement and pressure so far. */
     void

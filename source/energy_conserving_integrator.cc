@@ -88,15 +88,23 @@ namespace ThermoContact
 
 
   template <int dim>
-  std::vector<double>
-  EnergyConservingIntegrator<dim>::contact_load(const double time)
+  void
+  EnergyConservingIntegrator<dim>::assemble_loads(const double begin,
+                                                  const double end)
   {
-    loads.assemble(time, heat_load, momentum_load);
-    std::vector<double> load;
-    discretization.contact_values(1, momentum_load, load);
-    for (unsigned int i = 0; i < load.size(); ++i)
-      load[i] /= discretization.contact_nodes()[i].weight;
-    return load;
+    std::vector<double> mean_load;
+    if (loads.has_sources() && law.is_active)
+      for (const double time : {begin, end})
+        {
+          loads.assemble(time, heat_load, momentum_load);
+          mean_load.resize(discretization.contact_nodes().size(), 0.);
+          for (const auto &[node, entry] : discretization.contact_entries(1))
+            mean_load[node] += 0.5 * momentum_load.begin()[entry];
+        }
+    loads.assemble(0.5 * (begin + end), heat_load, momentum_load);
+    if (!mean_load.empty())
+      for (const auto &[node, entry] : discretization.contact_entries(1))
+        momentum_load.begin()[entry] = mean_load[node];
   }
 
 
@@ -119,22 +127,6 @@ namespace ThermoContact
           2. * (old_displacement[i] + 0.5 * time_step.size * velocity[i]) -
           old_free_position[i];
       }
-    if (loads.has_sources())
-      {
-        mean_load                          = contact_load(time_step.end);
-        const std::vector<double> old_load = contact_load(state.time);
-        const std::vector<double> load     = contact_load(midpoint.time);
-        std::vector<double>       curvature(n);
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            mean_load[i] = 0.5 * (mean_load[i] + old_load[i]);
-            curvature[i] = 2. * (mean_load[i] - load[i]);
-          }
-        const std::vector<double> shift = product(receptance, curvature);
-        for (unsigned int i = 0; i < n; ++i)
-          free_position[i] += shift[i];
-      }
-
     FullMatrix<double> difference(stage_solver.response());
     difference.add(-1., receptance);
     rates.pressure     = state.contact_pressure;
@@ -189,16 +181,10 @@ namespace ThermoContact
   EnergyConservingIntegrator<dim>::work(const double size,
                                         const State &new_state)
   {
-    // Contact nodes are in equilibrium with the loads at both ends of the step,
-    // whose mean works on the way from one to the other.
+    // contact nodes move from end to end, not along their mean velocity
     if (law.is_active)
       for (const auto &[node, entry] : discretization.contact_entries(1))
-        {
-          midpoint.velocity.begin()[entry] = new_state.velocity.begin()[entry];
-          if (loads.has_sources())
-            momentum_load.begin()[entry] =
-              discretization.contact_nodes()[node].weight * mean_load[node];
-        }
+        midpoint.velocity.begin()[entry] = new_state.velocity.begin()[entry];
     return size * energy.work_rate(heat_load, momentum_load, midpoint);
   }
 
@@ -214,7 +200,7 @@ namespace ThermoContact
   {
     const double size = time_step.size;
     midpoint.time     = state.time + 0.5 * size;
-    loads.assemble(midpoint.time, heat_load, momentum_load);
+    assemble_loads(state.time, time_step.end);
     stage_solver.solve_without_contact(
       state, 0.5 * size, heat_load, momentum_load, rates);
     if (law.is_active)

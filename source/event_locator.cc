@@ -35,13 +35,13 @@ namespace ThermoContact
 
 
 
-  EventLocator::EventLocator(const ContactLaw &law,
-                             const bool        is_active,
-                             const bool        has_velocity,
-                             const double      tolerance)
+  EventLocator::EventLocator(const ContactLaw  &law,
+                             const bool         is_active,
+                             const ContactNodes nodes,
+                             const double       tolerance)
     : law(law)
     , is_active(is_active)
-    , has_velocity(has_velocity)
+    , nodes(nodes)
     , tolerance(tolerance)
     , mode_(ContactMode::unilateral)
     , is_in_contact(false)
@@ -95,9 +95,15 @@ namespace ThermoContact
       }
     const double sign = mode_ == ContactMode::closed ? -1. : 1.;
     const double size = next.time - present.time;
-    const double s0   = sign * (law.gap - present.displacement[node]);
-    const double s1   = sign * (law.gap - next.displacement[node]);
-    if (!has_velocity)
+    double       s0   = sign * (law.gap - present.displacement[node]);
+    double       s1   = sign * (law.gap - next.displacement[node]);
+    if (mode_ == ContactMode::closed && nodes != ContactNodes::with_mass)
+      {
+        // the same with the digits that a stiff obstacle needs
+        s0 = law.compliance * present.pressure[node];
+        s1 = law.compliance * next.pressure[node];
+      }
+    if (nodes == ContactNodes::of_static_body)
       return CubicHermite(s0, s1 - s0, s1, s1 - s0);
     return CubicHermite(s0,
                         -sign * size * present.velocity[node],
@@ -115,16 +121,24 @@ namespace ThermoContact
     if (mode_ == ContactMode::closed && law.compliance == 0.)
       return std::abs(s) <= 0.1 * tolerance * max_pressure;
     // what the floating-point numbers of displacement and time can tell apart
-    const double rounding =
-      4e-15 * (max_displacement + std::abs(present.time * rate));
-    // a miss of an elastic obstacle by s costs the energy s^2 / (2 epsilon)
+    const bool   has_mass = nodes == ContactNodes::with_mass;
+    const double largest  = mode_ == ContactMode::closed && !has_mass ?
+                              law.compliance * max_pressure :
+                              max_displacement;
+    const double rounding = 4e-15 * (largest + std::abs(present.time * rate));
+    // A miss of an elastic obstacle by s costs the energy s^2 / (2 epsilon); a
+    // node without mass that lets the pressure s / epsilon go at once costs
+    // s^2 / (2 epsilon^2) at most.
+    const double compliance =
+      has_mass ? law.compliance : law.compliance * std::min(law.compliance, 1.);
     const double smallest_scale =
       law.compliance > 0. ?
-        std::min(max_displacement,
-                 std::sqrt(2. * law.compliance * scales.energy)) :
+        std::min(max_displacement, std::sqrt(2. * compliance * scales.energy)) :
         max_displacement;
-    return s * s <= 0.2 * law.compliance * std::abs(rate) * tolerance *
-                      scales.momentum ||
+    const bool has_small_impulse =
+      has_mass && s * s <= 0.2 * law.compliance * std::abs(rate) * tolerance *
+                             scales.momentum;
+    return has_small_impulse ||
            std::abs(s) <= 0.01 * tolerance * smallest_scale + rounding;
   }
 

@@ -45,7 +45,10 @@ namespace ThermoContact
     , energy_watch(parameters.time, energy_.has_work())
     , event_locator(law,
                     law.is_active && parameters.time.locates_contact_events(),
-                    !parameters.model.is_static(),
+                    parameters.model.is_static() ?
+                      ContactNodes::of_static_body :
+                    parameters.has_contact_mass() ? ContactNodes::with_mass :
+                                                    ContactNodes::massless,
                     parameters.time.has_error_control() ?
                       parameters.time.tolerance :
                       1e-13)
@@ -250,10 +253,7 @@ namespace ThermoContact
       finding = event_locator.examine(
         contact_values,
         time_step.target == TimeStep::event,
-        {mechanical,
-         parameters_.has_contact_mass() ?
-           std::sqrt(2. * parameters_.model.inertia * mechanical) :
-           0.});
+        {mechanical, std::sqrt(2. * parameters_.model.inertia * mechanical)});
 
     if (finding.kind == EventLocator::Finding::at_start &&
         !finding.is_of_all_nodes)

@@ -180,7 +180,7 @@ namespace
     for (const double time : {1.5, 1.5005, 1.4995, 1.55})
       {
         deallog << "compliant" << std::endl;
-        EventLocator              locator(compliant, true, true, 1e-3);
+        EventLocator locator(compliant, true, ContactNodes::with_mass, 1e-3);
         std::vector<ContactEvent> events;
         locator.start(values(1., {0.}, 0.2, {0.}), events);
         take(locator, values(2., {0.2}, 0.2, {0.}), false, events);
@@ -203,7 +203,7 @@ namespace
   test_starts()
   {
     std::vector<ContactEvent> events;
-    EventLocator              locator(compliant, true, true, 1e-3);
+    EventLocator locator(compliant, true, ContactNodes::with_mass, 1e-3);
     deallog << "closed at the start" << std::endl;
     locator.start(values(0., {0.15}, -0.3, {5.}), events);
     deallog << "  " << name_of(locator.mode());
@@ -226,7 +226,7 @@ namespace
   test_rigid()
   {
     std::vector<ContactEvent> events;
-    EventLocator              locator(rigid, true, true, 1e-3);
+    EventLocator locator(rigid, true, ContactNodes::with_mass, 1e-3);
     deallog << "rigid" << std::endl;
     locator.start(values(0., {0.1}, 0., {1.}), events);
     take(locator, values(1., {0.1}, 0., {1.}), false, events);
@@ -240,7 +240,7 @@ namespace
   test_without_location()
   {
     std::vector<ContactEvent> events;
-    EventLocator              locator(compliant, false, true, 1e-3);
+    EventLocator locator(compliant, false, ContactNodes::with_mass, 1e-3);
     deallog << "without location" << std::endl;
     locator.start(values(1., {-0.2}, 0.5, {0.}), events);
     locator.accept(values(2., {0.2}, 0.7, {10.}), {}, events);
@@ -255,7 +255,7 @@ namespace
   test_two_nodes()
   {
     std::vector<ContactEvent> events;
-    EventLocator              locator(compliant, true, true, 1e-3);
+    EventLocator locator(compliant, true, ContactNodes::with_mass, 1e-3);
     deallog << "two nodes together" << std::endl;
     locator.start(values(1., {0., 0.}, 0.2, {0., 0.}), events);
     take(locator, values(1.5, {0.1, 0.1}, 0.2, {0., 0.}), true, events);
