@@ -42,7 +42,7 @@ namespace ThermoContact
     /**
      * The pressures of a step that moves the nodes from $s^0$ to
      * $s^1=A-2B\bar p$ and does the work $V(s^1)-V(s^0)$ on them,
-     * $\bar p=\int_0^1 p(s^0+\xi(s^1-s^0))\,d\xi$, (M.42). There is one
+     * $\bar p=\int_0^1 p(s^0+\xi(s^1-s^0))\,d\xi$, (M.40). There is one
      * solution: for a node in closed form, each branch a quadratic; for several
      * by Newton's method.
      *

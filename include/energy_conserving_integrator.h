@@ -58,7 +58,7 @@ namespace ThermoContact
     State              midpoint;
     Vector             heat_load;
     Vector             momentum_load;
-    FullMatrix<double> receptance; ///< $X$ of (M.41)
+    FullMatrix<double> receptance; ///< $X$ of (M.39)
 
     /** Temperature per unit displacement of a node at fixed entropy. */
     std::vector<Vector>                temperature_responses;

@@ -21,7 +21,7 @@ namespace ThermoContact
   {
   public:
     /** @param has_work true: the energy may grow, and nothing is watched */
-    EnergyWatch(const TimeParameters &time, const bool has_work);
+    EnergyWatch(const Parameters &parameters, const bool has_work);
 
     /** Begins anew from a state with energy @p terms. */
     void
@@ -37,13 +37,14 @@ namespace ThermoContact
     add(const unsigned int step, const double time, const EnergyTerms &terms);
 
   private:
-    const bool   is_active;
-    const double allowed_per_run;  ///< relative to the scale
-    const double allowed_per_step; ///< likewise
-    double       smallest;         ///< energy so far
-    double       scale;            ///< largest sum of absolute terms so far
-    unsigned int n_steps;          ///< since the smallest
-    bool         has_warned;
+    const bool        is_active;
+    const std::string remedy;           ///< of this scene
+    const double      allowed_per_run;  ///< relative to the scale
+    const double      allowed_per_step; ///< likewise
+    double            smallest;         ///< energy so far
+    double            scale;   ///< largest sum of absolute terms so far
+    unsigned int      n_steps; ///< since the smallest
+    bool              has_warned;
   };
 } // namespace ThermoContact
 

@@ -16,7 +16,7 @@ namespace ThermoContact
    *
    * The mass matrices may be lumped, and in the cells of the contact end that
    * of the displacement may be such that the contact nodes have no mass,
-   * doc/model.md (M.34).
+   * doc/model.md (M.36).
    */
   template <int dim>
   struct FieldMatrices
@@ -40,7 +40,7 @@ namespace ThermoContact
     /** $D$ in (0, 1), $D^T$ in (1, 0); none without thermal stress. */
     BlockSparseMatrix coupling;
 
-    /** $S_\zeta$ in the last block, where it is not $S$, (M.39). */
+    /** $S_\zeta$ in the last block, where it is not $S$, (M.37). */
     BlockSparseMatrix viscous_stiffness;
 
   private:

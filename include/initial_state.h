@@ -8,30 +8,37 @@
 
 #include "contact_law.h"
 #include "discretization.h"
+#include "loads.h"
 #include "parameters.h"
 #include "problem_data.h"
 #include "state.h"
+#include "thermoviscoelastic_operator.h"
 
 namespace ThermoContact
 {
   /**
    * The state at $t=0$: the projection $P_E$ of the initial values, the fixed
-   * end at its temperature, and the pressure of the compliance law.
+   * end at its temperature, and the pressure of the compliance law. Without
+   * inertia it is completed, and contact nodes that are to be in equilibrium
+   * are put there, doc/model.md sections 12 and 13.
    *
    * @param first_step_size of the paper's first step, if the scene has it
-   * @param warnings appended to: a corner layer of the temperature, a preload
+   * @param warnings appended to: a corner layer of the temperature, contact at
+   *   the start, a preload
    * @throw InputError if displacement or velocity do not vanish where they are
    *   held, or if a rigid obstacle is penetrated at the start or by the
    *   paper's first step
    */
   template <int dim>
   State
-  initial_state(const Parameters          &parameters,
-                const ProblemData<dim>    &data,
-                const Discretization<dim> &discretization,
-                const ContactLaw          &law,
-                const double               first_step_size,
-                std::vector<std::string>  &warnings);
+  initial_state(const Parameters                      &parameters,
+                const ProblemData<dim>                &data,
+                const Discretization<dim>             &discretization,
+                const ThermoviscoelasticOperator<dim> &stage_operator,
+                const ContactLaw                      &law,
+                const double                           first_step_size,
+                Loads<dim>                            &loads,
+                std::vector<std::string>              &warnings);
 } // namespace ThermoContact
 
 #endif

@@ -28,7 +28,7 @@ namespace ThermoContact
    * The same across the body, and along it the interpolatory rule on the nodes
    * off the contact end $x=1$ of a cell that touches it: exact for polynomials
    * of degree p - 1, it leaves the contact nodes without mass and keeps the
-   * mass of the cell, doc/model.md (M.34).
+   * mass of the cell, doc/model.md (M.36).
    */
   template <int dim>
   Quadrature<dim>
@@ -38,7 +38,7 @@ namespace ThermoContact
    * Matrix that gives the nodes on the contact end of a cell the axial
    * displacement of the polynomial of degree p - 1 through the other nodes of
    * their line, and leaves all else as it is; in the numbering of the cell.
-   * doc/model.md (M.39).
+   * doc/model.md (M.37).
    */
   template <int dim>
   FullMatrix<double>

@@ -61,13 +61,11 @@ namespace ThermoContact
      * Fills the members of @p record that are functions of @p state alone: the
      * end and mid values, gap, penetration, force, heat flux, mean temperature.
      *
-     * @param data sources, at the time of @p state, for the traction of the end
-     *   stress
+     * @param data sources, for the traction of the end stress; their time is
+     *   set
      */
     void
-    measure(const State            &state,
-            const ProblemData<dim> &data,
-            StepRecord             &record);
+    measure(const State &state, ProblemData<dim> &data, StepRecord &record);
 
   private:
     const Discretization<dim> &discretization;

@@ -338,7 +338,7 @@ namespace ThermoContact
     contact_law() const;
 
     /**
-     * True if the contact nodes have no mass, doc/model.md (M.34): where the
+     * True if the contact nodes have no mass, doc/model.md (M.36): where the
      * viscosity does not damp the oscillations of one node on its obstacle,
      * $\zeta/\sqrt b$ below the spacing of the nodes; on a rigid obstacle that
      * several nodes meet one by one; and if the scheme needs it.

@@ -13,9 +13,9 @@ namespace ThermoContact
 {
   /**
    * Completes the initial state of a body without inertia, doc/model.md section
-   * 12: with viscosity the velocity follows from the displacement, (M.36);
-   * without, the displacement is in equilibrium with the temperature, (M.37),
-   * and the velocity is left at zero, which nothing reads.
+   * 12: with viscosity the velocity follows from the displacement, (M.34);
+   * without, the displacement is in equilibrium with the temperature, (M.35),
+   * and the velocity, which has no value yet, is left at zero.
    *
    * @param state in: temperature and, with viscosity, displacement and pressure
    *   of the compliance law

@@ -79,7 +79,7 @@ namespace ThermoContact
 
     /**
      * $S_\zeta$, without the viscosity $\zeta$: $S$, but for the scheme energy
-     * conserving, whose contact nodes have no viscous stress (M.39).
+     * conserving, whose contact nodes have no viscous stress (M.37).
      */
     const SparseMatrix &
     viscous_stiffness() const

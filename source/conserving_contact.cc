@@ -43,6 +43,28 @@ namespace ThermoContact
       part.scatter_matrix_to(active, active, inverse);
       return inverse;
     }
+
+
+
+    /** Size of the terms that positions at the end of a step are made of. */
+    double
+    position_scale(const double                      gap,
+                   const std::vector<double>        &start,
+                   const std::vector<double>        &free_end,
+                   const dealii::FullMatrix<double> &receptance,
+                   const std::vector<double>        &pressure)
+    {
+      double scale = 0.;
+      for (unsigned int i = 0; i < start.size(); ++i)
+        {
+          double sum =
+            std::abs(gap) + std::abs(start[i]) + std::abs(free_end[i]);
+          for (unsigned int j = 0; j < start.size(); ++j)
+            sum += 2. * std::abs(receptance(i, j) * pressure[j]);
+          scale = std::max(scale, sum);
+        }
+      return scale;
+    }
   } // namespace
 
 
@@ -74,7 +96,7 @@ namespace ThermoContact
     // p(d) = [d]_+ / e, V(d) = [d]_+^2 / (2e); free_end > end if there is
     // pressure.
     const double e = law.compliance + static_receptance(0, 0);
-    const double r = receptance;
+    const double r = std::max(receptance, 0.); // its rounding may be negative
     if (start <= 0.)
       {
         if (free_end <= 0.)
@@ -196,19 +218,6 @@ namespace ThermoContact
         residual(i) = p[i] - mean[i];
       return residual.linfty_norm();
     };
-    // what the rounding of the displacements does to the pressures
-    const auto rounding = [&](const std::vector<double> &p) {
-      double size = 0.;
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          double sum =
-            std::abs(law.gap) + std::abs(start[i]) + std::abs(free_end[i]);
-          for (unsigned int j = 0; j < n; ++j)
-            sum += 2. * std::abs(receptance(i, j) * p[j]);
-          size = std::max(size, sum);
-        }
-      return 1e-16 * (derivative.linfty_norm() * size + largest_entry(p));
-    };
     double norm = evaluate(pressure);
     for (unsigned int iteration = 1; iteration <= 50; ++iteration)
       {
@@ -234,7 +243,12 @@ namespace ThermoContact
               break;
           }
         // at the rounding of the displacements no step is an improvement
-        if (norm >= old_norm && old_norm <= 100. * rounding(old_pressure))
+        if (norm >= old_norm &&
+            old_norm <=
+              1e-14 * (derivative.linfty_norm() *
+                         position_scale(
+                           law.gap, start, free_end, receptance, old_pressure) +
+                       largest_entry(old_pressure)))
           {
             pressure = old_pressure;
             return iteration;

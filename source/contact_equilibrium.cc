@@ -2,6 +2,10 @@
 
 #include "contact_equilibrium.h"
 
+#include <vector>
+
+#include "contact_solver.h"
+
 namespace ThermoContact
 {
   template <int dim>
@@ -43,79 +47,26 @@ namespace ThermoContact
 
 
 
-  template <int dim>
-  ContactEquilibrium<dim>::ContactEquilibrium(
-    const Discretization<dim>             &discretization,
-    const ThermoviscoelasticOperator<dim> &stage_operator,
-    const ContactLaw                      &law)
-    : discretization(discretization)
-    , stage_operator(stage_operator)
-    , law(law)
-    , contact_solver(law)
-    , receptance(
-        contact_receptance(discretization,
-                           contact_stiffness(discretization, stage_operator)))
-  {}
-
-
-
-  template <int dim>
-  std::vector<double>
-  ContactEquilibrium<dim>::moved_by(const Vector &force,
-                                    const Vector &values) const
+  namespace
   {
-    std::vector<double> forces, moved;
-    discretization.contact_values(1, force, forces);
-    discretization.contact_values(1, values, moved);
-    for (unsigned int i = 0; i < moved.size(); ++i)
-      for (unsigned int j = 0; j < moved.size(); ++j)
-        moved[i] += receptance(i, j) * forces[j] /
-                    discretization.contact_nodes()[j].weight;
-    return moved;
-  }
-
-
-
-  template <int dim>
-  void
-  ContactEquilibrium<dim>::settle(const Vector     &momentum_load,
-                                  const ContactMode mode,
-                                  State            &state) const
-  {
-    // The nodes have no mass, so that a stage of length 1 has the forces on
-    // them on its right-hand side.
-    Vector heat_load = discretization.make_vector(0), heat_rhs(heat_load);
-    Vector force     = discretization.make_vector(1);
-    stage_operator.stage_rhs(
-      state, 1., heat_load, momentum_load, heat_rhs, force);
-    const std::vector<double> s = moved_by(force, state.displacement);
-
-    std::vector<double> &p = state.contact_pressure;
-    if (mode == ContactMode::closed)
-      contact_solver.solve_closed(receptance, s, p);
-    else if (mode == ContactMode::unilateral)
-      contact_solver.solve(receptance, s, p);
-    else
-      p.assign(s.size(), 0.);
-
-    stage_operator.stiffness().vmult(force, state.velocity);
-    force *= -1.;
-    const std::vector<double> s_rate = moved_by(force, state.velocity);
-    for (const auto &[node, entry] : discretization.contact_entries(1))
-      {
-        // where there is pressure, the law is exact to rounding of u
-        double displacement = s[node];
-        for (unsigned int j = 0; j < p.size(); ++j)
-          displacement -= receptance(node, j) * p[j];
-        const bool is_closed = p[node] != 0.;
-        state.displacement.begin()[entry] =
-          is_closed ? law.gap + law.compliance * p[node] : displacement;
-        state.velocity.begin()[entry] =
-          is_closed ? s_rate[node] * law.compliance /
-                        (law.compliance + receptance(node, node)) :
-                      s_rate[node];
-      }
-  }
+    /** Values of the nodes plus the displacement by forces on them. */
+    template <int dim>
+    std::vector<double>
+    moved_by_force(const Discretization<dim> &discretization,
+                   const FullMatrix<double>  &receptance,
+                   const Vector              &force,
+                   const Vector              &field)
+    {
+      std::vector<double> forces, moved;
+      discretization.contact_values(1, force, forces);
+      discretization.contact_values(1, field, moved);
+      for (unsigned int i = 0; i < moved.size(); ++i)
+        for (unsigned int j = 0; j < moved.size(); ++j)
+          moved[i] += receptance(i, j) * forces[j] /
+                      discretization.contact_nodes()[j].weight;
+      return moved;
+    }
+  } // namespace
 
 
 
@@ -127,11 +78,40 @@ namespace ThermoContact
                        Loads<dim>                            &loads,
                        State                                 &state)
   {
-    Vector heat_load     = discretization.make_vector(0);
-    Vector momentum_load = discretization.make_vector(1);
+    const FullMatrix<double> receptance =
+      contact_receptance(discretization,
+                         contact_stiffness(discretization, stage_operator));
+    Vector heat_load     = discretization.make_vector(0), heat_rhs(heat_load);
+    Vector momentum_load = discretization.make_vector(1), force(momentum_load);
     loads.assemble(state.time, heat_load, momentum_load);
-    ContactEquilibrium<dim>(discretization, stage_operator, law)
-      .settle(momentum_load, ContactMode::unilateral, state);
+
+    // The nodes have no mass, so that a stage of length 1 has the forces on
+    // them on its right-hand side.
+    stage_operator.stage_rhs(
+      state, 1., heat_load, momentum_load, heat_rhs, force);
+    const std::vector<double> s =
+      moved_by_force(discretization, receptance, force, state.displacement);
+    std::vector<double> &p = state.contact_pressure;
+    ContactSolver(law).solve(receptance, s, p);
+
+    stage_operator.stiffness().vmult(force, state.velocity);
+    force *= -1.;
+    const std::vector<double> s_rate =
+      moved_by_force(discretization, receptance, force, state.velocity);
+    for (const auto &[node, entry] : discretization.contact_entries(1))
+      {
+        // where there is pressure, the law is exact to rounding of u
+        double displacement = s[node];
+        for (unsigned int j = 0; j < p.size(); ++j)
+          displacement -= receptance(node, j) * p[j];
+        const bool is_closed = p[node] > 0.;
+        state.displacement.begin()[entry] =
+          is_closed ? law.gap + law.compliance * p[node] : displacement;
+        state.velocity.begin()[entry] =
+          is_closed ? s_rate[node] * law.compliance /
+                        (law.compliance + receptance(node, node)) :
+                      s_rate[node];
+      }
   }
 
 
@@ -141,7 +121,6 @@ namespace ThermoContact
     const Discretization<dim> &, const ThermoviscoelasticOperator<dim> &); \
   template FullMatrix<double> contact_receptance<dim>(                     \
     const Discretization<dim> &, const FullMatrix<double> &);              \
-  template class ContactEquilibrium<dim>;                                  \
   template void settle_contact_nodes<dim>(                                 \
     const Discretization<dim> &,                                           \
     const ThermoviscoelasticOperator<dim> &,                               \

@@ -14,15 +14,36 @@ namespace ThermoContact
     {
       return time.scheme == "backward euler" || time.is_energy_conserving();
     }
+
+
+
+    std::string
+    remedy_for(const Parameters &parameters)
+    {
+      std::string remedy = parameters.time.has_error_control() ?
+                             "a smaller Time/Tolerance" :
+                             "a smaller Time/Step size";
+      if (parameters.contact_law().is_active && parameters.has_contact_mass())
+        remedy += ", Contact/Massless nodes = on";
+      if (parameters.contact_law().is_active && parameters.model.inertia > 0. &&
+          !parameters.time.is_energy_conserving())
+        remedy += ", or Time/Scheme = energy conserving with fixed steps";
+      return remedy;
+    }
   } // namespace
 
 
 
-  EnergyWatch::EnergyWatch(const TimeParameters &time, const bool has_work)
+  EnergyWatch::EnergyWatch(const Parameters &parameters, const bool has_work)
     : is_active(!has_work)
-    , allowed_per_run(
-        !cannot_create_energy(time) && !time.has_error_control() ? 1e-3 : 1e-9)
-    , allowed_per_step(time.has_error_control() ? 2. * time.tolerance : 0.)
+    , remedy(remedy_for(parameters))
+    , allowed_per_run(!cannot_create_energy(parameters.time) &&
+                          !parameters.time.has_error_control() ?
+                        1e-3 :
+                        1e-9)
+    , allowed_per_step(parameters.time.has_error_control() ?
+                         2. * parameters.time.tolerance :
+                         0.)
     , smallest(0.)
     , scale(0.)
     , n_steps(0)
@@ -63,9 +84,7 @@ namespace ThermoContact
     message << "step " << step << ", t = " << time
             << ": the scheme has created the energy " << created
             << ", more than its accuracy explains (" << allowed
-            << "); remedy: a smaller Time/Tolerance or Step size, "
-               "Contact/Massless nodes = on, or Time/Scheme = energy "
-               "conserving";
+            << "); remedy: " << remedy;
     return message.str();
   }
 } // namespace ThermoContact

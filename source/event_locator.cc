@@ -79,7 +79,9 @@ namespace ThermoContact
     if (any_in_contact(initial))
       add_event(initial.time,
                 true,
-                initial.velocity[foremost(initial)],
+                nodes == ContactNodes::of_static_body ?
+                  std::numeric_limits<double>::quiet_NaN() :
+                  initial.velocity[foremost(initial)],
                 events);
   }
 

@@ -255,13 +255,15 @@ namespace ThermoContact
                                                      coupling);
           if (!has_own_viscous_stiffness)
             continue;
+          FullMatrix<double> cell_viscous(n, n);
           if (is_at_contact_end<dim>(cell))
-            {
-              FullMatrix<double> product(n, n);
-              cell_stiffness.mmult(product, extension);
-              extension.Tmmult(cell_stiffness, product);
-            }
-          unconstrained.distribute_local_to_global(cell_stiffness,
+            cell_viscous.triple_product(cell_stiffness,
+                                        extension,
+                                        extension,
+                                        true);
+          else
+            cell_viscous = cell_stiffness;
+          unconstrained.distribute_local_to_global(cell_viscous,
                                                    dofs,
                                                    viscous_stiffness);
         }

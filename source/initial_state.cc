@@ -6,8 +6,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "contact_equilibrium.h"
 #include "exceptions.h"
 #include "h1_projection.h"
+#include "quasi_static_start.h"
 
 namespace ThermoContact
 {
@@ -65,21 +67,16 @@ namespace ThermoContact
 
 
 
-    /** A rigid obstacle must not be penetrated; warns of a preload. */
+    /** A rigid obstacle must not be penetrated. */
     template <int dim>
     void
-    check_contact(const Parameters          &parameters,
-                  const Discretization<dim> &discretization,
-                  const ContactLaw          &law,
-                  const double               first_step_size,
-                  const State               &state,
-                  std::vector<std::string>  &warnings)
+    check_penetration(const Parameters          &parameters,
+                      const Discretization<dim> &discretization,
+                      const ContactLaw          &law,
+                      const double               first_step_size,
+                      const State               &state)
     {
-      if (law.is_active && law.gap < 0.)
-        warnings.push_back("Contact/Gap = " + std::to_string(law.gap) +
-                           ": negative, the obstacle presses the body from the "
-                           "start (preload)");
-      if (!law.is_active || parameters.model.is_static())
+      if (!law.is_active || law.compliance > 0. || parameters.model.is_static())
         return; // what is static is in equilibrium with the obstacle
       std::vector<double> displacement, velocity;
       discretization.contact_values(1, state.displacement, displacement);
@@ -89,16 +86,6 @@ namespace ThermoContact
 
       std::ostringstream message;
       message << "Contact/Gap = " << law.gap << ": ";
-      if (reach > law.gap && law.compliance > 0.)
-        {
-          message << "the body penetrates the obstacle at the start, end "
-                  << "displacement " << reach << ", initial pressure "
-                  << law.pressure(reach, 0.);
-          warnings.push_back(message.str());
-        }
-      if (law.compliance > 0.)
-        return;
-
       if (reach > law.gap)
         {
           message << "the initial displacement " << reach
@@ -118,18 +105,48 @@ namespace ThermoContact
               throw InputError(message.str());
             }
     }
+
+
+
+    /** Warns of a body that is in contact at the start, and of a preload. */
+    template <int dim>
+    void
+    warn_of_contact(const Discretization<dim> &discretization,
+                    const ContactLaw          &law,
+                    const State               &state,
+                    std::vector<std::string>  &warnings)
+    {
+      const double pressure = *std::max_element(state.contact_pressure.begin(),
+                                                state.contact_pressure.end());
+      if (!law.is_active || (law.gap >= 0. && pressure == 0.))
+        return;
+      std::vector<double> displacement;
+      discretization.contact_values(1, state.displacement, displacement);
+      std::ostringstream message;
+      message << "Contact/Gap = " << law.gap << ": "
+              << (law.gap < 0. ?
+                    "negative, the undeformed body overlaps the obstacle "
+                    "(preload)" :
+                    "the body is in contact at the start")
+              << ", end displacement "
+              << *std::max_element(displacement.begin(), displacement.end())
+              << ", initial pressure " << pressure;
+      warnings.push_back(message.str());
+    }
   } // namespace
 
 
 
   template <int dim>
   State
-  initial_state(const Parameters          &parameters,
-                const ProblemData<dim>    &data,
-                const Discretization<dim> &discretization,
-                const ContactLaw          &law,
-                const double               first_step_size,
-                std::vector<std::string>  &warnings)
+  initial_state(const Parameters                      &parameters,
+                const ProblemData<dim>                &data,
+                const Discretization<dim>             &discretization,
+                const ThermoviscoelasticOperator<dim> &stage_operator,
+                const ContactLaw                      &law,
+                const double                           first_step_size,
+                Loads<dim>                            &loads,
+                std::vector<std::string>              &warnings)
   {
     State state = discretization.make_state();
     {
@@ -141,8 +158,7 @@ namespace ThermoContact
       projection.project(data.initial_velocity(), unused, state.velocity);
     }
     check_values(parameters, discretization, state, warnings);
-    check_contact(
-      parameters, discretization, law, first_step_size, state, warnings);
+    check_penetration(parameters, discretization, law, first_step_size, state);
     for (const unsigned int entry : discretization.constrained_entries(0))
       state.temperature.begin()[entry] =
         parameters.boundary.fixed_end_temperature;
@@ -152,17 +168,25 @@ namespace ThermoContact
     if (law.compliance > 0.)
       for (unsigned int i = 0; i < end_displacement.size(); ++i)
         state.contact_pressure[i] = law.pressure(end_displacement[i], 0.);
+    if (parameters.model.has_displacement() && parameters.model.inertia == 0.)
+      complete_quasi_static_state(
+        parameters.model, discretization, stage_operator, law, loads, state);
+    else if (parameters.has_contact_equilibrium())
+      settle_contact_nodes(discretization, stage_operator, law, loads, state);
+    warn_of_contact(discretization, law, state, warnings);
     return state;
   }
 
 
 
-#define INSTANTIATE(dim)                                    \
-  template State initial_state(const Parameters &,          \
-                               const ProblemData<dim> &,    \
-                               const Discretization<dim> &, \
-                               const ContactLaw &,          \
-                               const double,                \
+#define INSTANTIATE(dim)                                                \
+  template State initial_state(const Parameters &,                      \
+                               const ProblemData<dim> &,                \
+                               const Discretization<dim> &,             \
+                               const ThermoviscoelasticOperator<dim> &, \
+                               const ContactLaw &,                      \
+                               const double,                            \
+                               Loads<dim> &,                            \
                                std::vector<std::string> &)
 
   INSTANTIATE(1);

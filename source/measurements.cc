@@ -89,16 +89,17 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Measurements<dim>::measure(const State            &state,
-                             const ProblemData<dim> &data,
-                             StepRecord             &record)
+  Measurements<dim>::measure(const State      &state,
+                             ProblemData<dim> &data,
+                             StepRecord       &record)
   {
+    data.set_time(state.time);
     record.time             = state.time;
     record.displacement_end = record.displacement_mid = record.velocity_end =
       record.stress_end = record.gap = record.temperature_end =
         record.heat_flux_end         = record.temperature_mean =
           std::numeric_limits<double>::quiet_NaN();
-    record.penetration = record.contact_force = 0.;
+    record.penetration = record.contact_force = record.temperature_mean;
     record.in_contact                         = false;
     if (discretization.has_field(1))
       measure_displacement(state, data, record);

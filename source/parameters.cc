@@ -198,8 +198,7 @@ namespace ThermoContact
                       Double(1e-8, 1e8));
     prm.add_parameter("Mass matrix",
                       mass_matrix,
-                      "consistent, or lumped (Gauss-Lobatto rule: diagonal); "
-                      "lumped with Degree = 1 and dt = h is best for waves.",
+                      "consistent, or lumped (Gauss-Lobatto rule: diagonal).",
                       Selection("consistent|lumped"));
     prm.add_parameter("Width",
                       width,
@@ -211,31 +210,6 @@ namespace ThermoContact
                       "Number of cells across the body, for Dimension > 1.",
                       Integer(1, 100000));
     prm.leave_subsection();
-  }
-
-
-
-  std::vector<double>
-  MeshParameters::cell_sizes() const
-  {
-    const double factor =
-      cells > 1 ? std::pow(grading, -1. / (cells - 1.)) : 1.;
-    std::vector<double> sizes(cells);
-    double              sum = 0.;
-    for (unsigned int i = 0; i < cells; ++i)
-      sum += sizes[i] = std::pow(factor, i);
-    for (double &size : sizes)
-      size /= sum;
-    return sizes;
-  }
-
-
-
-  double
-  MeshParameters::contact_spacing() const
-  {
-    return std::ldexp(cell_sizes().back(), -static_cast<int>(refinements)) /
-           degree;
   }
 
 

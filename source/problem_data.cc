@@ -177,14 +177,14 @@ namespace ThermoContact
      * Parses and evaluates.
      *
      * @param components what the parser reads, made from @p expression
-     * @param theta_A value of that name in expressions
+     * @param constants names that expressions may use, with their values
      */
     template <int dim>
     std::unique_ptr<FunctionParser<dim>>
-    parse(const Expression  &expression,
-          const std::string &components,
-          const bool         is_time_dependent,
-          const double       theta_A)
+    parse(const Expression                    &expression,
+          const std::string                   &components,
+          const bool                           is_time_dependent,
+          const std::map<std::string, double> &constants)
     {
       static const std::map<int, std::string> coordinates = {{1, "x"},
                                                              {2, "x,y"},
@@ -195,7 +195,7 @@ namespace ThermoContact
       function->initialize(coordinates.at(dim) +
                              (is_time_dependent ? ",t" : ""),
                            components,
-                           {{"pi", numbers::PI}, {"theta_A", theta_A}},
+                           constants,
                            is_time_dependent);
       check_evaluation(expression, *function);
       return function;
@@ -207,7 +207,9 @@ namespace ThermoContact
   template <int dim>
   ProblemData<dim>::ProblemData(const Parameters &parameters)
   {
-    const double     theta_A = parameters.boundary.fixed_end_temperature;
+    std::map<std::string, double> constants = {{"pi", numbers::PI}};
+    if (parameters.model.has_temperature())
+      constants["theta_A"] = parameters.boundary.fixed_end_temperature;
     const auto      &initial = parameters.initial_values;
     const Expression temperature{"Initial values/Temperature",
                                  initial.temperature};
@@ -221,13 +223,16 @@ namespace ThermoContact
     if (model.has_temperature())
       {
         // alone first, so that a message names the entry that is wrong
-        parse<dim>(temperature, scalar_component(temperature), false, theta_A);
+        parse<dim>(temperature,
+                   scalar_component(temperature),
+                   false,
+                   constants);
         fields = temperature.text;
         rates  = "0";
       }
     const auto append = [&](const Expression &expression, std::string &text) {
       const std::string components = vector_components(expression, dim);
-      parse<dim>(expression, components, false, theta_A);
+      parse<dim>(expression, components, false, constants);
       text += (text.empty() ? "" : ";") + components;
     };
     if (model.has_displacement())
@@ -235,8 +240,8 @@ namespace ThermoContact
         append(model.is_static() ? nothing : displacement, fields);
         append(model.inertia == 0. ? nothing : velocity, rates);
       }
-    initial_fields_   = parse<dim>(nothing, fields, false, theta_A);
-    initial_velocity_ = parse<dim>(nothing, rates, false, theta_A);
+    initial_fields_   = parse<dim>(nothing, fields, false, constants);
+    initial_velocity_ = parse<dim>(nothing, rates, false, constants);
 
     const auto      &sources = parameters.sources;
     const Expression body_force{"Sources/Body force", sources.body_force};
@@ -244,7 +249,7 @@ namespace ThermoContact
       body_force_ = parse<dim>(body_force,
                                vector_components(body_force, dim),
                                true,
-                               theta_A);
+                               constants);
     const auto parse_scalar = [&](const bool        is_used,
                                   const Expression &expression) {
       return !is_used || is_zero(expression) ?
@@ -252,7 +257,7 @@ namespace ThermoContact
                parse<dim>(expression,
                           scalar_component(expression),
                           true,
-                          theta_A);
+                          constants);
     };
     heat_source_ = parse_scalar(model.has_temperature(),
                                 {"Sources/Heat source", sources.heat_source});

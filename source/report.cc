@@ -151,6 +151,27 @@ namespace ThermoContact
                          ", peak penetration ",
                          simulation.max_penetration());
     }
+
+
+
+    template <int dim>
+    std::string
+    describe_final_state(const Simulation<dim> &simulation)
+    {
+      const StepRecord &record     = simulation.record();
+      const Parameters &parameters = simulation.parameters();
+      std::string       state;
+      if (parameters.model.has_displacement())
+        state = text("u(1) = ", record.displacement_end);
+      if (parameters.model.has_temperature())
+        state += text(
+          state.empty() ? "" : ", ", "theta(1) = ", record.temperature_end);
+      if (parameters.contact_law().is_active)
+        state += text(", force ",
+                      record.contact_force,
+                      record.in_contact ? ", in contact" : ", open");
+      return state;
+    }
   } // namespace
 
 
@@ -247,24 +268,12 @@ namespace ThermoContact
                 const RunTimes        &times,
                 Log                   &log)
   {
-    const StepRecord    &record      = simulation.record();
-    const SolverCounters counters    = simulation.counters();
-    const Parameters    &parameters  = simulation.parameters();
-    const bool           has_contact = parameters.contact_law().is_active;
-    if (has_contact)
+    const StepRecord    &record   = simulation.record();
+    const SolverCounters counters = simulation.counters();
+    if (simulation.parameters().contact_law().is_active)
       log.line("  contact   " + join_events(simulation) +
                text(", impulse ", record.contact_impulse));
-    std::string final_state;
-    if (parameters.model.has_displacement())
-      final_state = text("u(1) = ", record.displacement_end);
-    if (parameters.model.has_temperature())
-      final_state += text(
-        final_state.empty() ? "" : ", ", "theta(1) = ", record.temperature_end);
-    if (has_contact)
-      final_state += text(", force ",
-                          record.contact_force,
-                          record.in_contact ? ", in contact" : ", open");
-    log.line("  final     " + final_state);
+    log.line("  final     " + describe_final_state(simulation));
     log.line(text("  energy    ",
                   record.energy,
                   ", dissipated ",

@@ -46,7 +46,9 @@ namespace ThermoContact
     add_if(law.is_active && law.compliance == 0., "rigid contact");
     add_if(law.is_active && law.compliance > 0., "normal compliance");
     add_if(parameters.has_massless_contact(), "massless contact nodes");
-    add_if(parameters.mesh.is_lumped(), "lumped mass");
+    add_if(parameters.mesh.is_lumped() &&
+             (has_temperature || model.inertia > 0.),
+           "lumped mass");
     add_if(has_temperature && is_source(sources.heat_source), "heat source");
     add_if(has_displacement && is_source(sources.body_force), "body force");
     add_if(has_displacement && is_source(sources.end_traction), "end traction");

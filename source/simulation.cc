@@ -8,10 +8,8 @@
 #include <limits>
 #include <sstream>
 
-#include "contact_equilibrium.h"
 #include "exceptions.h"
 #include "initial_state.h"
-#include "quasi_static_start.h"
 #include "scheme_selection.h"
 
 namespace ThermoContact
@@ -42,7 +40,7 @@ namespace ThermoContact
                  parameters_.has_contact_mass())
     , controller(parameters, order_of(parameters.time))
     , error_norm(energy_.steady_profile_energy())
-    , energy_watch(parameters.time, energy_.has_work())
+    , energy_watch(parameters, energy_.has_work())
     , event_locator(law,
                     law.is_active && parameters.time.locates_contact_events(),
                     parameters.model.is_static() ?
@@ -70,16 +68,14 @@ namespace ThermoContact
     state_ = initial_state(parameters_,
                            data,
                            discretization_,
+                           operator_,
                            law,
                            controller.propose(0.).size,
+                           loads,
                            warnings_);
-    if (discretization_.has_field(1) && parameters_.model.inertia == 0.)
-      complete_quasi_static_state(
-        parameters_.model, discretization_, operator_, law, loads, state_);
-    else if (parameters_.has_contact_equilibrium())
-      settle_contact_nodes(discretization_, operator_, law, loads, state_);
-    data.set_time(0.);
     measurements.measure(state_, data, record_);
+    if (!parameters_.model.has_displacement())
+      record_.contact_impulse = record_.contact_force; // there is none
     record_.energy_terms = energy_.energy(state_);
     record_.energy       = record_.energy_terms.sum();
     if (!std::isfinite(record_.energy))

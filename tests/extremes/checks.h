@@ -179,7 +179,8 @@ namespace ThermoContact
         record.gap = 0.;
       if (!model.has_displacement())
         record.displacement_end = record.displacement_mid =
-          record.velocity_end = record.stress_end = 0.;
+          record.velocity_end = record.stress_end = record.penetration =
+            record.contact_force = record.contact_impulse = 0.;
       if (!model.has_temperature())
         record.temperature_end = record.temperature_mean =
           record.heat_flux_end = 0.;

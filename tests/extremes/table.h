@@ -137,7 +137,6 @@ namespace ThermoContact
                             std::string("Model/Viscosity=") + zeta,
                             std::string("Boundary/Heat exchange=") + k} +
                   contact;
-                // 7 and 72 have no common divisor: all pairs come up
                 while (!is_possible(corner + schemes[i % 7]))
                   ++i;
                 const Overrides &scheme = schemes[i++ % 7];
@@ -264,11 +263,11 @@ namespace ThermoContact
         scenes.push_back({"preload; " + join(scheme),
                           base + Overrides{"Contact/Gap=-0.05"},
                           Scene::warns,
-                          "initial pressure 5"});
+                          "initial pressure"});
         scenes.push_back({"u_0(1) beyond the gap; " + join(scheme),
                           base + Overrides{"Initial values/Displacement=0.2*x"},
                           Scene::warns,
-                          "initial pressure 10"});
+                          "initial pressure"});
         scenes.push_back({"corner layer; " + join(scheme),
                           base + Overrides{"Initial values/Temperature=5"},
                           Scene::warns,

@@ -15,13 +15,12 @@
 //    traction, from rest, against sdirk4 with dt = 1/1000 on the same mesh,
 //    which then has the same equations. u(1), u(1/2) and theta(1) at t = 1 and
 //    2, one halving: order 2 +- 0.15.
-// 4. Experiment 1 of the paper through its impact, at t = 1.5, degree 1,
-// against
-//    12 cells of degree 5 with all their mass. Contact nodes without mass do
-//    not change the order 2 in h of u(1), u(1/2) and theta(1), +-0.2, of
-//    sdirk4. The scheme energy conserving has no viscous stress at the contact
-//    node either: a change of the body over one cell, of order 1 in h, +-0.25,
-//    for u.
+// 4. Experiment 1 of the paper through its impact, at t = 1.5, degree 1, and
+//    12 cells of degree 5 with all their mass to compare with. Contact nodes
+//    without mass do not change the order 2 in h of u(1), u(1/2) and theta(1),
+//    +-0.2, of sdirk4. The scheme energy conserving has no viscous stress at
+//    the contact node either: a change of the body over one cell, of order 1 in
+//    h, +-0.25, for u.
 
 #include <deal.II/base/mpi.h>
 

@@ -15,7 +15,8 @@
 //      C V (b zeta/eps)^{1/3} ,  V = u_t(1) at the impact,
 //    to 5e-4; measured 3.5e-4, and less like eps^{2/3}. C is the maximum of the
 //    series f(r) = sum_k (-1)^k r^{(3k+2)/2}/Gamma((3k+4)/2).
-// 2. Elastic rod, thrown-elastic-rod.prm, whose solution is known, with sdirk4 and
+// 2. Elastic rod, thrown-elastic-rod.prm, whose solution is known, with sdirk4
+// and
 //    the scheme energy conserving: u(1) to 1e-4 at every row, largest
 //    penetration to 0.5 per cent (measured: 0.23 at eps = 0.003, where the
 //    obstacle reacts within 2.4 nodes). Largest penetration, and largest
