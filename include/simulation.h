@@ -180,12 +180,12 @@ namespace ThermoContact
     StepRecord                record_;
     std::vector<ContactEvent> events_;
     std::vector<StepAttempt>  attempts_;
-    unsigned int              n_rejected_steps_;
-    unsigned int              n_retakes; ///< to the next event
+    unsigned int              n_rejected_steps_ = 0;
+    unsigned int              n_retakes         = 0; ///< to the next event
     ContactValues             contact_values;
-    double                    max_energy_increase_;
-    double                    max_penetration_;
-    double                    max_contact_force_;
+    double                    max_energy_increase_ = 0.;
+    double                    max_penetration_     = 0.;
+    double                    max_contact_force_   = 0.;
     std::vector<std::string>  warnings_;
     std::vector<Observer>     observers;
 

@@ -50,11 +50,6 @@ namespace ThermoContact
                     parameters.time.has_error_control() ?
                       parameters.time.tolerance :
                       1e-13)
-    , n_rejected_steps_(0)
-    , n_retakes(0)
-    , max_energy_increase_(0.)
-    , max_penetration_(0.)
-    , max_contact_force_(0.)
   {
     set_initial_state();
   }

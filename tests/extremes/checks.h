@@ -78,8 +78,9 @@ namespace ThermoContact
       const double excess  = std::max(values.excess, last.excess);
       last                 = values;
       const double epsilon = std::numeric_limits<double>::epsilon();
-      const double p       = simulation.record().contact_force;
-      const double k       = simulation.parameters().boundary.heat_exchange;
+      const double p =
+        model.has_displacement() ? simulation.record().contact_force : 0.;
+      const double k = simulation.parameters().boundary.heat_exchange;
       return 4. * unit *
                (u * u + std::min(dt, 1.) * theta * excess +
                 unit * theta * theta + dt * model.viscosity * v * v) +
@@ -200,10 +201,10 @@ namespace ThermoContact
         {
           raise(scales.displacement, s.displacement.linfty_norm());
           raise(scales.velocity, s.velocity.linfty_norm());
+          raise(scales.force, r.contact_force);
         }
       if (simulation.parameters().model.has_temperature())
         raise(scales.temperature, s.temperature.linfty_norm());
-      raise(scales.force, r.contact_force);
       raise(scales.energy, r.energy_terms.magnitude());
       raise(scales.mechanical_energy,
             std::max(r.energy_terms.kinetic, r.energy_terms.elastic));
