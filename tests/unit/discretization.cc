@@ -284,7 +284,7 @@ namespace
     subtract(op.heat_mass(), 1., rates.temperature, result.temperature);
     subtract(op.conduction(), tau, rates.temperature, result.temperature);
     subtract(op.divergence(),
-             m.coupling,
+             tau * m.coupling,
              rates.displacement,
              result.temperature);
     subtract(op.momentum_mass(),
@@ -296,7 +296,7 @@ namespace
              rates.displacement,
              result.displacement);
     subtract(op.thermal_stress(),
-             -tau * tau * m.coupling,
+             -tau * m.coupling,
              rates.temperature,
              result.displacement);
     op.zero_constrained(0, result.temperature);
