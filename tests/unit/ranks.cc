@@ -4,7 +4,9 @@
 // column, in every column of every step: each rank runs the scene alone
 // (MPI_COMM_SELF) and both run it together (MPI_COMM_WORLD). Dimensions 1, 2
 // and 3; elastic and rigid obstacle; the paper's iteration; sources. Contact
-// occurs in all of them.
+// occurs in all of them. 1e-9 for the rod on the rigid obstacle: the pressure
+// of an impact is (u_free - g)/chi, and chi is 1e-3 for these steps, so that
+// the rounding of 18 steps, 3e-13 of u, becomes 5e-10 of p.
 
 #include <deal.II/base/mpi.h>
 
@@ -35,7 +37,9 @@ namespace
 
   template <int dim>
   void
-  compare(const std::string &name, std::vector<std::string> overrides)
+  compare(const std::string       &name,
+          std::vector<std::string> overrides,
+          const double             bound = 1e-10)
   {
     overrides.insert(overrides.end(),
                      {"Dimension=" + std::to_string(dim),
@@ -70,8 +74,8 @@ namespace
     difference = Utilities::MPI::max(difference, MPI_COMM_WORLD);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       deallog << dim << "-D, " << name << ": contact occurs " << (n_contact > 0)
-              << ", one rank equals two to 1e-10 " << (difference < 1e-10)
-              << std::endl;
+              << ", one rank equals two to " << bound << ' '
+              << (difference < bound) << std::endl;
   }
 } // namespace
 
@@ -89,7 +93,7 @@ main(int argc, char **argv)
     }
 
   compare<1>("elastic obstacle", {});
-  compare<1>("rigid obstacle", {"Contact/Condition=rigid"});
+  compare<1>("rigid obstacle", {"Contact/Condition=rigid"}, 1e-9);
   compare<1>("fixed point",
              {"Solver/Step solver=fixed point", "Time/Scheme=backward euler"});
   compare<1>("sources",
