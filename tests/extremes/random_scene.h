@@ -249,7 +249,8 @@ namespace ThermoContact
         set("Time/Locate contact events", "true");
       if (happens(0.5) && !has_one_node)
         set("Contact/Massless nodes",
-            pick({"on", is_conserving ? "automatic" : "off"}));
+            pick({is_paper_start && !is_rigid ? "automatic" : "on",
+                  is_conserving ? "automatic" : "off"}));
     }
 
     void
