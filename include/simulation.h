@@ -162,6 +162,8 @@ namespace ThermoContact
   private:
     const Parameters                      parameters_;
     const ContactLaw                      law;
+    const bool                            has_contact_mass;
+    const bool                            has_contact_equilibrium;
     ProblemData<dim>                      data;
     const Discretization<dim>             discretization_;
     const ThermoviscoelasticOperator<dim> operator_;

@@ -19,6 +19,8 @@ namespace ThermoContact
                               const MPI_Comm    communicator)
     : parameters_(parameters)
     , law(parameters.contact_law())
+    , has_contact_mass(parameters.has_contact_mass())
+    , has_contact_equilibrium(parameters.has_contact_equilibrium())
     , data(parameters)
     , discretization_(parameters, communicator)
     , operator_(discretization_, parameters)
@@ -33,11 +35,7 @@ namespace ThermoContact
                                       parameters,
                                       loads,
                                       *step_solver))
-    , transition(discretization_,
-                 operator_,
-                 energy_,
-                 law,
-                 parameters_.has_contact_mass())
+    , transition(discretization_, operator_, energy_, law, has_contact_mass)
     , controller(parameters, order_of(parameters.time))
     , error_norm(energy_.steady_profile_energy())
     , energy_watch(parameters, energy_.has_work())
@@ -45,8 +43,8 @@ namespace ThermoContact
                     law.is_active && parameters.time.locates_contact_events(),
                     parameters.model.is_static() ?
                       ContactNodes::of_static_body :
-                    parameters.has_contact_mass() ? ContactNodes::with_mass :
-                                                    ContactNodes::massless,
+                    has_contact_mass ? ContactNodes::with_mass :
+                                       ContactNodes::massless,
                     parameters.time.has_error_control() ?
                       parameters.time.tolerance :
                       1e-13)
@@ -167,8 +165,7 @@ namespace ThermoContact
     if (!parameters_.time.has_error_control())
       return std::numeric_limits<double>::quiet_NaN();
     EnergyTerms error = result.error;
-    if (law.is_active && law.compliance == 0. &&
-        parameters_.has_contact_mass() &&
+    if (law.is_active && law.compliance == 0. && has_contact_mass &&
         event_locator.mode() == ContactMode::unilateral &&
         result.n_iterations > 0) // a node was pushed back in some stage
       error.kinetic = 0.;
@@ -252,7 +249,7 @@ namespace ThermoContact
     else if (finding.kind == EventLocator::Finding::at_start)
       {
         event_locator.switch_at_start(finding.time, events_);
-        if (law.compliance == 0. && !parameters_.has_contact_equilibrium() &&
+        if (law.compliance == 0. && !has_contact_equilibrium &&
             event_locator.mode() == ContactMode::closed)
           {
             transition.impact(state_,
@@ -292,7 +289,7 @@ namespace ThermoContact
                                   const bool        has_event,
                                   StepResult       &result)
   {
-    if (has_event && parameters_.has_contact_equilibrium())
+    if (has_event && has_contact_equilibrium)
       {
         compute_step(time_step, ContactMode::unilateral, result);
         if (!result.failure.empty())
