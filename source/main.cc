@@ -17,10 +17,13 @@
 #include "output_directory.h"
 #include "parameter_file.h"
 #include "parameters.h"
-#include "report.h"
+#include "progress.h"
+#include "result_report.h"
+#include "scene_report.h"
 #include "simulation.h"
 #include "study.h"
 #include "study_report.h"
+#include "summary.h"
 #include "version.h"
 
 namespace ThermoContact

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_scene_report_h
+#define thermocontact_scene_report_h
+
+#include <string>
+#include <vector>
+
+#include "log.h"
+#include "simulation.h"
+
+namespace ThermoContact
+{
+  /**
+   * Prints the warnings after the first @p n_reported.
+   *
+   * @return their number
+   */
+  unsigned int
+  report_warnings(const std::vector<std::string> &warnings,
+                  const unsigned int              n_reported,
+                  Log                            &log);
+
+  /** Prints what is going to be computed, and the warnings so far. */
+  template <int dim>
+  void
+  report_scene(const Simulation<dim> &simulation, Log &log);
+} // namespace ThermoContact
+
+#endif
