@@ -7,7 +7,7 @@ import sys
 import textwrap
 
 CONVERT = {"kind": {"begin": 1, "end": 0}.__getitem__,  # the rest: float
-           "run": str, "status": str}
+           "run": str, "status": str, "reason": str}
 # Okabe and Ito: distinct in all kinds of colour vision; dashes for grey prints
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
 DASHES = ["-", (0, (5, 1.5)), (0, (5, 1.5, 1, 1.5)), (0, (1.5, 1.2))]

@@ -1,0 +1,241 @@
+"""The pictures of runs: part of scripts/plot, see there."""
+
+import argparse
+import math
+import textwrap
+
+from plot_common import looks, new_figure, plain
+from plot_probes import draw_probes
+
+FIGURE = {"displacement_end": r"displacement  $u(1, t)$",
+          "displacement_mid": r"displacement  $u(1/2, t)$",
+          "velocity_end": r"velocity  $u_t(1, t)$",
+          "stress_end": r"stress  $\sigma(1, t)$",
+          "temperature_end": r"temperature  $\theta(1, t)$",
+          "energy_drawn": r"$\ln\,(\hat{E} + 0.01)$"}
+HEAT = {"temperature_end": FIGURE["temperature_end"],
+        "temperature_mean": r"mean temperature  $\bar{\theta}(t)$",
+        "heat_flux_end": r"heat flux  $-\theta_x(1, t)$",
+        "energy_drawn": FIGURE["energy_drawn"]}
+CONTACT = {"gap": r"gap  $g - u(1, t)$",
+           "contact_force": r"contact force  $p(t)$",
+           "contact_impulse": r"impulse  $\int_0^t p$"}
+ENERGY = {"energy": r"energy  $\hat{E}$", "work": "work",
+          "dissipation": "dissipation",
+          "numerical_dissipation": "numerical dissipation",
+          "defect": "defect of the balance"}
+PLAIN_ENERGY = "energy  $\\hat{E}$\n(no ln: $\\hat{E} + 0.01 \\leq 0$ occurs)"
+OBSTACLE = {"color": "0.25", "linewidth": 0.8, "linestyle": (0, (4, 2))}
+LEGEND_LINE = 0.245  # inches
+
+
+def prepare(runs):
+    """Looks and labels of the runs; energy or its logarithm for all alike."""
+    titles = [run.title for run in runs]
+    for i, run in enumerate(runs):
+        run.looks = looks(i)
+        if titles.count(run.title) > 1:
+            run.title += f" ({run.directory})"
+        run.title = plain(run.title, 80) + run.ended
+        run.data["energy_drawn"] = run.data["energy"]
+    if all(e + 0.01 > 0 for run in runs for e in run.data["energy"]):
+        for run in runs:
+            run.data["energy_drawn"] = [
+                math.log(e + 0.01) for e in run.data["energy"]]
+    else:
+        FIGURE["energy_drawn"] = HEAT["energy_drawn"] = PLAIN_ENERGY
+
+
+def has(runs, column):
+    """Whether any run has numbers there."""
+    return any(math.isfinite(v) for run in runs for v in run.data[column])
+
+
+def draw_obstacle(axes, g):
+    low, high = axes.get_ylim()
+    if 2 * low - high <= g <= 2 * high - low:  # not far away, not nan
+        axes.axhline(g, zorder=2.5, **OBSTACLE)
+        axes.text(1.01, g, "$g$" if g else "", va="center",
+                  transform=axes.get_yaxis_transform())
+
+
+def mark_contacts(axes, runs):
+    """Shades the times in contact, or bars along the top for each of many."""
+    if len(runs) == 1:
+        for begin, end in runs[0].contacts:
+            axes.axvspan(begin, end, color="0.92", linewidth=0, zorder=0)
+        return
+    if not any(run.contacts for run in runs):
+        return
+    bar = 0.2 / max(5, len(runs))  # height of a bar in parts of the panel
+    low, high = axes.get_ylim()
+    if axes.get_yscale() == "linear":
+        axes.set_ylim(low, low + (high - low) / (1 - bar * len(runs)))
+    for i, run in enumerate(runs):
+        top = 1 - (i + 0.25) * bar
+        for begin, end in run.contacts:
+            axes.axvspan(begin, end, top - 0.6 * bar, top, zorder=2,
+                         color=run.looks["color"], linewidth=0)
+
+
+def draw_history(axes, column, runs):
+    """One curve per run, and the obstacle."""
+    for run in runs:
+        axes.plot(run.data["time"], run.data[column], zorder=3, **run.looks)
+    axes.ticklabel_format(axis="y", scilimits=(-3, 4))
+    if column == "displacement_end":
+        for g in {run.obstacle for run in runs}:
+            draw_obstacle(axes, g)
+    if column == "gap":
+        draw_obstacle(axes, 0)
+
+
+def legend_of(runs, obstacle):
+    """Handles of matplotlib's legend."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+    handles = [Line2D([], [], label=run.title, **run.looks) for run in runs]
+    values = sorted({run.obstacle for run in runs} - {math.nan})
+    values = [g for g in values if math.isfinite(g)]
+    if values and obstacle:
+        handles.append(Line2D([], [], label="obstacle, $g$ = " + ", ".join(
+            f"{g:g}" for g in values), **OBSTACLE))
+    if any(run.contacts for run in runs):
+        handles.append(Patch(facecolor="0.88", label="in contact" + (
+            " (bars at the top)" if len(runs) > 1 else "")))
+    return handles
+
+
+def panels_of(names, columns, height, handles):
+    """Figure, its panels by name and, below them, the legend.
+
+    The last panel is as wide as the figure if the others fill their rows.
+    """
+    rows = math.ceil(len(names) / columns)
+    length = max(len(handle.get_label()) for handle in handles)
+    ncol = max(1, min(len(handles), 100 // (length + 8)))
+    lines = sum(handle.get_label().count("\n") + 1 for handle in handles)
+    below = LEGEND_LINE * (math.ceil(lines / ncol) + 0.35)
+    figure = new_figure(8, rows * height + below)
+    grid = figure.add_gridspec(rows + 1, columns,
+                               height_ratios=[height] * rows + [below])
+    panels, first = {}, None
+    for i, name in enumerate(names):
+        row, column = divmod(i, columns)
+        wide = i + 1 == len(names) and column == 0
+        axes = figure.add_subplot(grid[row, slice(None) if wide else column],
+                                  sharex=first)
+        first = first or axes
+        panels[name] = axes
+        if row + 1 < rows:
+            axes.tick_params(labelbottom=False)
+        else:
+            axes.set_xlabel("time  $t$")
+    axes = figure.add_subplot(grid[rows, :])
+    axes.axis("off")
+    legend = axes.legend(handles=handles, loc="upper center", ncol=ncol,
+                         borderaxespad=0, fontsize=10.5)
+    legend.set_in_layout(False)
+    return figure, panels
+
+
+def finish(figure, panels, runs):
+    """Times in contact, one range of time, labels in line."""
+    for axes in panels.values():
+        mark_contacts(axes, runs)
+    next(iter(panels.values())).set_xlim(
+        min(run.data["time"][0] for run in runs),
+        max(run.data["time"][-1] for run in runs))
+    figure.align_ylabels()
+
+
+def draw_histories(runs, labels, columns, height):
+    labels = {name: label for name, label in labels.items() if has(runs, name)
+              and (name != "work" or any(any(run.data[name]) for run in runs))}
+    runs = [run for run in runs if any(has([run], name) for name in labels)]
+    figure, panels = panels_of(labels, columns, height, legend_of(
+        runs, obstacle="displacement_end" in labels or "gap" in labels))
+    for name, axes in panels.items():
+        axes.set_ylabel(labels[name])
+        draw_history(axes, name, runs)
+    finish(figure, panels, runs)
+    return figure
+
+
+def draw_figure(runs):
+    moving = has(runs, "displacement_end")
+    return draw_histories(runs, FIGURE if moving else HEAT, 2, 2.3)
+
+
+def draw_steps(runs):
+    """Attempts as points; the accepted ones joined."""
+    from matplotlib.lines import Line2D
+
+    labels = {"step_size": r"step size  $\Delta t$",
+              "error": "error / tolerance"}
+    kinds = {"tolerance": ("x", "rejected: error"),
+             "contact": ("+", "rejected: contact changes within")}
+    runs = [run for run in runs if run.steps]
+    reasons = {reason for run in runs for reason in run.steps[1]["reason"]}
+    colour = "black" if len(runs) > 1 else looks(1)["color"]
+    marks = [Line2D([], [], linestyle="", color=colour, label=label,
+                    marker=marker, markersize=6)
+             for reason, (marker, label) in kinds.items() if reason in reasons]
+    figure, panels = panels_of(labels, 1, 2.8, [
+        *legend_of(runs, obstacle=False), *marks])
+    for name, axes in panels.items():
+        axes.set_ylabel(labels[name])
+        axes.set_yscale("log")
+        for run in runs:
+            rows = [row for row in zip(*run.steps[1].values())]
+            at = list(run.steps[1]).index(name)
+            good = [row for row in rows if row[3] and row[at] > 0]
+            axes.plot([row[0] for row in good], [row[at] for row in good],
+                      marker=".", markersize=3, zorder=3,
+                      **{**run.looks, "linewidth": 0.7})
+            for row in rows:
+                if not row[3] and row[at] > 0:
+                    axes.plot(row[0], row[at], zorder=4, markersize=6,
+                              marker=kinds.get(row[4], "x")[0],
+                              color=run.looks["color"] if len(runs) > 1
+                              else colour)
+    panels["error"].axhline(1, **OBSTACLE)
+    finish(figure, panels, runs)
+    return figure
+
+
+def draw_decay(runs):
+    """Energies side by side, as in figure 5 of the paper."""
+    figure = new_figure(8, 3.4)
+    grid = figure.subplots(1, len(runs), sharey=True, squeeze=False)[0]
+    for letter, axes, run in zip("abcdefghij", grid, runs):
+        axes.plot(run.data["time"], run.data["energy_drawn"], zorder=3,
+                  **looks(0))
+        axes.set_xlim(run.data["time"][0], run.data["time"][-1])
+        axes.set_xlabel("time  $t$")
+        title = textwrap.fill(run.title, int(80 / len(runs)))
+        axes.set_title(f"({letter})  {title}", fontsize=11)
+    grid[0].set_ylabel(FIGURE["energy_drawn"])
+    return figure
+
+
+def picture(draw, wanted, needs, usual=True):
+    return argparse.Namespace(draw=draw, wanted=wanted, needs=needs,
+                              usual=usual)
+
+
+FIGURES = {
+    "figure": picture(draw_figure, lambda runs: True, "contact.csv"),
+    "contact": picture(
+        lambda runs: draw_histories(runs, CONTACT, 1, 2.1),
+        lambda runs: has(runs, "gap"), "a scene with an obstacle"),
+    "energy": picture(
+        lambda runs: draw_histories(runs, ENERGY, 2, 2.1),
+        lambda runs: has(runs, "energy"), "the column energy of contact.csv"),
+    "steps": picture(draw_steps, lambda runs: any(run.steps for run in runs),
+                     "steps.csv (error-controlled steps)"),
+    "probes": picture(
+        lambda runs: draw_probes(runs, panels_of, finish),
+        lambda runs: any(run.probes for run in runs), "probes.csv"),
+    "decay": picture(draw_decay, lambda runs: True, "contact.csv", usual=False),
+}

@@ -1,0 +1,92 @@
+"""What a run left in its output directory, as scripts/plot draws it."""
+
+import argparse
+import json
+import math
+import re
+
+from plot_common import (convert, fail, read_rows, read_table, title_of)
+
+COLUMNS = ["time", "displacement_end", "displacement_mid", "velocity_end",
+           "stress_end", "gap", "contact_force", "contact_impulse",
+           "temperature_end", "temperature_mean", "heat_flux_end", "energy",
+           "work", "dissipation", "numerical_dissipation", "in_contact"]
+STEPS = ["time", "step_size", "error", "accepted", "reason"]
+PROBE = re.compile(r"(temperature|displacement|velocity|stress)_(\d+)$")
+
+
+def read_contacts(path, data):
+    """Times in contact from events.csv, or without events from the rows."""
+    end = data["time"][-1]
+    changes = list(zip(data["time"], data["in_contact"]))
+    if path.exists() and path.stat().st_size > 0:  # empty at first
+        events = read_table(path, ["time", "kind"])[1]
+        changes = list(zip(events["time"], events["kind"])) or changes
+    contacts, begin = [], None if changes[0][1] == 1 else data["time"][0]
+    for time, contact in [*changes, (end, False)]:
+        if contact == 1 and begin is None:
+            begin = time
+        elif contact != 1 and begin is not None:
+            contacts.append((begin, min(time, end)))
+            begin = None
+    return [(begin, end) for begin, end in contacts if begin < end]
+
+
+def read_optional(path, names, end_time):
+    """Comments and the rows up to a time, or None without file or rows."""
+    if not path.exists() or path.stat().st_size == 0:
+        return None
+    comments, header, rows = read_rows(path, names(["time"]))
+    columns = names(header)
+    table = convert(path, header, rows, columns)
+    kept = [i for i, time in enumerate(table["time"]) if time <= end_time]
+    table = {name: [table[name][i] for i in kept] for name in columns}
+    return (comments, table) if kept and len(columns) > 1 else None
+
+
+def read_data(path, end_time):
+    """Comments and the columns of contact.csv, with what follows from them."""
+    comments, data = read_table(path, COLUMNS)
+    times = data["time"]
+    for before, time, line in zip([-math.inf, *times], times, data["line"]):
+        if not before <= time < math.inf:
+            fail(f"{path}:{line}", f"time {time:g} after {before:g}")
+    if not times:
+        fail(path, "it has no rows yet", "wait, or run the scene again")
+    count = sum(time <= end_time for time in times)
+    if count < 2 or times[0] == times[count - 1]:
+        fail(path, "fewer than two times to draw", "wait or raise --end-time")
+    data = {name: values[:count] for name, values in data.items()}
+    data["defect"] = [data["energy"][0] + work - energy - lost - numerical
+                      for work, energy, lost, numerical in zip(
+                          data["work"], data["energy"], data["dissipation"],
+                          data["numerical_dissipation"])]
+    return comments, data
+
+
+def how_it_ended(directory, time):
+    """Nothing if the run is done, else what a label says about it."""
+    try:
+        summary = json.loads((directory / "summary.json").read_text())
+        status = summary["status"]
+    except (OSError, ValueError, KeyError, TypeError):
+        status = "unfinished"
+    return "" if status == "done" else f" ({status}, $t$ = {time:.4g})"
+
+
+def read_run(directory, end_time):
+    path = directory / "contact.csv"
+    comments, data = read_data(path, end_time)
+    # rounding, and bending in 2-D and 3-D, spoil g least where u(1) is smallest
+    ends = [(abs(u), u + gap) for u, gap in zip(
+        data["displacement_end"], data["gap"]) if math.isfinite(u + gap)]
+    return argparse.Namespace(
+        directory=directory, data=data,
+        title=title_of(comments) or directory.resolve().name,
+        ended=how_it_ended(directory, data["time"][-1]),
+        contacts=read_contacts(directory / "events.csv", data),
+        obstacle=round(min(ends)[1], 12) if ends else math.nan,
+        steps=read_optional(directory / "steps.csv", lambda _: STEPS, end_time),
+        probes=read_optional(
+            directory / "probes.csv", lambda header: ["time", *(
+                name for name in header if PROBE.match(name))], end_time))
