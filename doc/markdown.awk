@@ -2,6 +2,7 @@
 # reads it.
 #   formulas  $...$ and ```math blocks become @f$...@f$ and @f[...@f]; code spans
 #             and other code blocks stay
+#   quotes    `code with '` would be taken for a quotation: ``code with '``
 #   pages     the title of doc/model.md gets the name {#model}, in every version
 #             of Doxygen; that of tests/README.md the name of its folder
 
@@ -36,6 +37,8 @@ in_math || in_code { print; next }
           gsub(/\$/, "@f$", parts[i])
           gsub("\001", "\\$", parts[i])
         }
+      else if (i < n_parts && parts[i] ~ /'/)
+        parts[i] = "`" parts[i] "`"
       line = line (i > 1 ? "`" : "") parts[i]
     }
   print line

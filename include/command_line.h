@@ -15,7 +15,7 @@ namespace ThermoContact
   {
     std::string             file_name; ///< the parameter file, may be empty
     std::vector<Assignment> overrides; ///< --set and --output, in order
-    std::string             print_parameters; ///< prm, json, description, or ""
+    std::string             print_parameters; ///< a format, or "": do not
     bool                    check_only   = false;
     bool                    is_quiet     = false;
     bool                    show_help    = false;

@@ -18,8 +18,8 @@ Dynamic contact of a thermoviscoelastic rod with an elastic or rigid obstacle.
   --set 'Section/Entry=value'  override one entry of FILE.prm; repeatable
   --output DIR                 short for --set Output/Directory=DIR
   --check                      read and check everything, print the scene, stop
-  --print-parameters[=FORMAT]  print all entries; FORMAT: prm, json, description;
-                               with FILE.prm, its values
+  --print-parameters[=FORMAT]  print all entries; FORMAT: prm, json, description,
+                               markdown; with FILE.prm, its values
   --quiet                      print nothing but errors
   --help, --version
 
@@ -97,9 +97,10 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
 
     const std::string &format = command_line.print_parameters;
     if (!format.empty() && format != "prm" && format != "json" &&
-        format != "description")
-      throw InputError("--print-parameters=" + format +
-                       ": unknown format\n  allowed: prm | json | description");
+        format != "description" && format != "markdown")
+      throw InputError(
+        "--print-parameters=" + format +
+        ": unknown format\n  allowed: prm | json | description | markdown");
     return command_line;
   }
 } // namespace ThermoContact

@@ -16,6 +16,7 @@
 #include "output.h"
 #include "output_directory.h"
 #include "parameter_file.h"
+#include "parameter_reference.h"
 #include "parameters.h"
 #include "progress.h"
 #include "result_report.h"
@@ -170,6 +171,8 @@ namespace ThermoContact
     void
     print_parameters(ParameterHandler &prm, const std::string &format)
     {
+      if (format == "markdown")
+        return write_parameter_reference(prm, std::cout);
       const auto style = format == "json" ? ParameterHandler::JSON :
                                             (format == "description" ?
                                                ParameterHandler::Description :
