@@ -22,7 +22,8 @@ METADATA = {".png": {}, ".pdf": {"CreationDate": None}, ".svg": {"Date": None}}
 
 def fail(where, problem, remedy="run the scene again"):
     """End with one line that says what is wrong and what to do."""
-    print(f"scripts/plot: {where}: {problem}; {remedy}", file=sys.stderr)
+    script = os.path.basename(sys.argv[0])
+    print(f"scripts/{script}: {where}: {problem}; {remedy}", file=sys.stderr)
     sys.exit(2)
 
 
