@@ -16,7 +16,9 @@ namespace ThermoContact
     std::string             file_name; ///< the parameter file, may be empty
     std::vector<Assignment> overrides; ///< --set and --output, in order
     std::string             print_parameters; ///< a format, or "": do not
+    std::string             program_name;     ///< argv[0]
     bool                    check_only   = false;
+    bool                    is_resumed   = false;
     bool                    is_quiet     = false;
     bool                    show_help    = false;
     bool                    show_version = false;

@@ -64,6 +64,13 @@ namespace ThermoContact
       return counters_;
     }
 
+    /**
+     * Makes again what was kept and goes on counting from there, for a run that
+     * goes on. Collective.
+     */
+    void
+    restore(const SolverCounters &counters);
+
   private:
     const Discretization<dim>             &discretization;
     const ThermoviscoelasticOperator<dim> &stage_operator;

@@ -27,6 +27,13 @@ namespace ThermoContact
     /** Sum of absolute values: what rounding of the sum is relative to. */
     double
     magnitude() const;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &thermal &kinetic &elastic &obstacle &coupling;
+    }
   };
 
 

@@ -36,6 +36,14 @@ namespace ThermoContact
     std::string
     add(const unsigned int step, const double time, const EnergyTerms &terms);
 
+    /** What changes during a run, for checkpoints. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &smallest &scale &n_steps &has_warned;
+    }
+
   private:
     const bool        is_active;
     const std::string remedy;           ///< of this scene

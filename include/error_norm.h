@@ -48,6 +48,14 @@ namespace ThermoContact
       return max_mechanical;
     }
 
+    /** What changes during a run, for checkpoints. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &max_thermal &max_mechanical;
+    }
+
   private:
     const double temperature_energy;
     double       max_thermal;

@@ -21,6 +21,13 @@ namespace ThermoContact
     double time     = 0.;
     Kind   kind     = begin;
     double velocity = 0.; ///< $u_t(1)$ of the free end next to that time
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &time &kind &velocity;
+    }
   };
 
 
@@ -66,6 +73,13 @@ namespace ThermoContact
     std::vector<double> displacement; ///< normal, $u_n$
     std::vector<double> velocity;     ///< normal, $v_n$
     std::vector<double> pressure;     ///< of either sign in a closed step
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &time &displacement &velocity &pressure;
+    }
   };
 
 
@@ -193,6 +207,15 @@ namespace ThermoContact
     set_present(const ContactValues &values)
     {
       present = values;
+    }
+
+    /** What changes during a run, for checkpoints. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &mode_ &present &is_in_contact &was_switched &max_displacement
+        &max_pressure;
     }
 
   private:

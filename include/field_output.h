@@ -44,11 +44,32 @@ namespace ThermoContact
     void
     write(const State &state);
 
+    /** Times of the snapshots so far. */
+    const std::vector<double> &
+    times() const
+    {
+      return times_;
+    }
+
+    /**
+     * Goes on behind the snapshots at @p times, which an earlier run has
+     * written. Collective.
+     *
+     * @throw ComputationError if the PVD file cannot be written
+     */
+    void
+    restore(const std::vector<double> &times);
+
+    /** The snapshots so far survive a loss of power; returns what is wrong. */
+    std::string
+    sync();
+
   private:
-    const std::string                           directory;
-    const ModelParameters                       model;
-    const Discretization<dim>                  &discretization;
-    std::vector<std::pair<double, std::string>> times_and_names;
+    const std::string          directory;
+    const ModelParameters      model;
+    const Discretization<dim> &discretization;
+    std::vector<double>        times_;
+    unsigned int               n_synced = 0; ///< snapshots
 
     /**
      * Both fields in one vector. By blocks: DataOut takes other vectors only if

@@ -45,6 +45,12 @@ namespace ThermoContact
     types::global_dof_index
     n_factorized_unknowns() const override;
 
+    SolverMemory
+    memory() const override;
+
+    void
+    restore(const SolverMemory &memory) override;
+
     /**
      * The contraction factor (M.20) of the contact part at stage length
      * @p tau: $\chi/\varepsilon$ with $\chi$ the largest eigenvalue of the

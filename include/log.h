@@ -20,9 +20,9 @@ namespace ThermoContact
      */
     Log(const bool is_writer, const bool is_quiet);
 
-    /** Also writes to @p file_name from now on. */
+    /** Also writes to @p file_name from now on, or at its end. */
     void
-    open_file(const std::string &file_name);
+    open_file(const std::string &file_name, const bool append = false);
 
     /** Prints @p text and a line break, on the screen at once. */
     void

@@ -40,6 +40,17 @@ namespace ThermoContact
     double       work                  = 0.; ///< sum of (M.25)
     double       temperature_mean      = 0.;
     EnergyTerms  energy_terms; ///< the terms of energy; not in the file
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &step &time &step_size &displacement_end &displacement_mid
+        &velocity_end &stress_end &gap &penetration &contact_force
+          &contact_impulse &temperature_end &heat_flux_end &energy &dissipation
+            &numerical_dissipation &in_contact &iterations &work
+              &temperature_mean &energy_terms;
+    }
   };
 
 

@@ -5,14 +5,34 @@
 
 #include <deal.II/base/timer.h>
 
-#include <fstream>
 #include <string>
 
 #include "field_output.h"
 #include "simulation.h"
+#include "table_file.h"
 
 namespace ThermoContact
 {
+  /** How far the files of a run have been written; for checkpoints. */
+  struct OutputMemory
+  {
+    /** Lengths in bytes of the tables; 0 for one that there is not. */
+    std::uint64_t contact_size = 0;
+    std::uint64_t events_size  = 0;
+    std::uint64_t steps_size   = 0;
+
+    std::vector<double> snapshot_times;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &contact_size &events_size &steps_size &snapshot_times;
+    }
+  };
+
+
+
   /**
    * The files of one run that grow with time: contact.csv, events.csv,
    * steps.csv and the snapshots. An observer of a Simulation. Rows and
@@ -23,11 +43,15 @@ namespace ThermoContact
   {
   public:
     /**
-     * Opens the files in @p directory, which has been prepared.
+     * Opens the files in @p directory, which has been prepared; or goes on with
+     * those of an earlier run, from where they were for @p memory, and cuts off
+     * what they hold beyond. @p simulation is restored then.
      *
      * @throw ComputationError naming a file that cannot be opened
      */
-    Output(const std::string &directory, const Simulation<dim> &simulation);
+    Output(const std::string     &directory,
+           const Simulation<dim> &simulation,
+           const OutputMemory    *memory = nullptr);
 
     /**
      * Writes what is due at the present state of @p simulation.
@@ -50,6 +74,13 @@ namespace ThermoContact
     void
     flush();
 
+    /**
+     * Makes what is written survive a loss of power and tells how far that is;
+     * on rank 0. Collective, same exceptions as observe().
+     */
+    OutputMemory
+    sync();
+
   private:
     const std::string      directory;
     const OutputParameters parameters;
@@ -59,20 +90,25 @@ namespace ThermoContact
     FieldOutput<dim>       field_output;
     Timer                  field_timer;
     Timer                  since_flush;
-    std::ofstream          contact_file;
-    std::ofstream          events_file;
-    std::ofstream          steps_file;
+    TableFile              contact_file;
+    TableFile              events_file;
+    TableFile              steps_file;
     const bool             has_attempts; ///< steps that can be rejected
     unsigned int           n_written_events;
     unsigned int           n_rows;
     double                 next_fields;  ///< in intervals
     double                 next_contact; ///< in intervals
 
+    /** @param size of the file so far if a run goes on, else 0 */
     void
-    open(std::ofstream     &file,
-         const std::string &name,
-         const std::string &title,
-         const std::string &columns);
+    open(TableFile          &file,
+         const std::string  &name,
+         const std::string  &title,
+         const std::string  &columns,
+         const std::uint64_t size);
+
+    void
+    restore(const OutputMemory &memory, const Simulation<dim> &simulation);
 
     void
     write_row(const StepRecord &record);

@@ -32,6 +32,36 @@ namespace ThermoContact
                            const MPI_Comm     communicator);
 
   /**
+   * Keeps other runs out of an output directory as long as it lives, also if
+   * the program is killed. Where the file system has no locks nothing is kept
+   * out.
+   */
+  class DirectoryLock
+  {
+  public:
+    /**
+     * Creates @p directory if it is not there, unless a run is to go on in it.
+     * Collective.
+     *
+     * @throw InputError if it cannot be created, or another run has it
+     */
+    DirectoryLock(const std::string &directory,
+                  const bool         must_exist,
+                  const MPI_Comm     communicator);
+
+    ~DirectoryLock();
+
+    DirectoryLock(const DirectoryLock &) = delete;
+    DirectoryLock &
+    operator=(const DirectoryLock &) = delete;
+
+  private:
+    int descriptor = -1;
+  };
+
+
+
+  /**
    * Writes used.prm: all entries as used, the directory among them, so that
    * running the file again gives the same files. Rank 0 writes; collective.
    *

@@ -6,6 +6,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <iosfwd>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -84,6 +85,14 @@ namespace ThermoContact
    */
   void
   check_unused_entries(const Parameters &parameters, ParameterHandler &prm);
+
+  /** Path and present value of every entry. */
+  std::map<std::string, std::string>
+  entry_values(const ParameterHandler &prm);
+
+  /** True for the same text or the same number. */
+  bool
+  equal_values(const std::string &a, const std::string &b);
 
   /**
    * Writes all entries with their present values as a parameter file, in the

@@ -258,9 +258,10 @@ namespace ThermoContact
   struct OutputParameters
   {
     std::string directory;
-    double      fields_interval  = 0.1;
-    double      contact_interval = 0.;
-    bool        land_on_times    = false; ///< steps end on output times
+    double      fields_interval     = 0.1;
+    double      contact_interval    = 0.;
+    bool        land_on_times       = false; ///< steps end on output times
+    double      checkpoint_interval = 0.;    ///< seconds of wall-clock time
 
     void
     add_parameters(ParameterHandler &prm);

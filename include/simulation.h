@@ -49,12 +49,30 @@ namespace ThermoContact
     add_observer(const Observer &observer);
 
     /**
-     * Runs to the end time.
+     * Runs to the end time, from the present state on.
      *
      * @throw ComputationError naming step and time if a step cannot be solved
      */
     void
     run();
+
+    /**
+     * All that changes during a run, as bytes: the part of this rank, after a
+     * step or at the start. Collective.
+     */
+    std::string
+    memory() const;
+
+    /**
+     * Goes on from what memory() gave on the same number of ranks, for a scene
+     * that may differ in end time and output: each later step is the same, bit
+     * for bit. Observers are not called for the state that is restored.
+     * Collective.
+     *
+     * @throw InputError if @p memory is not of such a run
+     */
+    void
+    restore(const std::string &memory);
 
     /** The state that was accepted last. */
     const State &
@@ -190,6 +208,7 @@ namespace ThermoContact
     double                    max_contact_force_   = 0.;
     std::vector<std::string>  warnings_;
     std::vector<Observer>     observers;
+    bool                      is_restored = false;
 
     void
     set_initial_state();
@@ -251,6 +270,11 @@ namespace ThermoContact
 
     void
     accept(const TimeStep &time_step, StepResult &result);
+
+    /** Reads or writes what changes during a run, but for the solvers. */
+    template <class Archive>
+    void
+    archive_progress(Archive &archive);
 
     void
     notify() const;

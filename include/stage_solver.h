@@ -40,6 +40,12 @@ namespace ThermoContact
     types::global_dof_index
     n_factorized_unknowns() const override;
 
+    SolverMemory
+    memory() const override;
+
+    void
+    restore(const SolverMemory &memory) override;
+
     /**
      * The rates of a stage for zero pressures, to be followed by
      * apply_pressure(); parameters as for solve().

@@ -3,6 +3,8 @@
 #ifndef thermocontact_state_h
 #define thermocontact_state_h
 
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,28 @@ namespace ThermoContact
       displacement.swap(other.displacement);
       velocity.swap(other.velocity);
       contact_pressure.swap(other.contact_pressure);
+    }
+
+    /**
+     * The part of this rank, for checkpoints. A state that is read has its
+     * layout already.
+     *
+     * @throw std::length_error if the layout is another one
+     */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &time &contact_pressure;
+      for (Vector *vector : {&temperature, &displacement, &velocity})
+        {
+          std::vector<double> values(vector->begin(), vector->end());
+          archive            &values;
+          if (values.size() != vector->locally_owned_size())
+            throw std::length_error("vectors of another discretisation");
+          if (Archive::is_loading::value)
+            std::copy(values.begin(), values.end(), vector->begin());
+        }
     }
   };
 } // namespace ThermoContact

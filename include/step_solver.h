@@ -30,6 +30,34 @@ namespace ThermoContact
     unsigned int factorizations = 0;
     unsigned int solves         = 0; ///< back-substitutions of stages
     unsigned int responses      = 0; ///< back-substitutions for $W$
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &factorizations &solves &responses;
+    }
+  };
+
+
+
+  /** What a step solver keeps from one stage to the next. */
+  struct SolverMemory
+  {
+    SolverCounters counters;
+
+    /** Stage lengths that are factorised, the one used last in front. */
+    std::vector<double> taus;
+
+    /** Whether the response to pressures is known for them. */
+    std::vector<bool> has_response;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &counters &taus &has_response;
+    }
   };
 
 
@@ -74,6 +102,17 @@ namespace ThermoContact
     {
       return counters_;
     }
+
+    /** What the solver keeps between stages, for checkpoints. */
+    virtual SolverMemory
+    memory() const = 0;
+
+    /**
+     * Makes again what was kept and goes on counting from there, so that a run
+     * that goes on spends what an uninterrupted one does. Collective.
+     */
+    virtual void
+    restore(const SolverMemory &memory) = 0;
 
   protected:
     SolverCounters counters_;

@@ -77,6 +77,13 @@ namespace ThermoContact
       return counters_;
     }
 
+    /** Goes on counting from there, for a run that goes on. */
+    void
+    restore(const SolverCounters &counters)
+    {
+      counters_ = counters;
+    }
+
   protected:
     SolverCounters counters_;
   };

@@ -20,6 +20,8 @@ Dynamic contact of a thermoviscoelastic rod with an elastic or rigid obstacle.
   --check                      read and check everything, print the scene, stop
   --print-parameters[=FORMAT]  print all entries; FORMAT: prm, json, description,
                                markdown; with FILE.prm, its values
+  --resume                     go on from the newest checkpoint in the output
+                               directory
   --quiet                      print nothing but errors
   --help, --version
 
@@ -38,6 +40,7 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
       output,
       check,
       print_parameters,
+      resume,
       quiet,
       help,
       version
@@ -47,6 +50,7 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
       {"output", required_argument, nullptr, output},
       {"check", no_argument, nullptr, check},
       {"print-parameters", optional_argument, nullptr, print_parameters},
+      {"resume", no_argument, nullptr, resume},
       {"quiet", no_argument, nullptr, quiet},
       {"help", no_argument, nullptr, help},
       {"version", no_argument, nullptr, version},
@@ -54,8 +58,9 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
     const std::string remedy = "\n  remedy:  --help lists the options";
 
     CommandLine command_line;
-    opterr = 0; // messages are ours
-    optind = 1;
+    command_line.program_name = argv[0];
+    opterr                    = 0; // messages are ours
+    optind                    = 1;
     for (int o; (o = getopt_long(argc, argv, ":", options, nullptr)) != -1;)
       switch (o)
         {
@@ -71,6 +76,9 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
             break;
           case print_parameters:
             command_line.print_parameters = optarg != nullptr ? optarg : "prm";
+            break;
+          case resume:
+            command_line.is_resumed = true;
             break;
           case quiet:
             command_line.is_quiet = true;

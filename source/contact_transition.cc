@@ -52,6 +52,17 @@ namespace ThermoContact
 
 
   template <int dim>
+  void
+  ContactTransition<dim>::restore(const SolverCounters &counters)
+  {
+    if (counters.factorizations > 0 && !mass_solver)
+      compute_impulse_responses();
+    counters_ = counters;
+  }
+
+
+
+  template <int dim>
   double
   ContactTransition<dim>::stop_contact_nodes(Vector &velocity)
   {

@@ -7,11 +7,11 @@
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
-#include <filesystem>
-#include <fstream>
+#include <cstdio>
 #include <iomanip>
 #include <sstream>
 
+#include "atomic_file.h"
 #include "exceptions.h"
 #include "output_directory.h"
 
@@ -177,20 +177,14 @@ namespace ThermoContact
 
 
 
-    /** Returns what is wrong, or nothing; nothing is left of a bad file. */
+    /** File of snapshot @p i, from the output directory. */
     std::string
-    write_file(const std::string &path, const std::string &text)
+    snapshot_name(const unsigned int i)
     {
-      std::ofstream file(path);
-      file << text;
-      file.close();
-      if (file)
-        return "";
-      std::error_code error;
-      std::filesystem::remove(path, error);
-      return path +
-             ": cannot be written\n  remedy:  check free space and rights, or "
-             "set Output/Fields interval = 0";
+      std::ostringstream name;
+      name << "fields/fields-" << std::setw(5) << std::setfill('0') << i
+           << ".vtu";
+      return name.str();
     }
   } // namespace
 
@@ -272,7 +266,7 @@ namespace ThermoContact
 
     DataOutBase::VtkFlags flags;
     flags.time                = state.time;
-    flags.cycle               = times_and_names.size();
+    flags.cycle               = times_.size();
     flags.print_date_and_time = false;
     flags.compression_level   = DataOutBase::VtkFlags::best_speed;
     data_out.build_patches(discretization.mapping(), discretization.degree());
@@ -293,10 +287,8 @@ namespace ThermoContact
                                 const std::vector<std::string> &pieces,
                                 const DataOutBase::VtkFlags    &flags)
   {
-    std::ostringstream name;
-    name << "fields/fields-" << std::setw(5) << std::setfill('0')
-         << times_and_names.size() << ".vtu";
-    times_and_names.emplace_back(time, name.str());
+    const std::string name = snapshot_name(times_.size());
+    times_.push_back(time);
     if (Utilities::MPI::this_mpi_process(discretization.communicator()) != 0)
       return "";
 
@@ -306,8 +298,40 @@ namespace ThermoContact
       text << piece;
     DataOutBase::write_vtu_footer(text);
     const std::string fault =
-      write_file(directory + "/" + name.str(), text.str());
+      write_atomically(directory + "/" + name, text.str());
     return fault.empty() ? write_pvd(directory + "/fields.pvd") : fault;
+  }
+
+
+
+  template <int dim>
+  void
+  FieldOutput<dim>::restore(const std::vector<double> &times)
+  {
+    times_ = times;
+    std::string fault;
+    if (Utilities::MPI::this_mpi_process(discretization.communicator()) == 0 &&
+        !times.empty())
+      {
+        // what was written after the checkpoint will be written again
+        unsigned int i = times.size();
+        while (std::remove((directory + "/" + snapshot_name(i)).c_str()) == 0)
+          ++i;
+        fault = write_pvd(directory + "/fields.pvd");
+      }
+    throw_everywhere<ComputationError>(fault, discretization.communicator());
+  }
+
+
+
+  template <int dim>
+  std::string
+  FieldOutput<dim>::sync()
+  {
+    std::string fault;
+    for (; n_synced < times_.size() && fault.empty(); ++n_synced)
+      fault = sync_file(directory + "/" + snapshot_name(n_synced));
+    return fault;
   }
 
 
@@ -321,16 +345,13 @@ namespace ThermoContact
             "<VTKFile type=\"Collection\" version=\"0.1\">\n"
             "  <Collection>\n"
          << std::setprecision(17);
-    for (const auto &[time, name] : times_and_names)
-      text << "    <DataSet timestep=\"" << time
-           << "\" group=\"\" part=\"0\" file=\"" << name << "\"/>\n";
+    for (unsigned int i = 0; i < times_.size(); ++i)
+      text << "    <DataSet timestep=\"" << times_[i]
+           << "\" group=\"\" part=\"0\" file=\"" << snapshot_name(i)
+           << "\"/>\n";
     text << "  </Collection>\n</VTKFile>\n";
 
-    const std::string fault = write_file(path + ".part", text.str());
-    std::error_code   error;
-    if (fault.empty())
-      std::filesystem::rename(path + ".part", path, error);
-    return error ? path + ": " + error.message() : fault;
+    return write_atomically(path, text.str());
   }
 
 

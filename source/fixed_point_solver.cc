@@ -55,6 +55,33 @@ namespace ThermoContact
 
 
   template <int dim>
+  SolverMemory
+  FixedPointSolver<dim>::memory() const
+  {
+    SolverMemory memory;
+    memory.counters = counters_;
+    if (heat_solver)
+      {
+        memory.taus         = {factorized_tau};
+        memory.has_response = {false};
+      }
+    return memory;
+  }
+
+
+
+  template <int dim>
+  void
+  FixedPointSolver<dim>::restore(const SolverMemory &memory)
+  {
+    if (!memory.taus.empty())
+      factorize(memory.taus.front());
+    counters_ = memory.counters;
+  }
+
+
+
+  template <int dim>
   void
   FixedPointSolver<dim>::update_pressure(const double tau, StageRates &rates)
   {

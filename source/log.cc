@@ -14,10 +14,10 @@ namespace ThermoContact
 
 
   void
-  Log::open_file(const std::string &file_name)
+  Log::open_file(const std::string &file_name, const bool append)
   {
     if (is_writer)
-      file.open(file_name);
+      file.open(file_name, append ? std::ios::app : std::ios::out);
   }
 
 

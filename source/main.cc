@@ -4,133 +4,27 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
-#include <filesystem>
+#include <csignal>
 #include <fstream>
 #include <iostream>
-#include <set>
 #include <sstream>
 
 #include "command_line.h"
 #include "exceptions.h"
 #include "log.h"
-#include "output.h"
 #include "output_directory.h"
 #include "parameter_file.h"
 #include "parameter_reference.h"
 #include "parameters.h"
-#include "progress.h"
-#include "result_report.h"
-#include "scene_report.h"
-#include "simulation.h"
+#include "scene_run.h"
 #include "study.h"
 #include "study_report.h"
-#include "summary.h"
 #include "version.h"
 
 namespace ThermoContact
 {
   namespace
   {
-    std::string
-    output_directory(const Parameters &parameters, const CommandLine &command)
-    {
-      if (!parameters.output.directory.empty())
-        return parameters.output.directory;
-      return "results/" +
-             std::filesystem::path(command.file_name).stem().string();
-    }
-
-
-
-    /** Entries that the scene cannot use; runs of a study may use them. */
-    std::set<std::string>
-    unused_entries(const Parameters &parameters)
-    {
-      std::set<std::string> paths;
-      if (!parameters.study.is_active())
-        for (const auto &entry : parameters.unused_entries())
-          paths.insert(entry.path);
-      return paths;
-    }
-
-
-
-    /** Runs one scene with all its files. */
-    template <int dim>
-    void
-    run_scene(const Parameters  &parameters,
-              ParameterHandler  &prm,
-              const CommandLine &command,
-              const Timer       &since_start,
-              Log               &log)
-    {
-      const MPI_Comm    communicator = MPI_COMM_WORLD;
-      Simulation<dim>   simulation(parameters, communicator);
-      const std::string directory = output_directory(parameters, command);
-      check_output_directory(directory, communicator);
-      if (command.check_only)
-        {
-          report_scene(simulation, log);
-          return;
-        }
-
-      prepare_output_directory(directory, communicator);
-      write_used_parameters(directory,
-                            unused_entries(parameters),
-                            prm,
-                            communicator);
-      log.open_file(directory + "/log.txt");
-      log.line(std::string("thermocontact ") + version() + ", deal.II " +
-               DEAL_II_PACKAGE_VERSION + ", ranks: " +
-               std::to_string(Utilities::MPI::n_mpi_processes(communicator)));
-      report_scene(simulation, log);
-
-      Output<dim> output(directory, simulation);
-      simulation.add_observer(
-        [&](const Simulation<dim> &s) { output.observe(s); });
-      unsigned int n_reported = simulation.warnings().size();
-      simulation.add_observer([&](const Simulation<dim> &s) {
-        n_reported = report_warnings(s.warnings(), n_reported, log);
-        report_progress(s, log);
-      });
-
-      RunTimes times;
-      times.set_up            = since_start.wall_time();
-      const auto finish_times = [&]() {
-        times.output = output.output_seconds();
-        times.loop   = since_start.wall_time() - times.set_up - times.output;
-        times.wall   = since_start.wall_time();
-      };
-      const std::string summary = directory + "/summary.json";
-      try
-        {
-          simulation.run();
-          output.flush();
-        }
-      catch (const ComputationError &error)
-        {
-          finish_times();
-          output.observe_failure(simulation);
-          log.line(std::string("  failed:   ") + error.what());
-          try
-            {
-              write_summary(summary,
-                            std::string("failed: ") + error.what(),
-                            simulation,
-                            times);
-            }
-          catch (const ComputationError &)
-            {} // the first fault is the one to tell, e.g. a full disk
-          throw;
-        }
-      finish_times();
-      report_result(simulation, times, log);
-      write_summary(summary, "done", simulation, times);
-      log.line("  files     " + directory);
-    }
-
-
-
     /** Runs a scene many times. */
     void
     run_study(const Parameters              &parameters,
@@ -139,6 +33,9 @@ namespace ThermoContact
               const CommandLine             &command,
               Log                           &log)
     {
+      if (command.is_resumed)
+        throw InputError("--resume: a study cannot go on\n  remedy:  run it "
+                         "anew, or give runs that take long a file each");
       const MPI_Comm    communicator = MPI_COMM_WORLD;
       Study             study(assignments, parameters.study);
       const std::string directory = output_directory(parameters, command);
@@ -151,6 +48,7 @@ namespace ThermoContact
           log.line(plan);
           return;
         }
+      const DirectoryLock lock(directory, false, communicator);
       prepare_output_directory(directory, communicator);
       write_used_parameters(directory,
                             unused_entries(parameters),
@@ -285,6 +183,8 @@ int
 main(int argc, char **argv)
 {
   using namespace ThermoContact;
+
+  std::signal(SIGXFSZ, SIG_IGN); // a file at its limit is an error like others
 
   const Timer                      since_start;
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);

@@ -29,13 +29,26 @@ namespace ThermoContact
 
     /** Rows after which a fault of the file is looked for on all ranks. */
     constexpr unsigned int rows_between_checks = 1000;
+
+
+
+    /** Whole intervals up to @p time. */
+    double
+    count_intervals(const double interval, const double time)
+    {
+      // Times are multiples of the step up to rounding, so that a multiple of
+      // the interval may be missed by a hair.
+      const double slack = 1e-9 + 4e-16 * time / interval;
+      return std::floor(time / interval + slack);
+    }
   } // namespace
 
 
 
   template <int dim>
   Output<dim>::Output(const std::string     &directory,
-                      const Simulation<dim> &simulation)
+                      const Simulation<dim> &simulation,
+                      const OutputMemory    *memory)
     : directory(directory)
     , parameters(simulation.parameters().output)
     , end_time(simulation.parameters().time.end_time)
@@ -53,33 +66,58 @@ namespace ThermoContact
   {
     field_timer.reset();
     const std::string &title = simulation.parameters().title;
-    open(contact_file, "contact.csv", title, contact_columns);
-    open(events_file, "events.csv", title, event_columns);
+    const OutputMemory sizes = memory ? *memory : OutputMemory();
+    open(
+      contact_file, "contact.csv", title, contact_columns, sizes.contact_size);
+    open(events_file, "events.csv", title, event_columns, sizes.events_size);
     if (has_attempts)
-      open(steps_file, "steps.csv", title, step_columns);
+      open(steps_file, "steps.csv", title, step_columns, sizes.steps_size);
     if (is_writer && parameters.fields_interval > 0.)
       {
         std::error_code error; // a fault shows when the first file is opened
         std::filesystem::create_directory(directory + "/fields", error);
       }
     flush();
+    if (memory)
+      restore(*memory, simulation);
   }
 
 
 
   template <int dim>
   void
-  Output<dim>::open(std::ofstream     &file,
-                    const std::string &name,
-                    const std::string &title,
-                    const std::string &columns)
+  Output<dim>::open(TableFile          &file,
+                    const std::string  &name,
+                    const std::string  &title,
+                    const std::string  &columns,
+                    const std::uint64_t size)
   {
     if (!is_writer)
       return;
+    if (size > 0)
+      return file.reopen(directory + "/" + name, size);
     file.open(directory + "/" + name);
-    file << "# " << title << "\n# thermocontact " << version() << ", deal.II "
-         << DEAL_II_PACKAGE_VERSION << '\n'
-         << columns << '\n';
+    file.write_row("# " + title + "\n# thermocontact " + version() +
+                   ", deal.II " + DEAL_II_PACKAGE_VERSION + '\n' + columns +
+                   '\n');
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::restore(const OutputMemory    &memory,
+                       const Simulation<dim> &simulation)
+  {
+    n_written_events = simulation.events().size();
+    // The state that is restored has been seen: the next multiples are due.
+    const double time = simulation.record().time;
+    for (auto [interval, next] :
+         {std::make_pair(parameters.fields_interval, &next_fields),
+          std::make_pair(parameters.contact_interval, &next_contact)})
+      if (interval > 0.)
+        *next = count_intervals(interval, time) + 1.;
+    field_output.restore(memory.snapshot_times);
   }
 
 
@@ -90,10 +128,7 @@ namespace ThermoContact
                       const double time,
                       double      &next) const
   {
-    // Times are multiples of the step up to rounding, so that a multiple of
-    // the interval may be missed by a hair.
-    const double slack = 1e-9 + 4e-16 * time / interval;
-    const double count = std::floor(time / interval + slack);
+    const double count = count_intervals(interval, time);
     if (count < next && time < end_time)
       return false;
     next = count + 1.;
@@ -166,7 +201,7 @@ namespace ThermoContact
       r.iterations,
       r.work,
       r.temperature_mean);
-    contact_file.write(row, length);
+    contact_file.write_row(row, length);
   }
 
 
@@ -180,13 +215,14 @@ namespace ThermoContact
         {
           const ContactEvent &event = events[n_written_events];
           char                row[80];
-          std::snprintf(row,
-                        sizeof(row),
-                        "%.17g,%s,%.17g\n",
-                        event.time,
-                        event.kind == ContactEvent::begin ? "begin" : "end",
-                        event.velocity);
-          events_file << row;
+          const int           length =
+            std::snprintf(row,
+                          sizeof(row),
+                          "%.17g,%s,%.17g\n",
+                          event.time,
+                          event.kind == ContactEvent::begin ? "begin" : "end",
+                          event.velocity);
+          events_file.write_row(row, length);
         }
   }
 
@@ -210,7 +246,7 @@ namespace ThermoContact
                                          a.is_accepted ? 1 : 0,
                                          a.reason,
                                          a.wall_seconds);
-        steps_file.write(row, length);
+        steps_file.write_row(row, length);
       }
   }
 
@@ -238,24 +274,40 @@ namespace ThermoContact
 
 
   template <int dim>
+  OutputMemory
+  Output<dim>::sync()
+  {
+    OutputMemory memory;
+    std::string  fault;
+    if (is_writer)
+      {
+        for (TableFile *file : {&contact_file, &events_file, &steps_file})
+          if (const std::string message = file->sync(); fault.empty())
+            fault = message;
+        if (fault.empty())
+          fault = field_output.sync();
+        memory.contact_size   = contact_file.size();
+        memory.events_size    = events_file.size();
+        memory.steps_size     = steps_file.size();
+        memory.snapshot_times = field_output.times();
+      }
+    throw_everywhere<ComputationError>(fault, communicator);
+    return memory;
+  }
+
+
+
+  template <int dim>
   void
   Output<dim>::flush()
   {
     std::string fault;
     if (is_writer)
       {
-        contact_file.flush();
-        events_file.flush();
-        steps_file.flush();
         since_flush.restart();
-        for (const auto &[file, name] :
-             {std::make_pair(&contact_file, "contact.csv"),
-              std::make_pair(&events_file, "events.csv"),
-              std::make_pair(&steps_file, "steps.csv")})
-          if (file->is_open() && !*file)
-            fault = directory + "/" + name +
-                    ": cannot be written\n  remedy:  check free space and "
-                    "rights, or give another Output/Directory";
+        for (TableFile *file : {&contact_file, &events_file, &steps_file})
+          if (const std::string message = file->flush(); fault.empty())
+            fault = message;
       }
     throw_everywhere<ComputationError>(fault, communicator);
   }

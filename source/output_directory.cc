@@ -2,14 +2,17 @@
 
 #include "output_directory.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 
+#include "atomic_file.h"
 #include "exceptions.h"
 #include "parameter_file.h"
 #include "version.h"
@@ -21,15 +24,27 @@ namespace ThermoContact
     namespace fs = std::filesystem;
 
     /** What a run leaves behind; other files are the user's and stay. */
-    const char *const run_files[] = {"contact.csv",
+    const char *const run_files[] = {"checkpoint.bin",
+                                     "checkpoint.next.bin",
+                                     "checkpoint.previous.bin",
+                                     "contact.csv",
                                      "events.csv",
                                      "fields.pvd",
-                                     "fields.pvd.part",
                                      "log.txt",
                                      "steps.csv",
                                      "study.csv",
                                      "study.txt",
                                      "summary.json"};
+
+    /** True if an earlier run was here, perhaps killed at its start. */
+    bool
+    holds_run(const fs::path &directory)
+    {
+      return fs::exists(directory / "used.prm") ||
+             fs::exists(directory / "used.prm.part");
+    }
+
+
 
     /** True for @p prefix followed by digits. */
     bool
@@ -60,26 +75,35 @@ namespace ThermoContact
     void
     remove_earlier_run(const fs::path &directory)
     {
-      for (const char *name : run_files)
-        fs::remove(directory / name);
+      for (const std::string name : run_files)
+        {
+          fs::remove(directory / name);
+          fs::remove(directory / (name + part_suffix));
+        }
       if (fs::is_directory(directory / "fields"))
         {
           for (const auto &entry : fs::directory_iterator(directory / "fields"))
-            if (entry.path().extension() == ".vtu" &&
-                is_numbered(entry.path().stem().string(), "fields-"))
-              fs::remove(entry.path());
+            {
+              fs::path name = entry.path().filename();
+              if (name.extension() == part_suffix)
+                name = name.stem();
+              if (name.extension() == ".vtu" &&
+                  is_numbered(name.stem().string(), "fields-"))
+                fs::remove(entry.path());
+            }
           if (fs::is_empty(directory / "fields"))
             fs::remove(directory / "fields");
         }
       for (const auto &entry : fs::directory_iterator(directory)) // a study
         if (is_numbered(entry.path().filename().string(), "run-") &&
-            fs::exists(entry.path() / "used.prm"))
+            holds_run(entry.path()))
           {
             remove_earlier_run(entry.path());
             if (fs::is_empty(entry.path()))
               fs::remove(entry.path());
           }
       // last, so that an interrupted clean-up is recognised as a run
+      fs::remove(directory / "used.prm.part");
       fs::remove(directory / "used.prm");
     }
 
@@ -95,7 +119,7 @@ namespace ThermoContact
         return "is a file\n  remedy:  give another directory";
       check_rights(directory);
       check_rights(directory / "fields");
-      if (!fs::exists(directory / "used.prm") && !fs::is_empty(directory))
+      if (!holds_run(directory) && !fs::is_empty(directory))
         return "holds files that are not from an earlier run (no used.prm)"
                "\n  remedy:  give a new or an empty directory";
       return "";
@@ -165,6 +189,32 @@ namespace ThermoContact
 
 
 
+  DirectoryLock::DirectoryLock(const std::string &directory,
+                               const bool         must_exist,
+                               const MPI_Comm     communicator)
+  {
+    on_first_rank(directory, communicator, [&]() -> std::string {
+      if (!must_exist)
+        fs::create_directories(directory);
+      descriptor = open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      if (descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) != 0 &&
+          errno == EWOULDBLOCK)
+        return "another run is writing into it\n  remedy:  wait for its end, "
+               "or give another directory";
+      return "";
+    });
+  }
+
+
+
+  DirectoryLock::~DirectoryLock()
+  {
+    if (descriptor >= 0)
+      close(descriptor); // ends the lock
+  }
+
+
+
   void
   write_used_parameters(const std::string           &directory,
                         const std::set<std::string> &omit,
@@ -178,14 +228,11 @@ namespace ThermoContact
         prm.set("Directory", directory);
         prm.leave_subsection();
 
-        const std::string path = directory + "/used.prm";
-        std::ofstream     file(path);
-        file << "# thermocontact " << version() << ": every entry as used\n";
-        write_entries(prm, omit, file);
-        file.close();
-        if (!file)
-          fault = path + ": cannot be written\n  remedy:  check free space "
-                         "and rights, or give another Output/Directory";
+        const std::string  path = directory + "/used.prm";
+        std::ostringstream text;
+        text << "# thermocontact " << version() << ": every entry as used\n";
+        write_entries(prm, omit, text);
+        fault = write_atomically(path, text.str());
       }
     throw_everywhere<ComputationError>(fault, communicator);
   }

@@ -153,20 +153,6 @@ namespace ThermoContact
 
 
 
-    bool
-    equal_values(const std::string &a, const std::string &b)
-    {
-      if (a == b)
-        return true;
-      std::istringstream stream_a(a), stream_b(b);
-      double             number_a = 0., number_b = 0.;
-      return (stream_a >> number_a) && (stream_b >> number_b) &&
-             stream_a.peek() == EOF && stream_b.peek() == EOF &&
-             number_a == number_b;
-    }
-
-
-
     std::string
     join_path(const std::vector<std::string> &sections, const std::string &name)
     {
@@ -344,6 +330,31 @@ namespace ThermoContact
           message.rfind(a->path + ":", 0) == 0)
         return a->place + ": " + message;
     return message;
+  }
+
+
+
+  std::map<std::string, std::string>
+  entry_values(const ParameterHandler &prm)
+  {
+    std::map<std::string, std::string> values;
+    for (const Entry &entry : declared_entries(prm))
+      values.emplace(entry.path, entry.value);
+    return values;
+  }
+
+
+
+  bool
+  equal_values(const std::string &a, const std::string &b)
+  {
+    if (a == b)
+      return true;
+    std::istringstream stream_a(a), stream_b(b);
+    double             number_a = 0., number_b = 0.;
+    return (stream_a >> number_a) && (stream_b >> number_b) &&
+           stream_a.peek() == EOF && stream_b.peek() == EOF &&
+           number_a == number_b;
   }
 
 

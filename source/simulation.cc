@@ -109,7 +109,8 @@ namespace ThermoContact
   void
   Simulation<dim>::run()
   {
-    notify();
+    if (!is_restored)
+      notify();
     StepResult result;
     while (!controller.is_finished(state_.time))
       {

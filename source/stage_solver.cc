@@ -105,6 +105,38 @@ namespace ThermoContact
 
 
   template <int dim>
+  SolverMemory
+  StageSolver<dim>::memory() const
+  {
+    SolverMemory memory;
+    memory.counters = counters_;
+    for (const Factorization &factorization : factorizations)
+      {
+        memory.taus.push_back(factorization.matrix.tau());
+        memory.has_response.push_back(!factorization.unit_responses.empty());
+      }
+    return memory;
+  }
+
+
+
+  template <int dim>
+  void
+  StageSolver<dim>::restore(const SolverMemory &memory)
+  {
+    factorizations.clear();
+    for (unsigned int i = memory.taus.size(); i-- > 0;)
+      {
+        provide_factorization(memory.taus[i]);
+        if (memory.has_response[i])
+          compute_response(factorizations.front());
+      }
+    counters_ = memory.counters;
+  }
+
+
+
+  template <int dim>
   const FullMatrix<double> &
   StageSolver<dim>::response()
   {

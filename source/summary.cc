@@ -6,8 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <fstream>
-
+#include "atomic_file.h"
 #include "exceptions.h"
 #include "output_directory.h"
 #include "scene_terms.h"
@@ -80,17 +79,11 @@ namespace ThermoContact
     std::string fault;
     if (Utilities::MPI::this_mpi_process(space.communicator()) == 0)
       {
-        std::ofstream file(file_name);
-        file << summary.dump(2,
-                             ' ',
-                             false,
-                             nlohmann::json::error_handler_t::replace)
-             << '\n';
-        file.close();
-        if (!file)
-          fault = file_name +
-                  ": cannot be written\n  remedy:  check free space "
-                  "and rights";
+        fault = write_atomically(
+          file_name,
+          summary.dump(
+            2, ' ', false, nlohmann::json::error_handler_t::replace) +
+            '\n');
       }
     throw_everywhere<ComputationError>(fault, space.communicator());
   }

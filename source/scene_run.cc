@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "scene_run.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <sstream>
+
+#include "checkpoint.h"
+#include "checkpointer.h"
+#include "exceptions.h"
+#include "interruption.h"
+#include "output.h"
+#include "output_directory.h"
+#include "parameter_file.h"
+#include "progress.h"
+#include "result_report.h"
+#include "scene_report.h"
+#include "simulation.h"
+#include "summary.h"
+#include "version.h"
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Says where a run goes on. */
+    void
+    report_resumption(const Checkpoint &checkpoint, Log &log)
+    {
+      std::ostringstream line;
+      line << "  resumed   at t = " << checkpoint.time << ", step "
+           << checkpoint.step;
+      log.line(line.str());
+      if (!checkpoint.warning.empty())
+        log.line("  warning:  " + checkpoint.warning);
+      if (checkpoint.version != version())
+        log.line("  warning:  the checkpoint is of thermocontact " +
+                 checkpoint.version + ": later steps may differ in rounding");
+    }
+
+
+
+    /** The command that goes on with a run. */
+    std::string
+    resume_command(const CommandLine &command,
+                   const std::string &directory,
+                   const MPI_Comm     communicator)
+    {
+      const unsigned int n_ranks =
+        Utilities::MPI::n_mpi_processes(communicator);
+      return (n_ranks > 1 ? "mpirun -n " + std::to_string(n_ranks) + " " : "") +
+             command.program_name + " --resume " + directory + "/used.prm";
+    }
+
+
+
+    /**
+     * Runs a scene that is set up, with all that observes it.
+     *
+     * @param memory of the files if the run goes on from a checkpoint
+     */
+    template <int dim>
+    void
+    run_observed(Simulation<dim>                          &simulation,
+                 const std::string                        &directory,
+                 const std::map<std::string, std::string> &entries,
+                 const OutputMemory                       *memory,
+                 const Timer                              &since_start,
+                 Log                                      &log)
+    {
+      Output<dim>       output(directory, simulation, memory);
+      Checkpointer<dim> checkpointer(
+        directory,
+        entries,
+        simulation.parameters().output.checkpoint_interval,
+        output,
+        simulation.discretization().communicator());
+      simulation.add_observer(
+        [&](const Simulation<dim> &s) { output.observe(s); });
+      unsigned int n_reported = simulation.warnings().size();
+      simulation.add_observer([&](const Simulation<dim> &s) {
+        n_reported = report_warnings(s.warnings(), n_reported, log);
+        report_progress(s, log);
+      });
+      simulation.add_observer(
+        [&](const Simulation<dim> &s) { checkpointer.observe(s); });
+
+      RunTimes times;
+      times.set_up            = since_start.wall_time();
+      const auto finish_times = [&]() {
+        times.output = output.output_seconds() + checkpointer.seconds();
+        times.loop   = since_start.wall_time() - times.set_up - times.output;
+        times.wall   = since_start.wall_time();
+      };
+      const std::string summary = directory + "/summary.json";
+      try
+        {
+          simulation.run();
+          output.flush();
+        }
+      catch (const ComputationError &error)
+        {
+          finish_times();
+          output.observe_failure(simulation);
+          const bool is_interrupted =
+            dynamic_cast<const Interruption *>(&error) != nullptr;
+          const std::string status = is_interrupted ? "interrupted" : "failed";
+          log.line("  " + status + ":  " + error.what());
+          try
+            {
+              write_summary(summary,
+                            status + ": " + error.what(),
+                            simulation,
+                            times);
+            }
+          catch (const ComputationError &)
+            {} // the first fault is the one to tell, e.g. a full disk
+          throw;
+        }
+      finish_times();
+      report_result(simulation, times, log);
+      write_summary(summary, "done", simulation, times);
+    }
+  } // namespace
+
+
+
+  std::string
+  output_directory(const Parameters &parameters, const CommandLine &command)
+  {
+    if (!parameters.output.directory.empty())
+      return parameters.output.directory;
+    return "results/" +
+           std::filesystem::path(command.file_name).stem().string();
+  }
+
+
+
+  std::set<std::string>
+  unused_entries(const Parameters &parameters)
+  {
+    std::set<std::string> paths;
+    if (!parameters.study.is_active())
+      for (const auto &entry : parameters.unused_entries())
+        paths.insert(entry.path);
+    return paths;
+  }
+
+
+
+  template <int dim>
+  void
+  run_scene(const Parameters  &parameters,
+            ParameterHandler  &prm,
+            const CommandLine &command,
+            const Timer       &since_start,
+            Log               &log)
+  {
+    const MPI_Comm     communicator = MPI_COMM_WORLD;
+    const std::string  directory    = output_directory(parameters, command);
+    const auto         entries      = entry_values(prm);
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+
+    std::optional<DirectoryLock> lock;
+    std::optional<Checkpoint>    checkpoint;
+    if (command.is_resumed)
+      {
+        lock.emplace(directory, true, communicator);
+        checkpoint = read_checkpoint(directory, communicator);
+        check_compatibility(*checkpoint,
+                            entries,
+                            parameters.time.end_time,
+                            n_ranks);
+      }
+    Simulation<dim> simulation(parameters, communicator);
+    if (checkpoint)
+      simulation.restore(
+        checkpoint->simulation[Utilities::MPI::this_mpi_process(communicator)]);
+    else
+      check_output_directory(directory, communicator);
+    if (command.check_only)
+      {
+        report_scene(simulation, log);
+        return;
+      }
+
+    if (!checkpoint)
+      {
+        lock.emplace(directory, false, communicator);
+        prepare_output_directory(directory, communicator);
+      }
+    write_used_parameters(directory,
+                          unused_entries(parameters),
+                          prm,
+                          communicator);
+    log.open_file(directory + "/log.txt", checkpoint.has_value());
+    log.line(std::string("thermocontact ") + version() + ", deal.II " +
+             DEAL_II_PACKAGE_VERSION + ", ranks: " + std::to_string(n_ranks));
+    if (checkpoint)
+      report_resumption(*checkpoint, log);
+    report_scene(simulation, log);
+    try
+      {
+        run_observed(simulation,
+                     directory,
+                     entries,
+                     checkpoint ? &checkpoint->output : nullptr,
+                     since_start,
+                     log);
+      }
+    catch (const Interruption &error)
+      {
+        throw Interruption(error.what() + std::string("\n  resume:  ") +
+                           resume_command(command, directory, communicator));
+      }
+    log.line("  files     " + directory);
+  }
+
+
+
+#define INSTANTIATE(dim)                            \
+  template void run_scene<dim>(const Parameters &,  \
+                               ParameterHandler &,  \
+                               const CommandLine &, \
+                               const Timer &,       \
+                               Log &)
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace ThermoContact

@@ -1,0 +1,158 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Kills the run of an output directory again and again, goes on with --resume
+each time, and compares with the uninterrupted run, byte by byte.
+
+usage: check_resume.py DIR
+
+DIR holds a finished run with checkpoints. Wall times and memory are left out,
+and used.prm, which names the directory. Then: the same after SIGTERM, after a
+file that may not grow any more, and with a damaged checkpoint.
+"""
+import json
+import os
+import random
+import resource
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+PROGRAM = os.environ["THERMOCONTACT"]
+N_KILLS = 5
+
+
+def contents(directory):
+    """All that a run computes, by file."""
+    files = {}
+    for path in sorted(directory.rglob("*")):
+        name = str(path.relative_to(directory))
+        if path.is_dir() or name in ("log.txt", "used.prm") or \
+                name.startswith("checkpoint"):
+            continue
+        files[name] = path.read_bytes()
+    summary = json.loads(files["summary.json"])
+    files["summary.json"] = {key: value for key, value in summary.items()
+                             if not key.endswith("_seconds")
+                             and key != "peak_memory_mb"}
+    if "steps.csv" in files:  # its last column is wall time
+        files["steps.csv"] = [line.rpartition(b",")[0]
+                              for line in files["steps.csv"].splitlines()]
+    return files
+
+
+def compare(expected, directory):
+    found = contents(directory)
+    different = [name for name in expected.keys() | found.keys()
+                 if expected.get(name) != found.get(name)]
+    return "the same" if not different else f"different: {sorted(different)}"
+
+
+class Run:
+    """One run in its own directory, on as many ranks as the reference."""
+
+    def __init__(self, reference, directory):
+        self.prm = reference / "used.prm"
+        self.directory = directory
+        ranks = json.loads((reference / "summary.json").read_text())["ranks"]
+        self.launcher = [] if ranks == 1 else [
+            "mpirun", "--allow-run-as-root", "--oversubscribe", "-n",
+            str(ranks)]
+
+    def start(self, *options, **settings):
+        if (self.directory / "checkpoint.bin").exists():
+            options += ("--resume",)
+        return subprocess.Popen(
+            [*self.launcher, PROGRAM, "--quiet", "--output",
+             str(self.directory), *options, str(self.prm)],
+            stderr=subprocess.PIPE, text=True, start_new_session=True,
+            **settings)
+
+    def finish(self, *options, **settings):
+        process = self.start(*options, **settings)
+        message = process.communicate()[1]
+        return process.returncode, message[message.find("thermocontact: "):]
+
+    def interrupt(self, number, delay):
+        """Sends a signal after a while; False if the run was done before."""
+        process = self.start()
+        try:
+            process.communicate(timeout=delay)
+            return False, ""
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, number)
+            return True, process.communicate()[1]
+
+
+def kill_again_and_again(reference, expected, seconds):
+    run = Run(reference, Path("killed"))
+    n_kills = 0
+    while n_kills < N_KILLS:
+        was_killed, _ = run.interrupt(signal.SIGKILL,
+                                      random.uniform(0.1, 0.3 + seconds / 3))
+        n_kills += was_killed
+    status, _ = run.finish()
+    print(f"killed {n_kills} times, resumed: status {status},",
+          compare(expected, run.directory))
+
+
+def terminate(reference, expected, seconds):
+    run = Run(reference, Path("terminated"))
+    was_stopped, message = run.interrupt(signal.SIGTERM, 0.5 + seconds / 3)
+    message = message[message.find("thermocontact: "):]
+    summary = json.loads((run.directory / "summary.json").read_text())
+    print("SIGTERM: said", int(was_stopped and "SIGTERM at t = " in message),
+          "status", summary["status"].split()[0], "command",
+          int(f"--resume {run.directory}/used.prm" in message))
+    status, _ = run.finish()
+    print(f"resumed: status {status},", compare(expected, run.directory))
+
+
+def let_no_file_grow(reference, expected):
+    """As on a full disk: a row that does not fit is an error."""
+    run = Run(reference, Path("limited"))
+    limit = len(expected["contact.csv"]) // 2
+    status, message = run.finish(
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE,
+                                              (limit, limit)))
+    rows = (run.directory / "contact.csv").read_bytes()
+    print("files may not grow: status", status, "named",
+          int("limited/contact.csv: cannot be written" in message),
+          "whole rows", int(rows.endswith(b"\n") and
+                            expected["contact.csv"].startswith(rows)))
+    status, _ = run.finish()
+    print(f"resumed: status {status},", compare(expected, run.directory))
+
+
+def damage(reference, expected):
+    """A checkpoint that is not whole is passed over for the previous one."""
+    run = Run(reference, Path("killed"))
+    newest = run.directory / "checkpoint.bin"
+    data = bytearray(newest.read_bytes())
+    data[len(data) // 2] ^= 1
+    newest.write_bytes(data)
+    status, _ = run.finish()
+    log = (run.directory / "log.txt").read_text()
+    print(f"damaged checkpoint: status {status},",
+          compare(expected, run.directory), "warned",
+          int("it is damaged" in log))
+
+
+def main():
+    reference = Path(sys.argv[1])
+    expected = contents(reference)
+    begin = time.time()
+    Run(reference, Path("uninterrupted")).finish()
+    seconds = time.time() - begin
+    print("again:", compare(expected, Path("uninterrupted")))
+    kill_again_and_again(reference, expected, seconds)
+    if not Run(reference, Path()).launcher:
+        terminate(reference, expected, seconds)
+        let_no_file_grow(reference, expected)
+        damage(reference, expected)
+    subprocess.run(["rm", "-r", "uninterrupted", "killed"], check=True)
+    subprocess.run(["rm", "-rf", "terminated", "limited"], check=True)
+
+
+main()
