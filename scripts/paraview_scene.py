@@ -211,7 +211,8 @@ def main():
     settings = json.loads(sys.argv[1])
     if "space_time" in settings:
         paraview_space_time.draw(settings["space_time"],
-                                 settings["output"] + "/space-time.png")
+                                 settings["output"] + "/space-time.png",
+                                 settings["width"])
     if "snapshots" in settings:
         render(settings)
     print("\ndone", flush=True)

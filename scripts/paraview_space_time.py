@@ -1,5 +1,7 @@
 """Draws space-time.vtu with matplotlib: part of scripts/paraview."""
 
+from pathlib import Path
+
 import numpy
 from paraview import servermanager
 from paraview.simple import XMLUnstructuredGridReader
@@ -31,8 +33,8 @@ def limits_of(values, colours):
                        (False, True): "max", (True, True): "both"}[beyond]
 
 
-def draw(path, picture):
-    """A panel for each field; space to the right, time upwards."""
+def draw(path, picture, width):
+    """A panel for each field; space to the right, time upwards. In pixels."""
     reader = XMLUnstructuredGridReader(FileName=[path])
     reader.UpdatePipeline()
     grid = servermanager.Fetch(reader)
@@ -55,5 +57,4 @@ def draw(path, picture):
         figure.colorbar(mesh, ax=axes, orientation="horizontal", label=label,
                         extend=extend, pad=0.02)
     panels[0].set_ylabel("time  $t$")
-    from pathlib import Path
-    save(figure, Path(picture), 150)
+    save(figure, Path(picture), width / figure.get_figwidth())

@@ -137,10 +137,10 @@ def check_snapshots(directory, series, records, degree):
 def check_space_time(path, read, records, dim):
     points, arrays = read(path)
     worst, n_found = 0., 0
-    times = {float(t) for t in points[:, 1]}
+    times = {float(numpy.float32(t)): float(t) for t in points[:, 1]}
     by_time = {float(numpy.float32(time)): row for time, row in records.items()}
-    for time in sorted(times & set(by_time)):
-        record = by_time[time]
+    for key in sorted(set(times) & set(by_time)):
+        time, record = times[key], by_time[key]
         n_found += 1
         errors = [defect(on_axis(points, arrays[name], 1., time), record, column)
                   for name, column in END.items() if dim == 1 and name in arrays]
