@@ -31,7 +31,7 @@ class Snapshots:
         self.reader = PVDReader(FileName=path)
         times = self.reader.TimestepValues
         self.times = [times] if isinstance(times, float) else list(times)
-        self.motion, self.compression = 0., 0.
+        self.motion, self.reach, self.compression = 0., 0., 0.
         self.low, self.high = math.inf, -math.inf
         for time in self.times:
             self.reader.UpdatePipeline(time)
@@ -63,6 +63,7 @@ class Snapshots:
         means = numpy.bincount(of, u) / numpy.bincount(of)
         strains = numpy.diff(means) / numpy.diff(places)
         self.motion = max(self.motion, abs(u).max())
+        self.reach = max(self.reach, u[x > 1 - 1e-6].max())
         self.compression = max(self.compression, -strains.min())
 
     def scale(self):
@@ -173,7 +174,8 @@ def render(settings):
     scale, gap = settings["scale"], settings["gap"]
     plate = 1 + scale * gap if gap is not None else math.inf
     has_plate = plate <= 2 and snapshots.moves
-    right = plate + 0.03 if has_plate else 1 + scale * snapshots.motion
+    back = 1 + scale * snapshots.reach  # farthest that the end comes
+    right = max(plate, back) + 0.03 if has_plate else back
     view = make_view(snapshots, right, settings["width"])
     size = max(10, settings["width"] // 55)
     show_colours(view, show_body(view, snapshots, scale), snapshots, size)
@@ -183,8 +185,7 @@ def render(settings):
     low, high = [v - more for v in low], [v + more for v in high]
     show_box(view, [-0.03, *low], [0, *high], [0.45] * 3)
     if has_plate:
-        show_box(view, [plate, *low], [plate + 0.03, *high], [0.84, 0.37, 0],
-                 0.55)
+        show_box(view, [plate, *low], [right, *high], [0.84, 0.37, 0], 0.55)
     time_text = show_text(view, size, "Upper Left Corner")
     if snapshots.moves:
         show_text(view, size, "Upper Right Corner").Text = \

@@ -24,6 +24,7 @@ ENERGY = {"energy": r"energy  $\hat{E}$", "work": "work",
           "dissipation": "dissipation",
           "numerical_dissipation": "numerical dissipation",
           "defect": "defect of the balance"}
+LOADS = ["stress_end", "work"]  # 0 all the time if nothing acts on the rod
 PLAIN_ENERGY = "energy  $\\hat{E}$\n(no ln: $\\hat{E} + 0.01 \\leq 0$ occurs)"
 OBSTACLE = {"color": "0.25", "linewidth": 0.8, "linestyle": (0, (4, 2))}
 LEGEND_LINE = 0.245  # inches
@@ -151,7 +152,7 @@ def finish(figure, panels, runs):
 
 def draw_histories(runs, labels, columns, height):
     labels = {name: label for name, label in labels.items() if has(runs, name)
-              and (name != "work" or any(any(run.data[name]) for run in runs))}
+              and (name not in LOADS or any(any(run.data[name]) for run in runs))}
     runs = [run for run in runs if any(has([run], name) for name in labels)]
     figure, panels = panels_of(labels, columns, height, legend_of(
         runs, obstacle="displacement_end" in labels or "gap" in labels))
@@ -174,7 +175,8 @@ def draw_steps(runs):
     labels = {"step_size": r"step size  $\Delta t$",
               "error": "error / tolerance"}
     kinds = {"tolerance": ("x", "rejected: error"),
-             "contact": ("+", "rejected: contact changes within")}
+             "contact": ("+", "rejected: contact changes within"),
+             "failed": ("v", "rejected: not solved")}
     runs = [run for run in runs if run.steps]
     reasons = {reason for run in runs for reason in run.steps[1]["reason"]}
     colour = "black" if len(runs) > 1 else looks(1)["color"]

@@ -84,6 +84,11 @@ def main():
         capture_output=True, text=True, env=environment)
     check("refused: no such field", result.returncode == 2 and
           "temperature" in result.stderr, result.stderr)
+    Path("rod/fields/fields-00002.vtu").unlink()
+    result = subprocess.run([sys.executable, source / "scripts/paraview", "rod"],
+                            capture_output=True, text=True, env=environment)
+    check("refused: a snapshot is missing", result.returncode == 2 and
+          "fields-00002.vtu" in result.stderr, result.stderr)
 
 
 with tempfile.TemporaryDirectory() as scratch:
