@@ -15,7 +15,8 @@
 
 namespace ThermoContact
 {
-  /** Where the files of a run go: as given, or results/<name of the file>. */
+  /** Where the files of a run go: as given, or `results/` and the file's name.
+   */
   std::string
   output_directory(const Parameters &parameters, const CommandLine &command);
 
