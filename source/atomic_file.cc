@@ -29,9 +29,11 @@ namespace ThermoContact
     if (fault.empty() && std::rename(part.c_str(), path.c_str()) != 0)
       fault = path + ": cannot be replaced\n  remedy:  check the rights of "
                      "file and directory";
-    if (!fault.empty())
-      std::remove(part.c_str());
-    return fault;
+    if (fault.empty())
+      return "";
+    std::remove(part.c_str());
+    // the user knows the file by its name
+    return fault.rfind(part, 0) == 0 ? path + fault.substr(part.size()) : fault;
   }
 
 

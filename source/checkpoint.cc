@@ -194,9 +194,10 @@ namespace ThermoContact
             "without --resume");
       }
     if (const unsigned int n = checkpoint.simulation.size(); n != n_ranks)
-      throw InputError("--resume: the checkpoint is of " + std::to_string(n) +
-                       " ranks, this run has " + std::to_string(n_ranks) +
-                       "\n  remedy:  run on as many ranks");
+      throw InputError(
+        "--resume: number of ranks = " + std::to_string(n_ranks) +
+        ": the checkpoint has " + std::to_string(n) +
+        "\n  remedy:  run on as many, or without --resume");
     if (end_time < checkpoint.time)
       {
         std::ostringstream message;

@@ -34,8 +34,8 @@ namespace ThermoContact
               Log                           &log)
     {
       if (command.is_resumed)
-        throw InputError("--resume: a study cannot go on\n  remedy:  run it "
-                         "anew, or give runs that take long a file each");
+        throw InputError("--resume: a study has no checkpoints\n  remedy:  run "
+                         "it anew, without --resume");
       const MPI_Comm    communicator = MPI_COMM_WORLD;
       Study             study(assignments, parameters.study);
       const std::string directory = output_directory(parameters, command);

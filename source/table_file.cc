@@ -92,7 +92,8 @@ namespace ThermoContact
     fault = path + ": " + what;
     if (errno != 0)
       fault += std::string(": ") + std::strerror(errno);
-    fault += "\n  remedy:  check free space and rights, or give another "
+    fault += "\n  remedy:  check free space and rights, then go on with "
+             "--resume if the run has checkpoints; or give another "
              "Output/Directory";
   }
 

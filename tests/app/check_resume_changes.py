@@ -1,0 +1,111 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Resumes the run of an output directory with other parameters.
+
+usage: check_resume_changes.py DIR
+
+DIR holds a finished run with checkpoints and fixed steps that divide its end
+time, so that the longer run passes through the same states.
+"""
+import csv
+import os
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+PROGRAM = os.environ["THERMOCONTACT"]
+
+
+def start(directory, *options):
+    return subprocess.Popen(
+        [PROGRAM, "--quiet", "--output", str(directory), *options],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def run(directory, *options, program=()):
+    process = subprocess.run(
+        [*program, PROGRAM, "--quiet", "--output", str(directory), *options],
+        capture_output=True, text=True)
+    message = process.stderr[process.stderr.find("thermocontact: "):]
+    message = message.partition("\n-----")[0]  # what mpirun has to say
+    return process.returncode, message.replace(str(directory), "DIR")
+
+
+def contents(directory):
+    return {path: path.read_bytes() for path in directory.rglob("*")
+            if path.is_file()}
+
+
+def refuse(reference, what, *options, program=()):
+    before = contents(reference)
+    status, message = run(reference, "--resume", *options, program=program)
+    print(f"{what}: status {status}, files untouched",
+          int(contents(reference) == before))
+    print(message.rstrip())
+
+
+def rows(directory):
+    with open(directory / "contact.csv") as lines:
+        return list(csv.reader(line for line in lines if line[0] != "#"))
+
+
+def extend(reference, prm):
+    """Another end time and other intervals: the steps are the same."""
+    longer = Path("longer")
+    status, _ = run(longer, prm, "--set", "Time/End time=1.5")
+    resumed = Path("resumed")
+    shutil.copytree(reference, resumed)
+    again, _ = run(resumed, prm, "--resume", "--set", "Time/End time=1.5",
+                   "--set", "Output/Fields interval=0.5",
+                   "--set", "Output/Checkpoint interval=0")
+    print("longer:", status, again, "rows", len(rows(resumed)) - 1, "the same",
+          int(rows(longer) == rows(resumed)), "snapshots at",
+          [line.split('"')[1] for line in
+           (resumed / "fields.pvd").read_text().splitlines()
+           if "timestep" in line])
+    shutil.rmtree(longer)
+    shutil.rmtree(resumed)
+
+
+def lock(prm):
+    """A second run in the directory of one that goes on is refused."""
+    directory = Path("locked")
+    first = start(directory, prm, "--set", "Time/Step size=1e-5")
+    while not (directory / "contact.csv").exists():
+        time.sleep(0.01)
+    status, message = run(directory, prm)
+    print(f"second run: status {status}")
+    print(message.rstrip())
+    first.kill()
+    first.communicate()
+    status, message = run(directory, prm)
+    print(f"after the first was killed: status {status}")
+    shutil.rmtree(directory)
+
+
+def main():
+    reference = Path(sys.argv[1])
+    prm = str(reference / "used.prm")
+    shutil.copy(prm, "scene.prm")
+    refuse(reference, "other viscosity", "scene.prm",
+           "--set", "Model/Viscosity=0.3")
+    refuse(reference, "same viscosity, written otherwise, end time too early",
+           "scene.prm", "--set", "Model/Viscosity=2e-1",
+           "--set", "Time/End time=0.5")
+    refuse(reference, "other ranks", "scene.prm",
+           program=("mpirun", "--allow-run-as-root", "--oversubscribe", "-n",
+                    "2"))
+    refuse(reference, "study", "scene.prm",
+           "--set", "Study/Vary=Mesh/Cells = 4 | 8")
+    status, message = run(Path("nowhere"), "scene.prm", "--resume")
+    print(f"no checkpoint: status {status}, directory",
+          int(Path("nowhere").exists()))
+    print(message.rstrip())
+    extend(reference, "scene.prm")
+    lock("scene.prm")
+    os.remove("scene.prm")
+
+
+main()
