@@ -10,6 +10,9 @@ namespace ThermoContact
 {
   /**
    * What the screen shows, kept in log.txt as well. Writes on one rank only.
+   *
+   * On a terminal the last line may be live: it is rewritten in place, gives
+   * way to every other line, and is not in the file.
    */
   class Log
   {
@@ -20,6 +23,14 @@ namespace ThermoContact
      */
     Log(const bool is_writer, const bool is_quiet);
 
+    /** Erases the live line. */
+    ~Log();
+
+    Log(const Log &) = delete;
+
+    Log &
+    operator=(const Log &) = delete;
+
     /** Also writes to @p file_name from now on, or at its end. */
     void
     open_file(const std::string &file_name, const bool append = false);
@@ -28,10 +39,40 @@ namespace ThermoContact
     void
     line(const std::string &text = "");
 
+    /** Writes @p text and a line break to the file alone. */
+    void
+    file_line(const std::string &text);
+
+    /**
+     * As line(), but if both standard output and standard error are terminals,
+     * for the file alone: the program prints the reason there when it ends.
+     */
+    void
+    failure(const std::string &text);
+
+    /** True if standard output is a terminal that shows what is printed. */
+    bool
+    has_live_line() const
+    {
+      return has_live_line_;
+    }
+
+    /**
+     * Shows @p text, cut to the width of the terminal, in place of the last
+     * live line. Without a terminal it does nothing.
+     */
+    void
+    live_line(const std::string &text);
+
   private:
     const bool    is_writer;
     const bool    is_quiet;
+    const bool    has_live_line_;
+    bool          is_live; ///< a live line is on the screen
     std::ofstream file;
+
+    void
+    erase_live_line();
   };
 } // namespace ThermoContact
 

@@ -9,11 +9,17 @@
 
 namespace ThermoContact
 {
-  /** Prints contacts, final state, energy audit, cost. */
+  /**
+   * Prints contacts, the final state beside the state of rest that the scene
+   * tends to, the energy audit, and what the run cost.
+   *
+   * @param initial_energy Progress::initial_energy()
+   */
   template <int dim>
   void
   report_result(const Simulation<dim> &simulation,
                 const RunTimes        &times,
+                const double           initial_energy,
                 Log                   &log);
 } // namespace ThermoContact
 

@@ -10,6 +10,7 @@ namespace ThermoContact
   {
     double set_up = 0.;
     double loop   = 0.; ///< steps and CSV rows
+    double steps  = 0.; ///< part of loop: all attempts at steps
     double output = 0.; ///< snapshots
     double wall   = 0.; ///< from the start of the program
   };

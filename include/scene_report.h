@@ -8,6 +8,7 @@
 
 #include "log.h"
 #include "simulation.h"
+#include "steady_state.h"
 
 namespace ThermoContact
 {
@@ -21,7 +22,14 @@ namespace ThermoContact
                   const unsigned int              n_reported,
                   Log                            &log);
 
-  /** Prints what is going to be computed, and the warnings so far. */
+  /** The quantities of an end state that the scene has, on one line. */
+  std::string
+  describe_steady_state(const SteadyState &state, const Parameters &parameters);
+
+  /**
+   * Prints what is going to be computed, what is known of the result, and the
+   * warnings so far.
+   */
   template <int dim>
   void
   report_scene(const Simulation<dim> &simulation, Log &log);

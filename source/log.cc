@@ -2,14 +2,41 @@
 
 #include "log.h"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <iostream>
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /** Columns of the terminal, 80 where it does not say. */
+    unsigned int
+    terminal_width()
+    {
+      winsize size{};
+      return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ?
+               size.ws_col :
+               80;
+    }
+  } // namespace
+
+
+
   Log::Log(const bool is_writer, const bool is_quiet)
     : is_writer(is_writer)
     , is_quiet(is_quiet)
+    , has_live_line_(is_writer && !is_quiet && isatty(STDOUT_FILENO) == 1)
+    , is_live(false)
   {}
+
+
+
+  Log::~Log()
+  {
+    erase_live_line();
+  }
 
 
 
@@ -27,9 +54,55 @@ namespace ThermoContact
   {
     if (!is_writer)
       return;
+    erase_live_line();
     if (!is_quiet)
       std::cout << text << std::endl;
+    file_line(text);
+  }
+
+
+
+  void
+  Log::file_line(const std::string &text)
+  {
     if (file.is_open())
       file << text << std::endl;
+  }
+
+
+
+  void
+  Log::failure(const std::string &text)
+  {
+    if (has_live_line_ && isatty(STDERR_FILENO) == 1)
+      {
+        erase_live_line();
+        file_line(text);
+      }
+    else
+      line(text);
+  }
+
+
+
+  void
+  Log::live_line(const std::string &text)
+  {
+    if (!has_live_line_)
+      return;
+    // the last column stays free: some terminals would go to the next line
+    std::cout << '\r' << text.substr(0, terminal_width() - 1) << "\033[K"
+              << std::flush;
+    is_live = true;
+  }
+
+
+
+  void
+  Log::erase_live_line()
+  {
+    if (is_live)
+      std::cout << "\r\033[K" << std::flush;
+    is_live = false;
   }
 } // namespace ThermoContact

@@ -2,6 +2,14 @@
 
 #include "result_report.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iomanip>
+#include <utility>
+
+#include "scene_report.h"
+#include "steady_state.h"
 #include "summary.h"
 #include "text.h"
 
@@ -25,23 +33,86 @@ namespace ThermoContact
 
 
 
-    template <int dim>
-    std::string
-    describe_final_state(const Simulation<dim> &simulation)
+    /** The state at the end, with the quantities of a state at rest. */
+    SteadyState
+    final_state(const StepRecord &record)
     {
-      const StepRecord &record     = simulation.record();
-      const Parameters &parameters = simulation.parameters();
-      std::string       state;
-      if (parameters.model.has_displacement())
-        state = text("u(1) = ", record.displacement_end);
-      if (parameters.model.has_temperature())
-        state += text(
-          state.empty() ? "" : ", ", "theta(1) = ", record.temperature_end);
+      return {record.displacement_end,
+              record.contact_force,
+              record.temperature_end,
+              record.in_contact};
+    }
+
+
+
+    /** Where the scene tends to, and how far it is from there. */
+    std::string
+    compare_with_rest(const SteadyState &rest,
+                      const StepRecord  &record,
+                      const Parameters  &parameters)
+    {
+      std::string line = describe_steady_state(rest, parameters) + "; differs";
+      const auto  add  = [&line](const double value, const double predicted) {
+        if (std::isfinite(predicted))
+          line += text(line.back() == 's' ? " by " : ", ",
+                       std::setprecision(2),
+                       value - predicted);
+      };
+      add(record.displacement_end, rest.displacement_end);
+      add(record.temperature_end, rest.temperature_end);
       if (parameters.contact_law().is_active)
-        state += text(", force ",
-                      record.contact_force,
-                      record.in_contact ? ", in contact" : ", open");
-      return state;
+        add(record.contact_force, rest.contact_force);
+      return line;
+    }
+
+
+
+    /** The audit (M.22) of the whole run. */
+    std::string
+    describe_energy(const StepRecord &record, const double initial_energy)
+    {
+      const double defect = initial_energy + record.work - record.energy -
+                            record.dissipation - record.numerical_dissipation;
+      return text(initial_energy,
+                  " at first + work ",
+                  record.work,
+                  " = ",
+                  record.energy,
+                  " + dissipated ",
+                  record.dissipation,
+                  " + lost to the scheme ",
+                  record.numerical_dissipation,
+                  "; defect ",
+                  std::setprecision(2),
+                  defect);
+    }
+
+
+
+    /** A table of where the wall time went. */
+    void
+    report_times(const RunTimes &times, Log &log)
+    {
+      const std::pair<const char *, double> sections[] = {
+        {"set-up", times.set_up},
+        {"steps", times.steps},
+        {"rows and screen", times.loop - times.steps},
+        {"fields and checkpoints", times.output},
+        {"whole run", times.wall}};
+      const char *title = "time";
+      for (const auto &[name, seconds] : sections)
+        {
+          char line[100];
+          std::snprintf(line,
+                        sizeof(line),
+                        "  %-10s%-29s%9.3f s %5.1f %%",
+                        title,
+                        name,
+                        std::max(0., seconds),
+                        100. * std::max(0., seconds) / times.wall);
+          log.line(line);
+          title = "";
+        }
     }
   } // namespace
 
@@ -51,37 +122,33 @@ namespace ThermoContact
   void
   report_result(const Simulation<dim> &simulation,
                 const RunTimes        &times,
+                const double           initial_energy,
                 Log                   &log)
   {
-    const StepRecord    &record   = simulation.record();
-    const SolverCounters counters = simulation.counters();
-    if (simulation.parameters().contact_law().is_active)
+    const Parameters    &parameters = simulation.parameters();
+    const StepRecord    &record     = simulation.record();
+    const SolverCounters counters   = simulation.counters();
+    if (parameters.contact_law().is_active)
       log.line("  contact   " + join_events(simulation) +
                text(", impulse ", record.contact_impulse));
-    log.line("  final     " + describe_final_state(simulation));
-    log.line(text("  energy    ",
-                  record.energy,
-                  ", dissipated ",
-                  record.dissipation,
-                  ", lost to the scheme ",
-                  record.numerical_dissipation,
-                  ", work ",
-                  record.work));
+    log.line("  final     " +
+             describe_steady_state(final_state(record), parameters));
+    if (const auto rest = steady_state(parameters).state)
+      log.line("  at rest   " + compare_with_rest(*rest, record, parameters));
+    log.line("  energy    " + describe_energy(record, initial_energy));
     log.line(text("  cost      ",
                   record.step,
                   " steps, ",
+                  simulation.n_rejected_steps(),
+                  " rejected, ",
                   counters.factorizations,
                   " factorisations, ",
                   counters.solves,
-                  " solves; set-up ",
-                  times.set_up,
-                  " s, loop ",
-                  times.loop,
-                  " s (",
+                  " solves; ",
+                  std::setprecision(3),
                   record.step == 0 ? 0. : 1e6 * times.loop / record.step,
-                  " us per step), fields ",
-                  times.output,
-                  " s"));
+                  " us per step"));
+    report_times(times, log);
   }
 
 
@@ -89,6 +156,7 @@ namespace ThermoContact
 #define INSTANTIATE(dim)                                    \
   template void report_result<dim>(const Simulation<dim> &, \
                                    const RunTimes &,        \
+                                   const double,            \
                                    Log &)
 
   INSTANTIATE(1);

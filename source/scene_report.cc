@@ -2,7 +2,15 @@
 
 #include "scene_report.h"
 
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <iomanip>
+
+#include "first_impact.h"
+#include "forecast.h"
 #include "scene_terms.h"
+#include "steady_state.h"
 #include "text.h"
 
 namespace ThermoContact
@@ -102,7 +110,141 @@ namespace ThermoContact
                   parameters.solver.step_solver,
                   " solver");
     }
+
+
+
+    std::string
+    describe_scales(const Parameters &parameters)
+    {
+      std::vector<std::string> words;
+      for (const auto &[name, value] : time_scales(parameters))
+        words.push_back(text(name, ' ', value));
+      return join_words(words);
+    }
+
+
+
+    std::string
+    describe_rest(const Parameters &parameters)
+    {
+      const SteadyForecast forecast = steady_state(parameters);
+      if (!forecast.state)
+        return forecast.remark;
+      return describe_steady_state(*forecast.state, parameters) +
+             (forecast.remark.empty() ? "" : "; " + forecast.remark);
+    }
+
+
+
+    /** With two significant digits. */
+    std::string
+    about(const double value)
+    {
+      char number[40];
+      std::snprintf(number, sizeof(number), "%.1e", value);
+      return text(std::setprecision(12), std::strtod(number, nullptr));
+    }
+
+
+
+    std::string
+    describe_impact(const FirstImpact &impact, const double compliance)
+    {
+      std::string line = "about t = " + about(impact.time) + ", velocity " +
+                         about(impact.velocity);
+      if (impact.penetration > 0.)
+        line += ", peak penetration " + about(impact.penetration) +
+                ", peak force " + about(impact.penetration / compliance);
+      return line;
+    }
+
+
+
+    std::string
+    describe_critical_step(const double critical, const Parameters &parameters)
+    {
+      const TimeParameters &time  = parameters.time;
+      const bool            fails = parameters.solver.is_fixed_point() &&
+                         !time.has_error_control() &&
+                         *time.step_size > critical;
+      return text("the paper's iteration fails in contact for dt > ",
+                  critical,
+                  fails ? text(", as the ", *time.step_size, " of this run") :
+                          "");
+    }
+
+
+
+    std::string
+    describe_bytes(const double bytes)
+    {
+      const char *const units[] = {"B", "kB", "MB", "GB", "TB"};
+      unsigned int      unit    = 0;
+      double            value   = bytes;
+      for (; value >= 995. && unit < 4; ++unit)
+        value /= 1000.;
+      return "about " + about(value) + " " + units[unit];
+    }
+
+
+
+    std::string
+    describe_cost(const ExpectedCost &cost)
+    {
+      const auto count = [&cost](const double n) {
+        if (cost.is_exact)
+          return text(std::setprecision(12), n);
+        return "about " + about(n);
+      };
+      std::string line = count(cost.steps) +
+                         " steps; contact.csv: " + count(cost.rows) +
+                         " rows, " + describe_bytes(cost.row_bytes);
+      if (cost.snapshots > 0.)
+        line += "; fields: " + count(cost.snapshots) + " snapshots, " +
+                describe_bytes(cost.snapshot_bytes);
+      return line;
+    }
+
+
+
+    /** What can be said of a run before it is made. */
+    void
+    report_forecast(const Parameters &parameters,
+                    const double      n_cells,
+                    Log              &log)
+    {
+      log.line("  scales    " + describe_scales(parameters));
+      log.line("  at rest   " + describe_rest(parameters));
+      if (const auto impact = first_impact(parameters))
+        log.line("  impact    " +
+                 describe_impact(*impact, parameters.contact_law().compliance));
+      if (const auto critical = critical_step_size(parameters))
+        log.line("  limit     " +
+                 describe_critical_step(*critical, parameters));
+      if (const auto cost = expected_cost(parameters, n_cells))
+        log.line("  expected  " + describe_cost(*cost));
+    }
   } // namespace
+
+
+
+  std::string
+  describe_steady_state(const SteadyState &state, const Parameters &parameters)
+  {
+    std::string line;
+    const auto  add = [&line](const std::string &part) {
+      line += (line.empty() ? "" : ", ") + part;
+    };
+    if (parameters.model.has_displacement())
+      add(text("u(1) = ", state.displacement_end));
+    if (parameters.model.has_temperature())
+      add(text("theta(1) = ", state.temperature_end));
+    if (parameters.contact_law().is_active)
+      add(text("force ",
+               state.contact_force,
+               state.in_contact ? ", in contact" : ", open"));
+    return line;
+  }
 
 
 
@@ -150,6 +292,9 @@ namespace ThermoContact
     if (model.has_displacement())
       log.line("  contact   " + describe_contact(parameters));
     log.line("  time      " + describe_time(parameters));
+    report_forecast(parameters,
+                    simulation.discretization().n_active_cells(),
+                    log);
     report_warnings(simulation.warnings(), 0, log);
   }
 

@@ -79,10 +79,11 @@ namespace ThermoContact
         simulation.discretization().communicator());
       simulation.add_observer(
         [&](const Simulation<dim> &s) { output.observe(s); });
-      unsigned int n_reported = simulation.warnings().size();
+      Progress<dim> progress(simulation, log);
+      unsigned int  n_reported = simulation.warnings().size();
       simulation.add_observer([&](const Simulation<dim> &s) {
         n_reported = report_warnings(s.warnings(), n_reported, log);
-        report_progress(s, log);
+        progress.observe(s);
       });
       simulation.add_observer(
         [&](const Simulation<dim> &s) { checkpointer.observe(s); });
@@ -91,6 +92,7 @@ namespace ThermoContact
       times.set_up            = since_start.wall_time();
       const auto finish_times = [&]() {
         times.output = output.output_seconds() + checkpointer.seconds();
+        times.steps  = progress.step_seconds();
         times.loop   = since_start.wall_time() - times.set_up - times.output;
         times.wall   = since_start.wall_time();
       };
@@ -107,7 +109,7 @@ namespace ThermoContact
           const bool is_interrupted =
             dynamic_cast<const Interruption *>(&error) != nullptr;
           const std::string status = is_interrupted ? "interrupted" : "failed";
-          log.line("  " + status + ":  " + error.what());
+          log.failure("  " + status + ":  " + error.what());
           try
             {
               write_summary(summary,
@@ -120,7 +122,7 @@ namespace ThermoContact
           throw;
         }
       finish_times();
-      report_result(simulation, times, log);
+      report_result(simulation, times, progress.initial_energy(), log);
       write_summary(summary, "done", simulation, times);
     }
   } // namespace

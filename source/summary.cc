@@ -6,14 +6,67 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
+
 #include "atomic_file.h"
 #include "exceptions.h"
+#include "first_impact.h"
+#include "forecast.h"
 #include "output_directory.h"
 #include "scene_terms.h"
+#include "steady_state.h"
 #include "version.h"
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /**
+     * What was known before the run, beside what came out; null where nothing
+     * was.
+     */
+    template <int dim>
+    nlohmann::ordered_json
+    predictions(const Simulation<dim> &simulation)
+    {
+      constexpr double  nan        = std::numeric_limits<double>::quiet_NaN();
+      const Parameters &parameters = simulation.parameters();
+      const StepRecord &record     = simulation.record();
+      const SteadyState none{nan, nan, nan, false};
+      const auto        forecast = steady_state(parameters);
+      const SteadyState rest     = forecast.state.value_or(none);
+      const auto        impact   = first_impact(parameters);
+      const auto        cost =
+        expected_cost(parameters, simulation.discretization().n_active_cells());
+
+      nlohmann::ordered_json entries = {
+        {"final_contact_force", record.contact_force},
+        {"final_temperature_end", record.temperature_end},
+        {"final_in_contact", record.in_contact},
+        {"predicted_displacement_end", rest.displacement_end},
+        {"predicted_contact_force", rest.contact_force},
+        {"predicted_temperature_end", rest.temperature_end},
+        {"predicted_in_contact", nullptr},
+        {"predicted_remark", forecast.remark},
+        {"difference_displacement_end",
+         record.displacement_end - rest.displacement_end},
+        {"difference_contact_force", record.contact_force - rest.contact_force},
+        {"difference_temperature_end",
+         record.temperature_end - rest.temperature_end},
+        {"predicted_first_contact_time", impact ? impact->time : nan},
+        {"predicted_first_penetration",
+         impact && impact->penetration > 0. ? impact->penetration : nan},
+        {"predicted_critical_step_size",
+         critical_step_size(parameters).value_or(nan)},
+        {"predicted_steps", cost ? cost->steps : nan}};
+      if (forecast.state)
+        entries["predicted_in_contact"] = rest.in_contact;
+      return entries;
+    }
+  } // namespace
+
+
+
   unsigned int
   n_contact_begins(const std::vector<ContactEvent> &events)
   {
@@ -69,12 +122,15 @@ namespace ThermoContact
       {"max_energy_increase", simulation.max_energy_increase()},
       {"set_up_seconds", times.set_up},
       {"loop_seconds", times.loop},
+      {"step_seconds", times.steps},
       {"output_seconds", times.output},
       {"wall_seconds", times.wall},
       {"peak_memory_mb", peak_memory},
       {"warnings", simulation.warnings()}};
     if (!events.empty())
       summary["first_contact_time"] = events.front().time;
+
+    summary.update(predictions(simulation));
 
     std::string fault;
     if (Utilities::MPI::this_mpi_process(space.communicator()) == 0)

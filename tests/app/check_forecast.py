@@ -1,0 +1,72 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Compares what was known before a run with its result.
+
+The state of rest: final u(1), theta(1) and contact force within 1e-6 of it. The first
+impact: its time within 5 per cent, the largest penetration of the first contact within a
+factor of two. Steps, rows and snapshots: equal for fixed steps, steps within a factor of
+two for error-controlled ones.
+"""
+import csv
+import json
+import re
+import sys
+from pathlib import Path
+
+
+def rows_of(path):
+    with open(path, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def verdict(condition, value):
+    return "yes" if condition else f"no, {value}"
+
+
+directory = Path(sys.argv[1])
+summary = json.loads((directory / "summary.json").read_text(encoding="utf-8"))
+rows = rows_of(directory / "contact.csv")
+events = rows_of(directory / "events.csv")
+
+if summary["predicted_in_contact"] is None:
+    print("rest:", summary["predicted_remark"])
+else:
+    differences = [abs(summary[name]) for name in
+                   ("difference_displacement_end", "difference_temperature_end",
+                    "difference_contact_force") if summary[name] is not None]
+    same = summary["predicted_in_contact"] == summary["final_in_contact"]
+    print("rest:", "in contact" if summary["predicted_in_contact"] else "open",
+          "as the run", same, "; within 1e-6:",
+          verdict(max(differences) < 1e-6, differences))
+
+time, penetration = (summary["predicted_first_contact_time"],
+                     summary["predicted_first_penetration"])
+if time is None:
+    print("impact: no forecast")
+else:
+    begin = next(float(event["time"]) for event in events if event["kind"] == "begin")
+    end = next((float(event["time"]) for event in events if event["kind"] == "end"), 1e99)
+    peak = max(float(row["penetration"]) for row in rows if float(row["time"]) <= end)
+    print("impact: time within 5 per cent:",
+          verdict(abs(time - begin) < 0.05 * begin, (time, begin)), end="")
+    if penetration is not None:
+        print("; penetration within a factor of 2:",
+              verdict(0.5 < penetration / peak < 2, (penetration, peak)), end="")
+    print()
+
+steps, predicted = summary["steps"], summary["predicted_steps"]
+log = (directory / "log.txt").read_text(encoding="utf-8")
+expected = re.search(r"^  expected  (.*)$", log, re.MULTILINE)
+if predicted is None:
+    print("steps: no forecast", expected is None)
+elif expected[1].startswith("about"):
+    print("steps within a factor of 2:",
+          verdict(0.5 < predicted / steps < 2, (predicted, steps)))
+else:
+    snapshots = len(list(directory.glob("fields/*.vtu")))
+    known = re.match(r"(\d+) steps; contact.csv: (\d+) rows, .*?"
+                     r"(?:; fields: (\d+) snapshots, .*)?$", expected[1])
+    known = [int(number or 0) for number in known.groups()]
+    print("steps, rows, snapshots:",
+          verdict(known == [steps, len(rows), snapshots],
+                  (known, steps, len(rows), snapshots)))

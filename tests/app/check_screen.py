@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs the used.prm of an output directory again and looks at the screen.
+
+--quiet: nothing on standard output. Redirected: what log.txt has, with a line for each
+tenth of the run. A pseudo terminal: lines that are rewritten in place, within its width,
+each erased by what follows, no line per tenth; log.txt as before. A run that fails: its
+reason on standard output and standard error, on a terminal once; in log.txt always.
+"""
+import fcntl
+import os
+import pty
+import re
+import struct
+import subprocess
+import sys
+import termios
+from pathlib import Path
+
+directory = Path(sys.argv[1])
+fails = ["--set", "Solver/Step solver=fixed point", "--set", "Time/Step size=0.03"]
+
+
+def command(*options):
+    return [os.environ["THERMOCONTACT"], *options, directory / "used.prm"]
+
+
+def log():
+    return (directory / "log.txt").read_text(encoding="utf-8")
+
+
+def on_terminal(arguments, columns):
+    """Everything that a terminal of this width gets."""
+    main, terminal = pty.openpty()
+    fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+    with subprocess.Popen(arguments, stdout=terminal, stderr=terminal) as process:
+        os.close(terminal)
+        received = b""
+        while True:
+            try:
+                part = os.read(main, 4096)
+            except OSError:
+                break
+            if not part:
+                break
+            received += part
+        process.wait()
+    return received.decode().replace("\r\n", "\n")
+
+
+def tenths(text):
+    return [int(percent) for percent in re.findall(r"^ +(\d+) %   t = ", text, re.MULTILINE)]
+
+
+all_tenths = list(range(10, 101, 10))
+quiet = subprocess.run(command("--quiet"), capture_output=True, check=True)
+print("quiet: nothing on standard output", quiet.stdout == b"",
+      ", tenths in log.txt", tenths(log()) == all_tenths)
+
+plain = subprocess.run(command(), capture_output=True, check=True).stdout.decode()
+print("redirected: as log.txt", plain == log(), ", tenths", tenths(plain) == all_tenths,
+      ", plain text", "\r" not in plain and "\033" not in plain)
+
+columns = 60
+screen = on_terminal(command(), columns)
+live = re.findall(r"\r( +\d+ %[^\r\n\033]*)\033\[K", screen)
+kept = re.sub(r"\r[^\r\n\033]*\033\[K", "", screen)
+print("terminal: live lines", len(live) > 0, ", within its width",
+      all(len(line) < columns for line in live), ", erased",
+      "\r" not in kept and "\033" not in kept and tenths(kept) == [],
+      ", tenths in log.txt", tenths(log()) == all_tenths,
+      ", live lines in log.txt", "\r" in log() or "steps/s" in log(),
+      ", the rest as in log.txt",
+      kept.splitlines()[:8] == log().splitlines()[:8])
+
+failed = subprocess.run(command(*fails), capture_output=True, check=False)
+reason = "the fixed point iteration did not converge"
+screen = on_terminal(command(*fails), columns)
+print("failed, redirected:", failed.returncode, failed.stdout.decode().count(reason),
+      failed.stderr.decode().count(reason), "; on a terminal:", screen.count(reason),
+      "; in log.txt:", log().count(reason))
