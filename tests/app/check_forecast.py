@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Compares what was known before a run with its result.
 
-The state of rest: final u(1), theta(1) and contact force within 1e-6 of it. The first
-impact: its time within 5 per cent, the largest penetration of the first contact within a
+The state of rest, of runs to t = 50 and longer: final u(1), theta(1) and contact force within
+1e-6 of it. The first impact, if there was one: its time within 10 per cent, the largest penetration of the first contact within a
 factor of two. Steps, rows and snapshots: equal for fixed steps, steps within a factor of
 two for error-controlled ones.
 """
@@ -30,6 +30,8 @@ events = rows_of(directory / "events.csv")
 
 if summary["predicted_in_contact"] is None:
     print("rest:", summary["predicted_remark"])
+elif summary["final_time"] < 50:
+    print("rest: not yet")
 else:
     differences = [abs(summary[name]) for name in
                    ("difference_displacement_end", "difference_temperature_end",
@@ -41,14 +43,16 @@ else:
 
 time, penetration = (summary["predicted_first_contact_time"],
                      summary["predicted_first_penetration"])
+begin = next((float(event["time"]) for event in events if event["kind"] == "begin"), None)
 if time is None:
     print("impact: no forecast")
+elif begin is None:
+    print("impact: none yet")
 else:
-    begin = next(float(event["time"]) for event in events if event["kind"] == "begin")
     end = next((float(event["time"]) for event in events if event["kind"] == "end"), 1e99)
     peak = max(float(row["penetration"]) for row in rows if float(row["time"]) <= end)
-    print("impact: time within 5 per cent:",
-          verdict(abs(time - begin) < 0.05 * begin, (time, begin)), end="")
+    print("impact: time within 10 per cent:",
+          verdict(abs(time - begin) < 0.1 * begin, (time, begin)), end="")
     if penetration is not None:
         print("; penetration within a factor of 2:",
               verdict(0.5 < penetration / peak < 2, (penetration, peak)), end="")
@@ -57,7 +61,9 @@ else:
 steps, predicted = summary["steps"], summary["predicted_steps"]
 log = (directory / "log.txt").read_text(encoding="utf-8")
 expected = re.search(r"^  expected  (.*)$", log, re.MULTILINE)
-if predicted is None:
+if summary["status"] != "done":
+    print("steps: not all")
+elif predicted is None:
     print("steps: no forecast", expected is None)
 elif expected[1].startswith("about"):
     print("steps within a factor of 2:",
