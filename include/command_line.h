@@ -19,6 +19,7 @@ namespace ThermoContact
     std::string             program_name;     ///< argv[0]
     bool                    check_only   = false;
     bool                    is_resumed   = false;
+    bool                    reads_units  = false; ///< --units
     bool                    is_quiet     = false;
     bool                    show_help    = false;
     bool                    show_version = false;

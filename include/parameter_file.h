@@ -11,71 +11,33 @@
 #include <string>
 #include <vector>
 
+#include "parameter_text.h"
 #include "parameters.h"
 
 namespace ThermoContact
 {
-  /** The place of assignments on the command line, which override others. */
-  constexpr const char *command_line_place = "command line";
-
-
-
-  /** One `set` statement of a parameter file or of the command line. */
-  struct Assignment
-  {
-    std::string place; ///< "rod.prm, line 12" or the command line
-    std::string path;  ///< "Section/Entry", or "Entry" outside sections
-    std::string value;
-  };
-
-
-
-  /**
-   * Reads the statements of a parameter file in deal.II's format: `set`,
-   * `subsection`, `end`, comments from '#', lines continued by '\'.
-   *
-   * @param name what messages call the input
-   * @throw InputError naming line and remedy on any other statement, on
-   *   `subsection` without `end` and the reverse, on a binary file
-   */
-  std::vector<Assignment>
-  read_assignments(std::istream &input, const std::string &name);
-
-  /**
-   * The text of a file.
-   *
-   * @throw InputError if it cannot be opened or read, or is a directory
-   */
-  std::string
-  read_text(const std::string &file_name);
-
-  /**
-   * Reads 'Section/Entry=value', the argument of the option --set.
-   *
-   * @throw InputError if there is no '='
-   */
-  Assignment
-  parse_override(const std::string &argument);
-
   /**
    * Writes @p assignments into @p prm, whose entries are bound to a
    * Parameters object.
    *
    * @throw InputError with place, path, value, what is allowed and the meaning
-   *   of the entry if a name is unknown (then with the nearest known one), a
-   *   value does not fit, or a file sets an entry twice
+   *   of the entry if a section or a name is unknown (then with the nearest
+   *   known one), a value does not fit, or a file sets an entry twice
    */
   void
   assign_entries(const std::vector<Assignment> &assignments,
                  ParameterHandler              &prm);
 
   /**
-   * Puts the place of the last assignment to an entry before a message that
-   * begins with the path of that entry; other messages stay as they are.
+   * Completes a message that begins with the path of an entry, by the place of
+   * the last assignment to it (for a default value: the place of the
+   * assignment that the message gives as its reason) and by the meaning of the
+   * entry. Other messages stay as they are.
    */
   std::string
-  add_place(const std::string             &message,
-            const std::vector<Assignment> &assignments);
+  complete_message(const std::string             &message,
+                   const std::vector<Assignment> &assignments,
+                   const ParameterHandler        &prm);
 
   /**
    * Refuses values that the scene would ignore.

@@ -22,6 +22,8 @@ Dynamic contact of a thermoviscoelastic rod with an elastic or rigid obstacle.
                                markdown; with FILE.prm, its values
   --resume                     go on from the newest checkpoint in the output
                                directory
+  --units                      FILE.prm is a rod in SI units: print its scene, with
+                               the factors that turn results into SI units
   --quiet                      print nothing but errors
   --help, --version
 
@@ -41,6 +43,7 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
       check,
       print_parameters,
       resume,
+      units,
       quiet,
       help,
       version
@@ -51,10 +54,12 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
       {"check", no_argument, nullptr, check},
       {"print-parameters", optional_argument, nullptr, print_parameters},
       {"resume", no_argument, nullptr, resume},
+      {"units", no_argument, nullptr, units},
       {"quiet", no_argument, nullptr, quiet},
       {"help", no_argument, nullptr, help},
       {"version", no_argument, nullptr, version},
       {nullptr, 0, nullptr, 0}};
+    const std::string place  = std::string(command_line_place) + ": ";
     const std::string remedy = "\n  remedy:  --help lists the options";
 
     CommandLine command_line;
@@ -80,6 +85,9 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
           case resume:
             command_line.is_resumed = true;
             break;
+          case units:
+            command_line.reads_units = true;
+            break;
           case quiet:
             command_line.is_quiet = true;
             break;
@@ -90,15 +98,15 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
             command_line.show_version = true;
             break;
           case ':':
-            throw InputError(std::string(argv[optind - 1]) +
+            throw InputError(place + quote(argv[optind - 1]) +
                              ": its argument is missing" + remedy);
           default:
-            throw InputError(std::string(argv[optind - 1]) +
+            throw InputError(place + quote(argv[optind - 1]) +
                              ": unknown or ambiguous option" + remedy);
         }
 
     if (argc - optind > 1)
-      throw InputError(std::string(argv[optind + 1]) +
+      throw InputError(place + quote(argv[optind + 1]) +
                        ": only one parameter file is read" + remedy);
     if (optind < argc)
       command_line.file_name = argv[optind];
@@ -107,7 +115,7 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
     if (!format.empty() && format != "prm" && format != "json" &&
         format != "description" && format != "markdown")
       throw InputError(
-        "--print-parameters=" + format +
+        place + "--print-parameters=" + quote(format) +
         ": unknown format\n  allowed: prm | json | description | markdown");
     return command_line;
   }

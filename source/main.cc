@@ -19,6 +19,7 @@
 #include "scene_run.h"
 #include "study.h"
 #include "study_report.h"
+#include "units.h"
 #include "version.h"
 
 namespace ThermoContact
@@ -77,6 +78,30 @@ namespace ThermoContact
                                                ParameterHandler::PRM);
       prm.print_parameters(std::cout,
                            style | ParameterHandler::KeepDeclarationOrder);
+    }
+
+
+
+    /** What --units asks for. */
+    void
+    print_units(const std::vector<Assignment> &assignments,
+                const CommandLine             &command)
+    {
+      ParameterHandler prm;
+      RodInUnits       rod;
+      rod.add_parameters(prm);
+      if (!command.print_parameters.empty())
+        assign_entries(assignments, prm);
+      const std::string scene =
+        command.print_parameters.empty() ?
+          scene_from_units(command.file_name, assignments) :
+          "";
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+        return;
+      if (scene.empty())
+        print_parameters(prm, command.print_parameters);
+      else
+        std::cout << scene;
     }
 
 
@@ -149,10 +174,13 @@ namespace ThermoContact
         throw InputError("no parameter file is given\n  remedy:  thermocontact "
                          "FILE.prm, e.g. prm/paper/experiment-1.prm");
 
+      const std::vector<Assignment> assignments = all_assignments(command);
+      if (command.reads_units)
+        return print_units(assignments, command);
+
       Parameters       parameters;
       ParameterHandler prm;
       parameters.add_parameters(prm);
-      const std::vector<Assignment> assignments = all_assignments(command);
       assign_entries(assignments, prm);
       if (!command.print_parameters.empty())
         {
@@ -171,7 +199,7 @@ namespace ThermoContact
         }
       catch (const InputError &error)
         {
-          throw InputError(add_place(error.what(), assignments));
+          throw InputError(complete_message(error.what(), assignments, prm));
         }
     }
   } // namespace

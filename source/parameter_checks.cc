@@ -52,7 +52,12 @@ namespace ThermoContact
     if ((1. + dimension) * n_nodes > 1e9)
       refuse("Mesh/Cells",
              mesh.cells,
-             "at most 1e9 unknowns with Degree, Refinements and Cells across",
+             "at most 1e9 unknowns with Mesh/Degree = " +
+               std::to_string(mesh.degree) +
+               ", Mesh/Refinements = " + std::to_string(mesh.refinements) +
+               (dimension > 1 ?
+                  ", Mesh/Cells across = " + std::to_string(mesh.cells_across) :
+                  ""),
              "a coarser mesh");
     check_steps();
     check_scheme();

@@ -126,7 +126,8 @@ namespace ThermoContact
   InitialValuesParameters::add_parameters(ParameterHandler &prm)
   {
     const std::string variables =
-      " Expression in x (y, z); pi and theta_A are known.";
+      " Expression in x (y, z); pi is known, and theta_A where there is a "
+      "temperature.";
     prm.enter_subsection("Initial values");
     prm.add_parameter("Temperature",
                       temperature,
@@ -150,7 +151,8 @@ namespace ThermoContact
   SourceParameters::add_parameters(ParameterHandler &prm)
   {
     const std::string variables =
-      " Expression in x (y, z), t; pi and theta_A are known.";
+      " Expression in x (y, z), t; pi is known, and theta_A where there is a "
+      "temperature.";
     prm.enter_subsection("Sources");
     prm.add_parameter("Heat source",
                       heat_source,

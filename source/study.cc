@@ -54,8 +54,8 @@ namespace ThermoContact
     read_variation(const std::string &entry, const std::string &text)
     {
       const auto fail = [&](const std::string &fault) {
-        throw InputError("Study/" + entry + ": " + fault + " in '" + text +
-                         "'" + notation);
+        throw InputError("Study/" + entry + ": " + fault + " in '" +
+                         quote(text) + "'" + notation);
       };
       const auto equal_sign = text.find('=');
       if (equal_sign == std::string::npos)
@@ -229,7 +229,8 @@ namespace ThermoContact
           {
             const Variation variation = read_variation("Reference", text);
             if (variation.values.size() > 1)
-              throw InputError("Study/Reference: several values in '" + text +
+              throw InputError("Study/Reference: several values in '" +
+                               quote(text) +
                                "'\n  allowed: one value per entry");
             reference->overrides.emplace_back(variation.path,
                                               variation.values[0]);
@@ -280,17 +281,20 @@ namespace ThermoContact
   void
   Study::assign(const StudyRun &run, ParameterHandler &prm) const
   {
+    const bool is_reference =
+      reference && run.overrides == reference->overrides;
+    const std::string place = is_reference ? "Study/Reference" : "Study/Vary";
     std::set<std::string>   overridden;
     std::vector<Assignment> all;
     for (const auto &[path, value] : run.overrides)
       if (!overridden.insert(path).second)
-        throw InputError("section Study: " + path +
+        throw InputError(place + ": " + quote(path) +
                          " twice in one run\n  remedy:  name each entry once");
     for (const Assignment &assignment : assignments)
       if (overridden.count(assignment.path) == 0)
         all.push_back(assignment);
     for (const auto &[path, value] : run.overrides)
-      all.push_back({"section Study", path, value});
+      all.push_back({place, path, value});
     assign_entries(all, prm);
   }
 

@@ -11,7 +11,10 @@
 // on two ranks. Prints each command, what the program wrote to standard error,
 // its exit status and, for an output directory, the names of its files, the
 // entries of summary.json that a line "#? key key ..." names, and what the
-// script of a line "#! SCRIPT" beside TEST.prm says about it.
+// script of a line "#! SCRIPT" beside TEST.prm says about it. A line "#%
+// COMMAND" is run by the shell before all others, e.g. to make a file that
+// cannot be kept here. Files that a run leaves outside of the output directory
+// are named.
 
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
@@ -22,7 +25,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -52,6 +55,20 @@ namespace
       if (line.rfind(mark, 0) == 0)
         lines.push_back(line.substr(mark.size()));
     return lines;
+  }
+
+
+
+  /** Names of the files in the working directory, but for the driver's own. */
+  std::set<std::string>
+  working_files()
+  {
+    std::set<std::string> names;
+    for (const auto &entry : fs::directory_iterator("."))
+      names.insert(entry.path().filename());
+    names.erase("results");
+    names.erase("stderr");
+    return names;
   }
 
 
@@ -93,6 +110,10 @@ main(int, char **argv)
     arguments.emplace_back("FILE");
 
   setenv("THERMOCONTACT", PROGRAM, 1); // for the scripts
+  for (const std::string &line : marked_lines(test, "#% "))
+    if (const std::string shell_command = replace_all(line, "PRM", prm_dir);
+        std::system(shell_command.c_str()) != 0)
+      std::cout << shell_command << " failed" << std::endl;
   for (const std::string &argument : arguments)
     {
       fs::remove_all(output_dir);
@@ -109,6 +130,7 @@ main(int, char **argv)
                     "PRM",
                     prm_dir) +
         " 2> stderr";
+      const auto files_before = working_files();
       std::cout << "$ thermocontact " << argument << '\n';
       const int status = WEXITSTATUS(std::system(command.c_str()));
       // from the program's own words on: MPI may complain of the machine first
@@ -122,6 +144,9 @@ main(int, char **argv)
                                prm_dir,
                                "prm")
                 << "exit status " << status << '\n';
+      for (const std::string &name : working_files())
+        if (files_before.count(name) == 0)
+          std::cout << "new file: " << name << '\n';
       if (fs::exists(output_dir / "summary.json") ||
           fs::exists(output_dir / "study.csv"))
         {

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// usage: thermocontact_fuzz MINUTES FIRST_NUMBER DIRECTORY
+//        thermocontact_fuzz --print NUMBER
+//
+// Reads mutated parameter files as --check does: many in one process, and a new
+// process after one that died. Each file has a number from which --print makes
+// it again. A file must be accepted or refused with a short message in UTF-8;
+// what is accepted must be written and read back the same. Everything else is a
+// finding: another exception, the end of the process (the sanitizers end it),
+// 20 seconds for one file, a file written. It is saved in DIRECTORY as
+// finding-NUMBER.prm and .txt. Exit status 1 if there is any.
+
+#include <deal.II/base/mpi.h>
+
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "exceptions.h"
+#include "mutations.h"
+#include "output_directory.h"
+#include "parameter_file.h"
+#include "simulation.h"
+#include "study.h"
+#include "units.h"
+
+namespace ThermoContact
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** What parent and child both see. */
+    struct Progress
+    {
+      volatile unsigned long number;
+      volatile std::time_t   begin; ///< of that file
+      volatile unsigned long n_accepted, n_large, n_refused, n_failed,
+        n_findings;
+    };
+
+
+
+    std::vector<std::string>
+    valid_files()
+    {
+      std::vector<fs::path> paths;
+      for (const auto &entry : fs::recursive_directory_iterator(PRM_DIR))
+        if (entry.path().extension() == ".prm")
+          paths.push_back(entry.path());
+      std::sort(paths.begin(), paths.end());
+      std::vector<std::string> texts;
+      for (const fs::path &path : paths)
+        texts.push_back(read_text(path));
+
+      Parameters       parameters;
+      ParameterHandler prm;
+      parameters.add_parameters(prm);
+      for (const bool is_plane : {false, true})
+        {
+          if (is_plane)
+            prm.set("Dimension", "2");
+          std::ostringstream all;
+          write_entries(prm, {}, all);
+          texts.push_back(all.str());
+        }
+      return texts;
+    }
+
+
+
+    /** Matrices that take long, and are not what is tested here. */
+    bool
+    is_large(const Parameters &parameters)
+    {
+      const MeshParameters &mesh = parameters.mesh;
+      const double          n_cells =
+        std::ldexp(mesh.cells, mesh.refinements) *
+        std::pow(std::ldexp(mesh.cells_across, mesh.refinements),
+                 parameters.dimension - 1.);
+      const double n_per_cell =
+        std::pow(mesh.degree + 1., parameters.dimension) *
+        (1. + parameters.dimension);
+      return n_cells * n_per_cell * n_per_cell > 2e6;
+    }
+
+
+
+    void
+    check_scene(const Parameters &parameters)
+    {
+      if (parameters.dimension == 1)
+        Simulation<1>(parameters, MPI_COMM_SELF);
+      else if (parameters.dimension == 2)
+        Simulation<2>(parameters, MPI_COMM_SELF);
+      else
+        Simulation<3>(parameters, MPI_COMM_SELF);
+    }
+
+
+
+    /** The entries of a parameter file, as used.prm repeats them. */
+    std::string
+    rewrite(const std::string &text)
+    {
+      Parameters       parameters;
+      ParameterHandler prm;
+      parameters.add_parameters(prm);
+      std::istringstream stream(text);
+      assign_entries(read_assignments(stream, "again.prm"), prm);
+      std::ostringstream written;
+      write_entries(prm, {}, written);
+      return written.str();
+    }
+
+
+
+    /** What main() does for --check, and for --units. */
+    void
+    check(const std::string &text, Progress &progress)
+    {
+      Parameters       parameters;
+      ParameterHandler prm;
+      parameters.add_parameters(prm);
+      std::istringstream stream(text);
+      const auto         assignments = read_assignments(stream, "fuzz.prm");
+      assign_entries(assignments, prm);
+      try
+        {
+          if (parameters.study.is_active())
+            Study(assignments, parameters.study);
+          else
+            {
+              check_unused_entries(parameters, prm);
+              parameters.check();
+              if (is_large(parameters))
+                ++progress.n_large;
+              else
+                check_scene(parameters);
+            }
+          if (!parameters.output.directory.empty())
+            check_output_directory(parameters.output.directory, MPI_COMM_SELF);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(complete_message(error.what(), assignments, prm));
+        }
+      const std::string written = rewrite(text);
+      if (rewrite(written) != written)
+        throw std::logic_error("used.prm reads differently:\n" + written);
+    }
+
+
+
+    /** What a user would not want to read. */
+    std::string
+    find_fault(const std::string &message)
+    {
+      std::string line;
+      if (message.size() > 3000)
+        return "a long message";
+      for (std::istringstream stream(message); std::getline(stream, line);)
+        if (!is_plain_text(line))
+          return "an unprintable message";
+      return "";
+    }
+
+
+
+    void
+    save(const std::string  &directory,
+         const unsigned long number,
+         const std::string  &text,
+         const std::string  &reason,
+         Progress           &progress)
+    {
+      ++progress.n_findings;
+      const std::string name = directory + "/finding-" + std::to_string(number);
+      std::ofstream(name + ".prm") << text;
+      std::ofstream(name + ".txt") << reason << '\n';
+      std::cout << "finding " << number << ": " << reason.substr(0, 300)
+                << std::endl;
+    }
+
+
+
+    /** Reads files until the parent kills it. */
+    [[noreturn]] void
+    work(const Mutations   &mutations,
+         const std::string &directory,
+         Progress          &progress)
+    {
+      const auto n_files = [&directory]() {
+        return std::distance(fs::directory_iterator("."),
+                             fs::directory_iterator());
+      };
+      while (true)
+        {
+          const unsigned long number = progress.number;
+          const std::string   text   = mutations.make(number);
+          progress.begin             = std::time(nullptr);
+          std::string fault;
+          try
+            {
+              check(text, progress);
+              ++progress.n_accepted;
+            }
+          catch (const InputError &error)
+            {
+              ++progress.n_refused;
+              fault = find_fault(error.what());
+              if (!fault.empty())
+                fault += ": " + std::string(error.what());
+            }
+          catch (const ComputationError &error)
+            {
+              ++progress.n_failed;
+              fault = find_fault(error.what());
+            }
+          catch (const std::exception &error)
+            {
+              fault = std::string("an exception: ") + error.what();
+            }
+          if (number % 100 == 0 && n_files() > 0)
+            fault = "a file was written, by one of the last 100";
+          if (!fault.empty())
+            save(directory, number, text, fault, progress);
+          ++progress.number;
+        }
+    }
+
+
+
+    void
+    report(const Progress &progress, const unsigned long first)
+    {
+      std::cout << progress.number - first << " files: " << progress.n_accepted
+                << " accepted (" << progress.n_large
+                << " without their matrices, too large), " << progress.n_refused
+                << " refused, " << progress.n_failed
+                << " failed; findings: " << progress.n_findings << std::endl;
+    }
+
+
+
+    /** Starts workers one after the other until the time is over. */
+    int
+    fuzz(const double        minutes,
+         const unsigned long first,
+         const std::string  &directory)
+    {
+      const Mutations mutations(valid_files());
+      auto           &progress = *static_cast<Progress *>(mmap(nullptr,
+                                                     sizeof(Progress),
+                                                     PROT_READ | PROT_WRITE,
+                                                     MAP_SHARED | MAP_ANONYMOUS,
+                                                     -1,
+                                                     0));
+      progress.number          = first;
+      const auto end           = std::chrono::steady_clock::now() +
+                       std::chrono::seconds(static_cast<long>(60 * minutes));
+      const fs::path    folder = fs::absolute(directory);
+      const std::string log    = folder / "worker.txt";
+      fs::create_directories(folder / "empty");
+      fs::current_path(folder / "empty");
+      std::time_t last_report = std::time(nullptr);
+      while (std::chrono::steady_clock::now() < end)
+        {
+          progress.begin    = std::time(nullptr);
+          const pid_t child = fork();
+          if (child == 0)
+            {
+              if (freopen(log.c_str(), "w", stderr) == nullptr)
+                std::exit(3);
+              int                                      argc = 0;
+              char                                   **argv = nullptr;
+              dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+              progress.begin = std::time(nullptr);
+              work(mutations, folder, progress);
+            }
+          int  status  = 0;
+          bool is_late = false, is_over = false;
+          while (waitpid(child, &status, WNOHANG) == 0)
+            {
+              usleep(100000);
+              is_late = std::time(nullptr) - progress.begin > 20;
+              is_over = std::chrono::steady_clock::now() >= end;
+              if (is_late || is_over)
+                kill(child, SIGKILL);
+              if (std::time(nullptr) - last_report >= 60)
+                {
+                  last_report = std::time(nullptr);
+                  report(progress, first);
+                }
+              if (is_late || is_over)
+                {
+                  waitpid(child, &status, 0);
+                  break;
+                }
+            }
+          if (is_over)
+            break;
+          std::ostringstream words;
+          words << (is_late ? "more than 20 seconds" : "the process ended")
+                << '\n'
+                << std::ifstream(log).rdbuf();
+          save(folder,
+               progress.number,
+               mutations.make(progress.number),
+               words.str(),
+               progress);
+          ++progress.number;
+        }
+      report(progress, first);
+      return progress.n_findings == 0 ? 0 : 1;
+    }
+  } // namespace
+} // namespace ThermoContact
+
+
+
+int
+main(int argc, char **argv)
+{
+  using namespace ThermoContact;
+  if (argc == 3 && std::string(argv[1]) == "--print")
+    {
+      std::cout << Mutations(valid_files()).make(std::stoul(argv[2]));
+      return 0;
+    }
+  if (argc != 4)
+    {
+      std::cerr << "usage: thermocontact_fuzz MINUTES FIRST_NUMBER DIRECTORY\n"
+                   "       thermocontact_fuzz --print NUMBER\n";
+      return 2;
+    }
+  return fuzz(std::stod(argv[1]), std::stoul(argv[2]), argv[3]);
+}

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "mutations.h"
+
+#include <sstream>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    const std::vector<std::string> odd_tokens = {"0",
+                                                 "-0",
+                                                 "-1",
+                                                 "1e308",
+                                                 "-1e308",
+                                                 "1e-308",
+                                                 "1e-320",
+                                                 "1e309",
+                                                 "nan",
+                                                 "-nan",
+                                                 "inf",
+                                                 "-inf",
+                                                 "infinity",
+                                                 "automatic",
+                                                 "99999999999",
+                                                 "1e5",
+                                                 "1e15",
+                                                 "1e16",
+                                                 "4294967295",
+                                                 "2147483648",
+                                                 "-2147483649",
+                                                 "18446744073709551616",
+                                                 "0x10",
+                                                 "1e",
+                                                 "1.5.2",
+                                                 ".",
+                                                 "1,5",
+                                                 "+1",
+                                                 "true",
+                                                 "none",
+                                                 "set",
+                                                 "end",
+                                                 "subsection",
+                                                 "subsection Model",
+                                                 "=",
+                                                 "==",
+                                                 "#",
+                                                 "\\",
+                                                 ";",
+                                                 ";;",
+                                                 "|",
+                                                 "(",
+                                                 ")",
+                                                 "((((((((((",
+                                                 "/",
+                                                 "Model/",
+                                                 "x",
+                                                 "y",
+                                                 "t",
+                                                 "theta_A",
+                                                 "pi",
+                                                 "if(x<1,1,2)",
+                                                 "x>0.5",
+                                                 "1/x",
+                                                 "1/(x-0.5)",
+                                                 "rand()",
+                                                 "sqrt(-x)",
+                                                 "x^x",
+                                                 "exp(1000*x)",
+                                                 "sin (x)",
+                                                 "sin(x",
+                                                 "x ? 1 : 2",
+                                                 "\"x\"",
+                                                 "x=2",
+                                                 "\xC2\xA0",
+                                                 "\xEF\xBB\xBF",
+                                                 "\xE2\x80\xAF",
+                                                 "\xF0\x9F\x94\xA5",
+                                                 "\xFF\xFE",
+                                                 "\xED\xA0\x80",
+                                                 "\x1B[31m",
+                                                 "\r",
+                                                 "\r\n",
+                                                 "\t",
+                                                 "%s%n",
+                                                 "../../x",
+                                                 "/dev/null",
+                                                 "."};
+
+    std::size_t
+    pick(const std::size_t n, std::mt19937_64 &generator)
+    {
+      return n == 0 ? 0 : generator() % n;
+    }
+
+
+
+    std::vector<std::string>
+    split_lines(const std::string &text)
+    {
+      std::vector<std::string> lines;
+      std::istringstream       stream(text);
+      for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+      return lines;
+    }
+  } // namespace
+
+
+
+  Mutations::Mutations(const std::vector<std::string> &files)
+    : files(files)
+    , tokens(odd_tokens)
+  {
+    for (const std::string &file : files)
+      for (const std::string &line : split_lines(file))
+        {
+          lines.push_back(line);
+          std::istringstream stream(line.substr(0, line.find('#')));
+          for (std::string token; stream >> token;)
+            tokens.push_back(token);
+        }
+  }
+
+
+
+  std::string
+  Mutations::new_token(Generator &generator) const
+  {
+    switch (pick(8, generator))
+      {
+        case 0:
+          {
+            const std::size_t n = std::size_t(1) << pick(16, generator);
+            return std::string(n, "x(9 \\;\n1"[pick(8, generator)]);
+          }
+        case 1:
+          return std::to_string(static_cast<double>(generator()) / (1 << 30));
+        case 2:
+        case 3:
+          return tokens[pick(tokens.size(), generator)];
+        default:
+          return odd_tokens[pick(odd_tokens.size(), generator)];
+      }
+  }
+
+
+
+  void
+  Mutations::mutate_line(std::string &text, Generator &generator) const
+  {
+    std::vector<std::string> parts = split_lines(text);
+    if (parts.empty())
+      parts.emplace_back();
+    const std::size_t at = pick(parts.size(), generator);
+    switch (pick(6, generator))
+      {
+        case 0:
+          parts.erase(parts.begin() + at);
+          break;
+        case 1:
+          parts.insert(parts.begin() + at, parts[at]);
+          break;
+        case 2:
+          std::swap(parts[at], parts[pick(parts.size(), generator)]);
+          break;
+        case 3:
+          parts[at] = lines[pick(lines.size(), generator)];
+          break;
+        case 4:
+          parts.insert(parts.begin() + at,
+                       lines[pick(lines.size(), generator)]);
+          break;
+        default: // another value
+          parts[at] = parts[at].substr(0, parts[at].find('=')) + "= " +
+                      new_token(generator);
+      }
+    text.clear();
+    for (const std::string &part : parts)
+      text += part + "\n";
+  }
+
+
+
+  void
+  Mutations::mutate(std::string &text, Generator &generator) const
+  {
+    const std::size_t at = pick(text.size(), generator);
+    switch (pick(10, generator))
+      {
+        case 0:
+          if (!text.empty())
+            text[at] = static_cast<char>(text[at] ^ (1 << pick(8, generator)));
+          break;
+        case 1:
+          text.insert(at, 1, static_cast<char>(generator() & 0xFF));
+          break;
+        case 2:
+          if (pick(4, generator) == 0)
+            text.erase(at);
+          else
+            text.erase(at, 1 + pick(20, generator));
+          break;
+        case 3:
+        case 4:
+          {
+            // a token of the text gives way to another one
+            const auto begin = text.find_first_not_of(" \n=", at);
+            if (begin != std::string::npos)
+              text.replace(begin,
+                           text.find_first_of(" \n", begin) - begin,
+                           new_token(generator));
+            break;
+          }
+        case 5:
+          text.insert(at, new_token(generator));
+          break;
+        default:
+          mutate_line(text, generator);
+      }
+  }
+
+
+
+  std::string
+  Mutations::make(const unsigned long number) const
+  {
+    Generator   generator(number);
+    std::string text = files[pick(files.size(), generator)];
+    for (std::size_t n = 1 + pick(4, generator); n > 0; --n)
+      mutate(text, generator);
+    return text;
+  }
+} // namespace ThermoContact
