@@ -11,14 +11,18 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Columns of the terminal, 80 where it does not say. */
+    /**
+     * Columns of the terminal behind standard output; 0 if it is none or does
+     * not say, as that of mpirun, which may lead to a file.
+     */
     unsigned int
     terminal_width()
     {
       winsize size{};
-      return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ?
+      return isatty(STDOUT_FILENO) == 1 &&
+                 ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ?
                size.ws_col :
-               80;
+               0;
     }
   } // namespace
 
@@ -27,7 +31,7 @@ namespace ThermoContact
   Log::Log(const bool is_writer, const bool is_quiet)
     : is_writer(is_writer)
     , is_quiet(is_quiet)
-    , has_live_line_(is_writer && !is_quiet && isatty(STDOUT_FILENO) == 1)
+    , has_live_line_(is_writer && !is_quiet && terminal_width() > 0)
     , is_live(false)
   {}
 
@@ -88,11 +92,11 @@ namespace ThermoContact
   void
   Log::live_line(const std::string &text)
   {
-    if (!has_live_line_)
+    const unsigned int width = has_live_line_ ? terminal_width() : 0;
+    if (width == 0)
       return;
     // the last column stays free: some terminals would go to the next line
-    std::cout << '\r' << text.substr(0, terminal_width() - 1) << "\033[K"
-              << std::flush;
+    std::cout << '\r' << text.substr(0, width - 1) << "\033[K" << std::flush;
     is_live = true;
   }
 

@@ -143,7 +143,7 @@ namespace ThermoContact
     const double left =
       seconds_between(start, now) * (end_time - record.time) / done;
     const auto field = [](const char *name, const double value) {
-      return text("  ", name, ' ', std::setw(10), std::left, value);
+      return text("  ", name, ' ', std::setw(12), std::left, value);
     };
     std::string line =
       text("  ",

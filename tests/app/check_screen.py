@@ -4,7 +4,8 @@
 
 --quiet: nothing on standard output. Redirected: what log.txt has, with a line for each
 tenth of the run. A pseudo terminal: lines that are rewritten in place, within its width,
-each erased by what follows, no line per tenth; log.txt as before. A run that fails: its
+each erased by what follows, no line per tenth; log.txt as before; none on a terminal that
+does not tell its width, as that of mpirun, which may lead to a file. A run that fails: its
 reason on standard output and standard error, on a terminal once; in log.txt always.
 """
 import fcntl
@@ -72,6 +73,9 @@ print("terminal: live lines", len(live) > 0, ", within its width",
       ", live lines in log.txt", "\r" in log() or "steps/s" in log(),
       ", the rest as in log.txt",
       kept.splitlines()[:8] == log().splitlines()[:8])
+
+screen = on_terminal(command(), 0)
+print("terminal without width: as log.txt", screen == log())
 
 failed = subprocess.run(command(*fails), capture_output=True, check=False)
 reason = "the fixed point iteration did not converge"
