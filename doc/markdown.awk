@@ -2,6 +2,7 @@
 # reads it.
 #   formulas  $...$ and ```math blocks become @f$...@f$ and @f[...@f]; code spans
 #             and other code blocks stay
+#   links     to ../prm lead to the copy of prm beside the pages
 #   quotes    `code with '` would be taken for a quotation: ``code with '``
 #   pages     the title of doc/model.md gets the name {#model}, in every version
 #             of Doxygen; that of tests/README.md the name of its folder
@@ -36,6 +37,7 @@ in_math || in_code { print; next }
           gsub(/\\\$/, "\001", parts[i])
           gsub(/\$/, "@f$", parts[i])
           gsub("\001", "\\$", parts[i])
+          gsub(/\]\(\.\.\/prm\//, "](prm/", parts[i])
         }
       else if (i < n_parts && parts[i] ~ /'/)
         parts[i] = "`" parts[i] "`"
