@@ -157,7 +157,7 @@ namespace ThermoContact
                     "\n  remedy:  give a directory that can be written";
           }
       if (!fault.empty())
-        fault = "Output/Directory = " + directory + ": " + fault;
+        fault = "Output/Directory = " + quote(directory) + ": " + fault;
       throw_everywhere<InputError>(fault, communicator);
     }
   } // namespace

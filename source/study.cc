@@ -62,6 +62,8 @@ namespace ThermoContact
         fail("no '='");
       const Variation variation = {Utilities::trim(text.substr(0, equal_sign)),
                                    split_at(text.substr(equal_sign + 1), "|")};
+      if (variation.path.empty() || variation.path.back() == '/')
+        fail("no entry before '='");
       if (variation.path.rfind("Study/", 0) == 0 ||
           variation.path == "Output/Directory")
         fail("an entry that is the study's own");
