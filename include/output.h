@@ -8,7 +8,9 @@
 #include <string>
 
 #include "field_output.h"
+#include "probe_output.h"
 #include "simulation.h"
+#include "space_time_output.h"
 #include "table_file.h"
 
 namespace ThermoContact
@@ -17,9 +19,11 @@ namespace ThermoContact
   struct OutputMemory
   {
     /** Lengths in bytes of the tables; 0 for one that there is not. */
-    std::uint64_t contact_size = 0;
-    std::uint64_t events_size  = 0;
-    std::uint64_t steps_size   = 0;
+    std::uint64_t contact_size    = 0;
+    std::uint64_t events_size     = 0;
+    std::uint64_t steps_size      = 0;
+    std::uint64_t probes_size     = 0;
+    std::uint64_t space_time_size = 0;
 
     std::vector<double> snapshot_times;
 
@@ -27,7 +31,8 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &contact_size &events_size &steps_size &snapshot_times;
+      archive &contact_size &events_size &steps_size &probes_size
+        &space_time_size &snapshot_times;
     }
   };
 
@@ -35,8 +40,8 @@ namespace ThermoContact
 
   /**
    * The files of one run that grow with time: contact.csv, events.csv,
-   * steps.csv and the snapshots. An observer of a Simulation. Rows and
-   * snapshots are written at step ends.
+   * steps.csv, probes.csv, the snapshots and the space-time file. An observer
+   * of a Simulation. Rows and snapshots are written at step ends.
    */
   template <int dim>
   class Output
@@ -66,7 +71,17 @@ namespace ThermoContact
     double
     output_seconds() const;
 
-    /** Writes the attempts at the step that a run has failed at, if it can. */
+    /**
+     * Completes the files of a run that is done, among them space-time.vtu.
+     * Same exceptions as observe().
+     */
+    void
+    finish();
+
+    /**
+     * Writes the attempts at the step that a run has failed at, and
+     * space-time.vtu up to there, if it can.
+     */
     void
     observe_failure(const Simulation<dim> &simulation);
 
@@ -98,6 +113,18 @@ namespace ThermoContact
     unsigned int           n_rows;
     double                 next_fields;  ///< in intervals
     double                 next_contact; ///< in intervals
+    double                 next_space_time;
+
+    std::unique_ptr<ProbeOutput<dim>>     probe_output; ///< if asked for
+    std::unique_ptr<SpaceTimeOutput<dim>> space_time_output;
+
+    /** All tables of the run; those of other ranks are not open. */
+    std::vector<TableFile *>
+    tables();
+
+    /** Opens what is written on request. */
+    void
+    open_optional(const OutputMemory &sizes, const Simulation<dim> &simulation);
 
     /** @param size of the file so far if a run goes on, else 0 */
     void

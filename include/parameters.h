@@ -258,8 +258,10 @@ namespace ThermoContact
   struct OutputParameters
   {
     std::string directory;
-    double      fields_interval     = 0.1;
-    double      contact_interval    = 0.;
+    double      fields_interval  = 0.1;
+    double      contact_interval = 0.;
+    std::string probes; ///< read by parse_probe_positions()
+    double      space_time_interval = 0.;
     bool        land_on_times       = false; ///< steps end on output times
     double      checkpoint_interval = 0.;    ///< seconds of wall-clock time
 

@@ -36,6 +36,7 @@ namespace ThermoContact
                                               "Output/Directory",
                                               "Output/Fields interval",
                                               "Output/Contact interval",
+                                              "Output/Space-time interval",
                                               "Output/Checkpoint interval"};
 
 

@@ -32,6 +32,16 @@ namespace ThermoContact
 
 
 
+    /** Lines at the top of every table. */
+    std::string
+    head_comments(const std::string &title)
+    {
+      return "# " + title + "\n# thermocontact " + version() + ", deal.II " +
+             DEAL_II_PACKAGE_VERSION + '\n';
+    }
+
+
+
     /** Whole intervals up to @p time. */
     double
     count_intervals(const double interval, const double time)
@@ -63,6 +73,7 @@ namespace ThermoContact
     , n_rows(0)
     , next_fields(0.)
     , next_contact(0.)
+    , next_space_time(0.)
   {
     field_timer.reset();
     const std::string &title = simulation.parameters().title;
@@ -77,6 +88,7 @@ namespace ThermoContact
         std::error_code error; // a fault shows when the first file is opened
         std::filesystem::create_directory(directory + "/fields", error);
       }
+    open_optional(sizes, simulation);
     flush();
     if (memory)
       restore(*memory, simulation);
@@ -97,9 +109,44 @@ namespace ThermoContact
     if (size > 0)
       return file.reopen(directory + "/" + name, size);
     file.open(directory + "/" + name);
-    file.write_row("# " + title + "\n# thermocontact " + version() +
-                   ", deal.II " + DEAL_II_PACKAGE_VERSION + '\n' + columns +
-                   '\n');
+    file.write_row(head_comments(title) + columns + '\n');
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::open_optional(const OutputMemory    &sizes,
+                             const Simulation<dim> &simulation)
+  {
+    const Parameters          &scene = simulation.parameters();
+    const Discretization<dim> &space = simulation.discretization();
+    if (!Utilities::trim(parameters.probes).empty())
+      {
+        probe_output =
+          std::make_unique<ProbeOutput<dim>>(directory, scene, space);
+        probe_output->open(head_comments(scene.title), sizes.probes_size);
+      }
+    if (parameters.space_time_interval > 0.)
+      {
+        space_time_output =
+          std::make_unique<SpaceTimeOutput<dim>>(directory, scene, space);
+        space_time_output->open(sizes.space_time_size);
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<TableFile *>
+  Output<dim>::tables()
+  {
+    std::vector<TableFile *> files = {&contact_file, &events_file, &steps_file};
+    if (probe_output)
+      files.push_back(&probe_output->file());
+    if (space_time_output)
+      files.push_back(&space_time_output->file());
+    return files;
   }
 
 
@@ -114,7 +161,8 @@ namespace ThermoContact
     const double time = simulation.record().time;
     for (auto [interval, next] :
          {std::make_pair(parameters.fields_interval, &next_fields),
-          std::make_pair(parameters.contact_interval, &next_contact)})
+          std::make_pair(parameters.contact_interval, &next_contact),
+          std::make_pair(parameters.space_time_interval, &next_space_time)})
       if (interval > 0.)
         *next = count_intervals(interval, time) + 1.;
     field_output.restore(memory.snapshot_times);
@@ -144,9 +192,16 @@ namespace ThermoContact
     const StepRecord &record = simulation.record();
     if (parameters.contact_interval == 0. ||
         is_due(parameters.contact_interval, record.time, next_contact))
-      write_row(record);
+      {
+        write_row(record);
+        if (probe_output)
+          probe_output->write(simulation.state());
+      }
     write_events(simulation.events());
     write_attempts(simulation.attempts());
+    if (space_time_output &&
+        is_due(parameters.space_time_interval, record.time, next_space_time))
+      space_time_output->write(simulation.state());
 
     if (parameters.fields_interval > 0. &&
         is_due(parameters.fields_interval, record.time, next_fields))
@@ -160,9 +215,8 @@ namespace ThermoContact
       flush();
     else if (is_writer && since_flush.wall_time() > 1.)
       {
-        contact_file.flush();
-        events_file.flush();
-        steps_file.flush();
+        for (TableFile *file : tables())
+          file->flush();
         since_flush.restart();
       }
   }
@@ -257,9 +311,25 @@ namespace ThermoContact
   Output<dim>::observe_failure(const Simulation<dim> &simulation)
   {
     write_attempts(simulation.attempts());
-    contact_file.flush();
-    events_file.flush();
-    steps_file.flush();
+    for (TableFile *file : tables())
+      file->flush();
+    if (space_time_output)
+      space_time_output->write_vtu(false);
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::finish()
+  {
+    flush();
+    if (!space_time_output)
+      return;
+    field_timer.start();
+    throw_everywhere<ComputationError>(space_time_output->write_vtu(true),
+                                       communicator);
+    field_timer.stop();
   }
 
 
@@ -281,14 +351,18 @@ namespace ThermoContact
     std::string  fault;
     if (is_writer)
       {
-        for (TableFile *file : {&contact_file, &events_file, &steps_file})
+        for (TableFile *file : tables())
           if (const std::string message = file->sync(); fault.empty())
             fault = message;
         if (fault.empty())
           fault = field_output.sync();
-        memory.contact_size   = contact_file.size();
-        memory.events_size    = events_file.size();
-        memory.steps_size     = steps_file.size();
+        memory.contact_size = contact_file.size();
+        memory.events_size  = events_file.size();
+        memory.steps_size   = steps_file.size();
+        if (probe_output)
+          memory.probes_size = probe_output->file().size();
+        if (space_time_output)
+          memory.space_time_size = space_time_output->file().size();
         memory.snapshot_times = field_output.times();
       }
     throw_everywhere<ComputationError>(fault, communicator);
@@ -305,7 +379,7 @@ namespace ThermoContact
     if (is_writer)
       {
         since_flush.restart();
-        for (TableFile *file : {&contact_file, &events_file, &steps_file})
+        for (TableFile *file : tables())
           if (const std::string message = file->flush(); fault.empty())
             fault = message;
       }

@@ -6,6 +6,7 @@
 #include "butcher_tableau.h"
 #include "exceptions.h"
 #include "parameters.h"
+#include "probe_positions.h"
 
 namespace ThermoContact
 {
@@ -59,6 +60,7 @@ namespace ThermoContact
                   ", Mesh/Cells across = " + std::to_string(mesh.cells_across) :
                   ""),
              "a coarser mesh");
+    parse_probe_positions(output.probes, dimension, mesh.width);
     check_steps();
     check_scheme();
     const bool has_one_node =

@@ -114,9 +114,10 @@ namespace ThermoContact
            "Time/Minimum step size",
            "Time/Maximum step size"},
           "Time/Step size = a number");
-    if (output.fields_interval == 0. && output.contact_interval == 0.)
+    if (output.fields_interval == 0. && output.contact_interval == 0. &&
+        output.space_time_interval == 0.)
       add({"Output/Land on output times"},
-          "Output/Contact interval = 0 and Fields interval = 0");
+          "Output/Contact interval = 0 and no other interval is set");
     if (!study.is_active())
       add({"Study/Reference",
            "Study/Repetitions",

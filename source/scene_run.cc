@@ -100,7 +100,7 @@ namespace ThermoContact
       try
         {
           simulation.run();
-          output.flush();
+          output.finish();
         }
       catch (const ComputationError &error)
         {

@@ -78,7 +78,8 @@ namespace ThermoContact
   {
     if (parameters.output.land_on_times)
       for (const double interval : {parameters.output.fields_interval,
-                                    parameters.output.contact_interval})
+                                    parameters.output.contact_interval,
+                                    parameters.output.space_time_interval})
         if (interval > 0.)
           landing_intervals.push_back(interval);
     if (!has_error_control)

@@ -176,7 +176,7 @@ namespace ThermoContact
         {
           simulation.run();
           if (output)
-            output->flush();
+            output->finish();
         }
       catch (const ComputationError &)
         {
