@@ -31,6 +31,22 @@ namespace ThermoContact
     unsigned int solves         = 0; ///< back-substitutions of stages
     unsigned int responses      = 0; ///< back-substitutions for $W$
 
+    double factorization_seconds = 0.; ///< assembly of stage matrices, too
+    double solve_seconds         = 0.; ///< with factorisations
+    double contact_seconds       = 0.; ///< pressures and responses
+
+    SolverCounters &
+    operator+=(const SolverCounters &other)
+    {
+      factorizations += other.factorizations;
+      solves += other.solves;
+      responses += other.responses;
+      factorization_seconds += other.factorization_seconds;
+      solve_seconds += other.solve_seconds;
+      contact_seconds += other.contact_seconds;
+      return *this;
+    }
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "stop_watch.h"
+
 namespace ThermoContact
 {
   template <int dim>
@@ -44,6 +46,7 @@ namespace ThermoContact
   void
   FixedPointSolver<dim>::factorize(const double tau)
   {
+    const StopWatch watch(counters_.factorization_seconds);
     heat_solver =
       std::make_unique<DirectSolver>(stage_operator.heat_stage_matrix(tau));
     momentum_solver =
@@ -105,6 +108,7 @@ namespace ThermoContact
   {
     Assert(mode == ContactMode::unilateral, ExcNotImplemented());
     (void)mode;
+    const StopWatch watch(counters_.solve_seconds);
     if (tau != factorized_tau)
       factorize(tau);
     stage_operator.stage_rhs(

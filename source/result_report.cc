@@ -91,11 +91,19 @@ namespace ThermoContact
 
     /** A table of where the wall time went. */
     void
-    report_times(const RunTimes &times, Log &log)
+    report_times(const RunTimes       &times,
+                 const SolverCounters &counters,
+                 Log                  &log)
     {
+      const double steps_rest =
+        times.steps - counters.solve_seconds - counters.contact_seconds;
       const std::pair<const char *, double> sections[] = {
         {"set-up", times.set_up},
-        {"steps", times.steps},
+        {"steps: factorisations", counters.factorization_seconds},
+        {"steps: solves",
+         counters.solve_seconds - counters.factorization_seconds},
+        {"steps: contact", counters.contact_seconds},
+        {"steps: energy, errors, rest", steps_rest},
         {"rows and screen", times.loop - times.steps},
         {"fields and checkpoints", times.output},
         {"whole run", times.wall}};
@@ -148,7 +156,7 @@ namespace ThermoContact
                   std::setprecision(3),
                   record.step == 0 ? 0. : 1e6 * times.loop / record.step,
                   " us per step"));
-    report_times(times, log);
+    report_times(times, counters, log);
   }
 
 

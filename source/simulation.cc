@@ -379,11 +379,7 @@ namespace ThermoContact
     SolverCounters sum = step_solver->counters();
     for (const SolverCounters &part :
          {integrator->counters(), transition.counters()})
-      {
-        sum.factorizations += part.factorizations;
-        sum.solves += part.solves;
-        sum.responses += part.responses;
-      }
+      sum += part;
     return sum;
   }
 

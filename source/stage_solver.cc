@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "stop_watch.h"
+
 namespace ThermoContact
 {
   namespace
@@ -61,6 +63,7 @@ namespace ThermoContact
         factorizations.splice(factorizations.begin(), factorizations, known);
         return;
       }
+    const StopWatch watch(counters_.factorization_seconds);
     while (factorizations.size() >= max_factorizations)
       factorizations.pop_back();
     factorizations.push_front(
@@ -171,7 +174,8 @@ namespace ThermoContact
                                   const ContactMode mode,
                                   StageRates       &rates)
   {
-    const double tau = factorizations.front().matrix.tau();
+    const StopWatch watch(counters_.contact_seconds);
+    const double    tau = factorizations.front().matrix.tau();
     discretization.contact_values(1, known.displacement, known_displacement);
     discretization.contact_values(1, rates.velocity, free_displacement);
     bool reaches_obstacle = false;
@@ -211,6 +215,7 @@ namespace ThermoContact
                                           const Vector &momentum_load,
                                           StageRates   &rates)
   {
+    const StopWatch watch(counters_.solve_seconds);
     provide_factorization(tau);
     stage_operator.stage_rhs(
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
