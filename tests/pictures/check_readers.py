@@ -41,7 +41,8 @@ def reads(directory, reader):
                check_paraview, directory, reader]
     result = subprocess.run(command, capture_output=True, text=True,
                             env=environment)
-    return f"{reader}: passed" in result.stdout, result.stdout + result.stderr
+    return (f"{reader}: passed" in result.stdout and "space-time" in
+            result.stdout, result.stdout + result.stderr)
 
 
 def falsify(directory):
@@ -78,7 +79,7 @@ def main():
         check(f"rendered, {directory}", result.returncode == 0 and all(
             Path(directory, "paraview", name).stat().st_size > 500 for name in
             ("first.png", "first-contact.png", "peak.png", "last.png",
-             "animation.gif")), result.stderr)
+             "animation.gif", "space-time.png")), result.stderr)
     result = subprocess.run(
         [sys.executable, source / "scripts/paraview", "rod", "--colour", "hue"],
         capture_output=True, text=True, env=environment)
