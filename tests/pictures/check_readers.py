@@ -33,6 +33,7 @@ def run(directory, prm, **entries):
     settings = [part for name, value in entries.items() for part in
                 ("--set", f"{name.replace('__', '/').replace('_', ' ')}={value}")]
     subprocess.run([program, "--quiet", "--output", directory, *settings,
+                    "--set", "Output/Space-time interval=0.1",
                     source / "prm" / prm], check=True, env=environment)
 
 
@@ -67,7 +68,9 @@ def main():
             check(f"{directory}, {reader}", *reads(directory, reader))
     falsify("rod")
     for reader in ("paraview", "meshio"):
-        check(f"moved, {reader}", not reads("false", reader)[0])
+        good, message = reads("false", reader)
+        check(f"moved, {reader}", not good and "worst 1.0e-05" in message and
+              f"{reader}: FAILED" in message)
 
     if not shutil.which("Xvfb"):
         return
@@ -77,7 +80,7 @@ def main():
              "300", "--frames", "2"], capture_output=True, text=True,
             env=environment)
         check(f"rendered, {directory}", result.returncode == 0 and all(
-            Path(directory, "paraview", name).stat().st_size > 500 for name in
+            Path(directory, "paraview", name).exists() for name in
             ("first.png", "first-contact.png", "peak.png", "last.png",
              "animation.gif", "space-time.png")), result.stderr)
     result = subprocess.run(
