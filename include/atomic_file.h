@@ -14,7 +14,8 @@ namespace ThermoContact
    * Replaces the file at @p path by @p text, in one piece: whoever reads it
    * sees the old or the new file whatever happens. On one rank.
    *
-   * @param is_durable wait until it would survive a loss of power
+   * @param is_durable wait until its content would survive a loss of power;
+   *   sync_directory() does the same for its name
    * @return what is wrong, with the path, or nothing; then the old file is as
    *   it was and nothing else is left
    */

@@ -60,8 +60,24 @@ namespace ThermoContact
   read_checkpoint(const std::string &directory, const MPI_Comm communicator);
 
   /**
-   * Compares a checkpoint with the run that is to go on from it. End time and
-   * the intervals of the output may differ.
+   * Before a run goes on from @p checkpoint: a newer one that cannot be read is
+   * replaced by it. On one rank.
+   */
+  void
+  keep_as_newest(const std::string &directory, const Checkpoint &checkpoint);
+
+  /**
+   * Looks whether the tables of a run are as long as @p memory says; on one
+   * rank.
+   *
+   * @return what is wrong, with path and remedy, or nothing
+   */
+  std::string
+  find_short_file(const std::string &directory, const OutputMemory &memory);
+
+  /**
+   * Compares a checkpoint with the run that is to go on from it. End time,
+   * the directory and the intervals of the output may differ.
    *
    * @param parameters path and value of every parameter of that run
    * @throw InputError naming what differs, or an end time before the

@@ -20,7 +20,8 @@ namespace ThermoContact
 
   /**
    * Takes note of SIGTERM and SIGINT as long as it lives, instead of ending
-   * the program; a second signal ends it at once. At most one at a time.
+   * the program; a second signal, of either kind, ends it at once. Signals that
+   * are ignored stay ignored. At most one at a time.
    */
   class SignalWatch
   {

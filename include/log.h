@@ -31,8 +31,12 @@ namespace ThermoContact
     Log &
     operator=(const Log &) = delete;
 
-    /** Also writes to @p file_name from now on, or at its end. */
-    void
+    /**
+     * Also writes to @p file_name from now on, or at its end.
+     *
+     * @return what is wrong, with path and remedy, or nothing
+     */
+    std::string
     open_file(const std::string &file_name, const bool append = false);
 
     /** Prints @p text and a line break, on the screen at once. */

@@ -67,7 +67,7 @@ namespace ThermoContact
     void
     observe(const Simulation<dim> &simulation);
 
-    /** Seconds spent in snapshots. */
+    /** Seconds spent in snapshots and in space-time.vtu. */
     double
     output_seconds() const;
 
@@ -110,10 +110,13 @@ namespace ThermoContact
     TableFile              steps_file;
     const bool             has_attempts; ///< steps that can be rejected
     unsigned int           n_written_events;
-    unsigned int           n_rows;
-    double                 next_fields;  ///< in intervals
-    double                 next_contact; ///< in intervals
-    double                 next_space_time;
+
+    /** Of columns that an earlier part of the run has left, for a later one. */
+    std::uint64_t unused_space_time_size = 0;
+    unsigned int  n_rows;
+    double        next_fields;  ///< in intervals
+    double        next_contact; ///< in intervals
+    double        next_space_time;
 
     std::unique_ptr<ProbeOutput<dim>>     probe_output; ///< if asked for
     std::unique_ptr<SpaceTimeOutput<dim>> space_time_output;

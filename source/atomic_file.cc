@@ -44,7 +44,10 @@ namespace ThermoContact
     const int         descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     const bool        is_synced  = descriptor >= 0 && fsync(descriptor) == 0;
     const std::string fault =
-      is_synced ? "" : path + ": " + std::strerror(errno);
+      is_synced ?
+        "" :
+        path + ": cannot be written to the disk: " + std::strerror(errno) +
+          "\n  remedy:  check the disk, and leave the files of a run that goes on where they are";
     if (descriptor >= 0)
       close(descriptor);
     return fault;

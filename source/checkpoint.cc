@@ -10,6 +10,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -58,7 +59,8 @@ namespace ThermoContact
       {
         boost::archive::binary_oarchive archive(stream,
                                                 boost::archive::no_header);
-        archive << checkpoint.parameters << checkpoint.simulation
+        archive << checkpoint.time << checkpoint.step << checkpoint.version
+                << checkpoint.parameters << checkpoint.simulation
                 << checkpoint.output;
       }
       const std::string            bytes  = stream.str();
@@ -95,14 +97,12 @@ namespace ThermoContact
         throw std::runtime_error("it is damaged: size or checksum is wrong");
 
       Checkpoint checkpoint;
-      checkpoint.time    = header.at("time");
-      checkpoint.step    = header.at("step");
-      checkpoint.version = header.at("version");
+
       std::istringstream              byte_stream(bytes);
       boost::archive::binary_iarchive archive(byte_stream,
                                               boost::archive::no_header);
-      archive >> checkpoint.parameters >> checkpoint.simulation >>
-        checkpoint.output;
+      archive >> checkpoint.time >> checkpoint.step >> checkpoint.version >>
+        checkpoint.parameters >> checkpoint.simulation >> checkpoint.output;
       return checkpoint;
     }
 
@@ -114,7 +114,7 @@ namespace ThermoContact
     {
       for (const char *name : {newest_name, previous_name})
         if (const std::string path = directory + name;
-            std::filesystem::exists(path))
+            access(path.c_str(), F_OK) == 0)
           try
             {
               std::string text = read_text(path);
@@ -140,10 +140,16 @@ namespace ThermoContact
     std::string fault = write_atomically(next, to_bytes(checkpoint), true);
     if (!fault.empty())
       return fault;
-    // Between the two there is no newest one, but the previous is whole.
-    if (std::filesystem::exists(newest) &&
-        std::rename(newest.c_str(), previous.c_str()) != 0)
-      return previous + ": cannot be replaced";
+    // A second name, so that there is a newest one at any instant.
+    const std::string second_name = previous + part_suffix;
+    std::remove(second_name.c_str());
+    if (link(newest.c_str(), second_name.c_str()) == 0)
+      {
+        if (std::rename(second_name.c_str(), previous.c_str()) != 0)
+          return previous + ": cannot be replaced";
+      }
+    else // no earlier one, or a file system without second names
+      std::rename(newest.c_str(), previous.c_str());
     if (std::rename(next.c_str(), newest.c_str()) != 0)
       return newest + ": cannot be replaced";
     sync_directory(directory);
@@ -170,6 +176,42 @@ namespace ThermoContact
     Checkpoint checkpoint = from_bytes(text);
     checkpoint.warning    = Utilities::MPI::broadcast(communicator, faults);
     return checkpoint;
+  }
+
+
+
+  void
+  keep_as_newest(const std::string &directory, const Checkpoint &checkpoint)
+  {
+    // Else the next one would make the damaged one the previous.
+    if (!checkpoint.warning.empty())
+      std::rename((directory + previous_name).c_str(),
+                  (directory + newest_name).c_str());
+  }
+
+
+
+  std::string
+  find_short_file(const std::string &directory, const OutputMemory &memory)
+  {
+    for (const auto &[name, size] :
+         {std::make_pair("/contact.csv", memory.contact_size),
+          std::make_pair("/events.csv", memory.events_size),
+          std::make_pair("/steps.csv", memory.steps_size),
+          std::make_pair("/probes.csv", memory.probes_size),
+          std::make_pair("/space-time.columns", memory.space_time_size)})
+      {
+        std::error_code     error;
+        const std::uint64_t found =
+          std::filesystem::file_size(directory + name, error);
+        if (size > 0 && (error || found < size))
+          return directory + name + ": " +
+                 (error ? error.message() :
+                          "is shorter than the checkpoint says") +
+                 "\n  remedy:  put the file of the run back, or run without "
+                 "--resume";
+      }
+    return "";
   }
 
 

@@ -109,6 +109,21 @@ namespace ThermoContact
 
 
 
+    /** Refuses functions whose values differ from run to run. */
+    void
+    check_determinism(const Expression &expression)
+    {
+      static const std::regex random("\\brand\\s*\\(");
+      std::smatch             match;
+      if (std::regex_search(expression.text, match, random))
+        refuse(expression,
+               "rand() differs from run to run",
+               "functions of position and time; rand_seed(n) for one value",
+               match.position());
+    }
+
+
+
     /** Collects what deal.II prints to std::cerr before it throws. */
     class ErrorStreamCatcher
     {
@@ -245,6 +260,7 @@ namespace ThermoContact
         components[std::min<std::size_t>(n_components, components.size() - 1)]
           .begin);
     check_signs(expression);
+    check_determinism(expression);
 
     std::string known_names = dim == 1 ? "x" : dim == 2 ? "x, y" : "x, y, z";
     known_names += names.has_time ? ", t" : "";

@@ -308,16 +308,20 @@ namespace ThermoContact
   void
   FieldOutput<dim>::restore(const std::vector<double> &times)
   {
-    times_ = times;
+    times_   = times;
+    n_synced = times.size(); // before the checkpoint was written
     std::string fault;
-    if (Utilities::MPI::this_mpi_process(discretization.communicator()) == 0 &&
-        !times.empty())
+    if (Utilities::MPI::this_mpi_process(discretization.communicator()) == 0)
       {
         // what was written after the checkpoint will be written again
         unsigned int i = times.size();
         while (std::remove((directory + "/" + snapshot_name(i)).c_str()) == 0)
           ++i;
-        fault = write_pvd(directory + "/fields.pvd");
+        const std::string pvd = directory + "/fields.pvd";
+        if (times.empty())
+          std::remove(pvd.c_str());
+        else
+          fault = write_pvd(pvd);
       }
     throw_everywhere<ComputationError>(fault, discretization.communicator());
   }
@@ -328,9 +332,12 @@ namespace ThermoContact
   std::string
   FieldOutput<dim>::sync()
   {
+    if (n_synced == times_.size())
+      return "";
     std::string fault;
     for (; n_synced < times_.size() && fault.empty(); ++n_synced)
       fault = sync_file(directory + "/" + snapshot_name(n_synced));
+    sync_directory(directory + "/fields");
     return fault;
   }
 

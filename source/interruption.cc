@@ -10,22 +10,26 @@ namespace ThermoContact
   {
     volatile std::sig_atomic_t last_signal = 0;
 
-    extern "C" void
-    note_signal(const int signal)
+    void
+    set_action(void (*action)(int))
     {
-      last_signal = signal;
+      struct sigaction settings = {}, present = {};
+      settings.sa_handler = action;
+      settings.sa_flags   = SA_RESTART;
+      for (const int signal : {SIGTERM, SIGINT})
+        // one that the caller ignores, as in the background, stays ignored
+        if (sigaction(signal, nullptr, &present) == 0 &&
+            present.sa_handler != SIG_IGN)
+          sigaction(signal, &settings, nullptr);
     }
 
 
 
-    void
-    set_action(void (*action)(int), const int flags)
+    extern "C" void
+    note_signal(const int signal)
     {
-      struct sigaction settings = {};
-      settings.sa_handler       = action;
-      settings.sa_flags         = flags;
-      for (const int signal : {SIGTERM, SIGINT})
-        sigaction(signal, &settings, nullptr);
+      last_signal = signal;
+      set_action(SIG_DFL); // the next one ends the program
     }
   } // namespace
 
@@ -34,14 +38,14 @@ namespace ThermoContact
   SignalWatch::SignalWatch()
   {
     last_signal = 0;
-    set_action(note_signal, SA_RESETHAND | SA_RESTART);
+    set_action(note_signal);
   }
 
 
 
   SignalWatch::~SignalWatch()
   {
-    set_action(SIG_DFL, 0);
+    set_action(SIG_DFL);
   }
 
 

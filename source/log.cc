@@ -44,11 +44,15 @@ namespace ThermoContact
 
 
 
-  void
+  std::string
   Log::open_file(const std::string &file_name, const bool append)
   {
     if (is_writer)
       file.open(file_name, append ? std::ios::app : std::ios::out);
+    return file ?
+             "" :
+             file_name +
+               ": cannot be opened\n  remedy:  check free space and rights";
   }
 
 

@@ -55,7 +55,8 @@ namespace ThermoContact
                             unused_entries(parameters),
                             prm,
                             communicator);
-      log.open_file(directory + "/log.txt");
+      throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt"),
+                                         communicator);
       if (!parameters.title.empty())
         log.line(parameters.title);
       log.line(plan);

@@ -133,6 +133,8 @@ namespace ThermoContact
           std::make_unique<SpaceTimeOutput<dim>>(directory, scene, space);
         space_time_output->open(sizes.space_time_size);
       }
+    else
+      unused_space_time_size = sizes.space_time_size;
   }
 
 
@@ -157,6 +159,12 @@ namespace ThermoContact
                        const Simulation<dim> &simulation)
   {
     n_written_events = simulation.events().size();
+    if (is_writer)
+      for (const char *name : {"summary.json", "space-time.vtu"})
+        {
+          std::error_code error; // they tell of the earlier end
+          std::filesystem::remove(directory + "/" + name, error);
+        }
     // The state that is restored has been seen: the next multiples are due.
     const double time = simulation.record().time;
     for (auto [interval, next] :
@@ -213,10 +221,13 @@ namespace ThermoContact
       }
     else if (++n_rows % rows_between_checks == 0)
       flush();
+    else if (Utilities::MPI::n_mpi_processes(communicator) == 1 &&
+             since_flush.wall_time() > 1.)
+      flush();
     else if (is_writer && since_flush.wall_time() > 1.)
       {
         for (TableFile *file : tables())
-          file->flush();
+          file->flush(); // a fault shows when all ranks meet
         since_flush.restart();
       }
   }
@@ -310,7 +321,10 @@ namespace ThermoContact
   void
   Output<dim>::observe_failure(const Simulation<dim> &simulation)
   {
-    write_attempts(simulation.attempts());
+    // those of a step that was accepted have been written
+    if (!simulation.attempts().empty() &&
+        !simulation.attempts().back().is_accepted)
+      write_attempts(simulation.attempts());
     for (TableFile *file : tables())
       file->flush();
     if (space_time_output)
@@ -361,9 +375,10 @@ namespace ThermoContact
         memory.steps_size   = steps_file.size();
         if (probe_output)
           memory.probes_size = probe_output->file().size();
-        if (space_time_output)
-          memory.space_time_size = space_time_output->file().size();
-        memory.snapshot_times = field_output.times();
+        memory.space_time_size = space_time_output ?
+                                   space_time_output->file().size() :
+                                   unused_space_time_size;
+        memory.snapshot_times  = field_output.times();
       }
     throw_everywhere<ComputationError>(fault, communicator);
     return memory;

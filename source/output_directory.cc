@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <sstream>
 
@@ -34,7 +35,6 @@ namespace ThermoContact
                                      "probes.csv",
                                      "space-time.columns",
                                      "space-time.vtu",
-                                     "space-time.vtu.part",
                                      "steps.csv",
                                      "study.csv",
                                      "study.txt",
@@ -201,6 +201,9 @@ namespace ThermoContact
       if (!must_exist)
         fs::create_directories(directory);
       descriptor = open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      if (descriptor < 0 && !(must_exist && errno == ENOENT))
+        return std::string(std::strerror(errno)) +
+               "\n  remedy:  give a directory that can be read and written";
       if (descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) != 0 &&
           errno == EWOULDBLOCK)
         return "another run is writing into it\n  remedy:  wait for its end, "

@@ -73,8 +73,13 @@ namespace ThermoContact
           {
             if (!number.match(coordinates[d]))
               refuse(text, part, "is no position", dim, width);
-            const double x =
-              dealii::Utilities::string_to_double(coordinates[d]);
+            double x = -1.;
+            try
+              {
+                x = dealii::Utilities::string_to_double(coordinates[d]);
+              }
+            catch (const std::exception &) // too large or too small
+              {}
             if (!(x >= 0. && x <= (d == 0 ? 1. : width)))
               refuse(text, part, "is not in the body", dim, width);
             positions.back()[d] = x;

@@ -42,6 +42,44 @@ namespace ThermoContact
 
 
 
+    /** A word that the shell leaves as it is. */
+    std::string
+    for_shell(const std::string &word)
+    {
+      if (word.find_first_not_of("abcdefghijklmnopqrstuvwxyz"
+                                 "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                 "0123456789_./=+,:@%-") == std::string::npos)
+        return word;
+      std::string quoted = "'";
+      for (const char letter : word)
+        quoted +=
+          letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+      return quoted + "'";
+    }
+
+
+
+    /** Reads the checkpoint and refuses it if the run cannot go on from it. */
+    Checkpoint
+    find_checkpoint(const std::string                        &directory,
+                    const std::map<std::string, std::string> &entries,
+                    const double                              end_time,
+                    const MPI_Comm                            communicator)
+    {
+      Checkpoint checkpoint = read_checkpoint(directory, communicator);
+      check_compatibility(checkpoint,
+                          entries,
+                          end_time,
+                          Utilities::MPI::n_mpi_processes(communicator));
+      std::string fault;
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        fault = find_short_file(directory, checkpoint.output);
+      throw_everywhere<InputError>(fault, communicator);
+      return checkpoint;
+    }
+
+
+
     /** The command that goes on with a run. */
     std::string
     resume_command(const CommandLine &command,
@@ -51,7 +89,36 @@ namespace ThermoContact
       const unsigned int n_ranks =
         Utilities::MPI::n_mpi_processes(communicator);
       return (n_ranks > 1 ? "mpirun -n " + std::to_string(n_ranks) + " " : "") +
-             command.program_name + " --resume " + directory + "/used.prm";
+             for_shell(command.program_name) + " --resume " +
+             for_shell(directory + "/used.prm");
+    }
+
+
+
+    /** Writes what is left of a run that has failed or was interrupted. */
+    template <int dim>
+    void
+    report_failure(const ComputationError &error,
+                   const Simulation<dim>  &simulation,
+                   const std::string      &summary,
+                   const RunTimes         &times,
+                   Output<dim>            &output,
+                   Log                    &log)
+    {
+      output.observe_failure(simulation);
+      const bool is_interrupted =
+        dynamic_cast<const Interruption *>(&error) != nullptr;
+      const std::string status = is_interrupted ? "interrupted" : "failed";
+      log.failure("  " + status + ":  " + error.what());
+      try
+        {
+          write_summary(summary,
+                        status + ": " + error.what(),
+                        simulation,
+                        times);
+        }
+      catch (const ComputationError &)
+        {} // the first fault is the one to tell, e.g. a full disk
     }
 
 
@@ -105,20 +172,7 @@ namespace ThermoContact
       catch (const ComputationError &error)
         {
           finish_times();
-          output.observe_failure(simulation);
-          const bool is_interrupted =
-            dynamic_cast<const Interruption *>(&error) != nullptr;
-          const std::string status = is_interrupted ? "interrupted" : "failed";
-          log.failure("  " + status + ":  " + error.what());
-          try
-            {
-              write_summary(summary,
-                            status + ": " + error.what(),
-                            simulation,
-                            times);
-            }
-          catch (const ComputationError &)
-            {} // the first fault is the one to tell, e.g. a full disk
+          report_failure(error, simulation, summary, times, output, log);
           throw;
         }
       finish_times();
@@ -160,21 +214,19 @@ namespace ThermoContact
             const Timer       &since_start,
             Log               &log)
   {
-    const MPI_Comm     communicator = MPI_COMM_WORLD;
-    const std::string  directory    = output_directory(parameters, command);
-    const auto         entries      = entry_values(prm);
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    const MPI_Comm    communicator = MPI_COMM_WORLD;
+    const std::string directory    = output_directory(parameters, command);
+    const auto        entries      = entry_values(prm);
 
     std::optional<DirectoryLock> lock;
     std::optional<Checkpoint>    checkpoint;
     if (command.is_resumed)
       {
         lock.emplace(directory, true, communicator);
-        checkpoint = read_checkpoint(directory, communicator);
-        check_compatibility(*checkpoint,
-                            entries,
-                            parameters.time.end_time,
-                            n_ranks);
+        checkpoint = find_checkpoint(directory,
+                                     entries,
+                                     parameters.time.end_time,
+                                     communicator);
       }
     Simulation<dim> simulation(parameters, communicator);
     if (checkpoint)
@@ -193,13 +245,18 @@ namespace ThermoContact
         lock.emplace(directory, false, communicator);
         prepare_output_directory(directory, communicator);
       }
+    else if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      keep_as_newest(directory, *checkpoint);
     write_used_parameters(directory,
                           unused_entries(parameters),
                           prm,
                           communicator);
-    log.open_file(directory + "/log.txt", checkpoint.has_value());
+    throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",
+                                                     checkpoint.has_value()),
+                                       communicator);
     log.line(std::string("thermocontact ") + version() + ", deal.II " +
-             DEAL_II_PACKAGE_VERSION + ", ranks: " + std::to_string(n_ranks));
+             DEAL_II_PACKAGE_VERSION + ", ranks: " +
+             std::to_string(Utilities::MPI::n_mpi_processes(communicator)));
     if (checkpoint)
       report_resumption(*checkpoint, log);
     report_scene(simulation, log);

@@ -50,6 +50,7 @@ namespace ThermoContact
   {
     SolverMemory   solver;
     SolverCounters of_integrator, of_transition;
+    std::string    fault;
     try
       {
         std::istringstream              stream(memory);
@@ -60,10 +61,15 @@ namespace ThermoContact
       }
     catch (const std::exception &error)
       {
-        throw InputError(std::string("the checkpoint does not fit this "
-                                     "scene: ") +
-                         error.what() + "\n  remedy:  run without --resume");
+        fault = error.what();
       }
+    // perhaps on one rank alone
+    const auto faults =
+      Utilities::MPI::all_gather(discretization_.communicator(), fault);
+    for (const std::string &message : faults)
+      if (!message.empty())
+        throw InputError("--resume: the checkpoint does not fit this scene: " +
+                         message + "\n  remedy:  run without --resume");
     step_solver->restore(solver);
     integrator->restore(of_integrator);
     transition.restore(of_transition);

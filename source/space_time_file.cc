@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "atomic_file.h"
+
 namespace ThermoContact
 {
   namespace
@@ -148,6 +150,23 @@ namespace ThermoContact
         patches.clear();
       }
     };
+
+
+    void
+    write_slabs(ColumnReader &columns, PieceWriter &writer)
+    {
+      if (columns.next())
+        for (;;)
+          {
+            const double              time   = columns.time;
+            const std::vector<double> values = columns.values;
+            if (!columns.next())
+              break;
+            if (static_cast<float>(time) < static_cast<float>(columns.time))
+              writer.add_slab(time, values, columns.time, columns.values);
+          }
+      writer.finish();
+    }
   } // namespace
 
 
@@ -187,20 +206,17 @@ namespace ThermoContact
     if (!columns.is_good())
       return columns_path + ": cannot be read";
 
-    const std::string part_path = vtu_path + ".part";
+    const std::string part_path = vtu_path + part_suffix;
     std::ofstream     file(part_path);
     PieceWriter       writer(columns.layout, file);
-    if (columns.next())
-      for (;;)
-        {
-          const double              time   = columns.time;
-          const std::vector<double> values = columns.values;
-          if (!columns.next() || !file)
-            break;
-          if (static_cast<float>(time) < static_cast<float>(columns.time))
-            writer.add_slab(time, values, columns.time, columns.values);
-        }
-    writer.finish();
+    try
+      {
+        write_slabs(columns, writer);
+      }
+    catch (const dealii::ExceptionBase &) // of a file that is bad
+      {
+        file.setstate(std::ios::badbit);
+      }
     file.close();
 
     std::error_code error;

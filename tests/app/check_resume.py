@@ -79,42 +79,64 @@ class Run:
         message = process.communicate()[1]
         return process.returncode, message[message.find("thermocontact: "):]
 
-    def interrupt(self, number, delay):
-        """Sends a signal after a while; False if the run was done before."""
-        process = self.start()
+    def step(self):
+        """Of the newest checkpoint, -1 if there is none."""
         try:
-            process.communicate(timeout=delay)
-            return False, ""
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, number)
-            return True, process.communicate()[1]
+            with open(self.directory / "checkpoint.bin", "rb") as file:
+                file.readline()
+                return json.loads(file.readline())["step"]
+        except FileNotFoundError:
+            return -1
+
+    def kill(self, delay):
+        """Kills the run some time after it has made its first step.
+
+        Returns whether it was within its time loop.
+        """
+        begin = self.step()
+        process = self.start()
+        while self.step() <= begin and process.poll() is None:
+            time.sleep(0.005)
+        time.sleep(delay)
+        was_running = process.poll() is None
+        if was_running:
+            os.killpg(process.pid, signal.SIGKILL)
+        process.communicate()
+        return was_running
 
 
 def kill_again_and_again(reference, expected, seconds):
     run = Run(reference, Path("killed"))
+    n_steps = json.loads((reference / "summary.json").read_text())["steps"]
     n_kills = 0
-    while n_kills < N_KILLS:
-        was_killed, _ = run.interrupt(signal.SIGKILL,
-                                      random.uniform(0.1, 0.3 + seconds / 3))
-        n_kills += was_killed
+    for _ in range(5 * N_KILLS):
+        if n_kills == N_KILLS:
+            break
+        if run.step() >= n_steps:  # it was done: from the start again
+            shutil.rmtree(run.directory)
+        n_kills += run.kill(random.uniform(0, seconds / 10))
     status, _ = run.finish()
-    print(f"killed {n_kills} times, resumed: status {status},",
-          compare(expected, run.directory))
+    print(f"killed {n_kills} times within the time loop, resumed: status",
+          f"{status},", compare(expected, run.directory))
 
 
 def terminate(reference, expected):
-    run = Run(reference, Path("terminated"))
+    run = Run(reference, Path("termi nated"))  # a path to be quoted
     process = run.start()
-    while not (run.directory / "checkpoint.previous.bin").exists():
-        time.sleep(0.01)  # in the time loop from there on
+    while run.step() < 1 and process.poll() is None:
+        time.sleep(0.01)
     process.send_signal(signal.SIGTERM)
     message = process.communicate()[1]
+    attempts = run.directory / "steps.csv"
+    rows = attempts.read_text().splitlines() if attempts.exists() else []
     summary = json.loads((run.directory / "summary.json").read_text())
     print("SIGTERM: status", process.returncode, "said",
           int("SIGTERM at t = " in message), "summary", summary["status"].split()[0], "command",
-          int(f"--resume {run.directory}/used.prm" in message))
-    status, _ = run.finish()
-    print(f"resumed: status {status},", compare(expected, run.directory))
+          int(f"--resume '{run.directory}/used.prm'" in message),
+          "no attempt twice", int(len(rows) == len(set(rows))))
+    command = message.partition("resume:  ")[2].strip()
+    status = subprocess.run(command + " --quiet", shell=True).returncode
+    print(f"resumed by it: status {status},", compare(expected, run.directory))
 
 
 def let_no_file_grow(reference, expected):
@@ -150,7 +172,7 @@ def damage(reference, expected):
 def main():
     reference = Path(sys.argv[1])
     expected = contents(reference)
-    for directory in ("uninterrupted", "killed", "terminated", "limited"):
+    for directory in ("uninterrupted", "killed", "termi nated", "limited"):
         shutil.rmtree(directory, ignore_errors=True)
     begin = time.time()
     Run(reference, Path("uninterrupted")).finish()
