@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "exceptions.h"
+#include "parameter_file.h"
 #include "parameter_text.h"
 
 namespace ThermoContact
@@ -219,7 +220,7 @@ namespace ThermoContact
   bool
   Expression::is_zero() const
   {
-    return Utilities::trim(text) == "0";
+    return equal_values(text, "0");
   }
 
 

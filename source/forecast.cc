@@ -74,10 +74,10 @@ namespace ThermoContact
       scales.emplace_back("viscous", model.viscosity);
     if (law.is_active && law.compliance > 0. && model.inertia > 0.)
       scales.emplace_back("contact",
-                          model.viscosity > 0. ?
-                            std::cbrt(std::pow(law.compliance * wave, 2) *
-                                      model.viscosity) :
-                            law.compliance * wave);
+                          std::max(std::cbrt(
+                                     std::pow(law.compliance * wave, 2) *
+                                     model.viscosity),
+                                   law.compliance * wave));
     return scales;
   }
 
@@ -115,9 +115,9 @@ namespace ThermoContact
       {
         if (has_sources(parameters))
           return {};
-        cost.steps =
+        cost.steps = std::ceil(
           std::max(scaled_steps(parameters) / std::pow(time.tolerance, 0.25),
-                   T / time.maximum_step_size);
+                   T / time.maximum_step_size));
       }
     else
       {

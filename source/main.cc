@@ -176,6 +176,9 @@ namespace ThermoContact
                          "FILE.prm, e.g. prm/paper/experiment-1.prm");
 
       const std::vector<Assignment> assignments = all_assignments(command);
+      if (command.reads_units && command.check_only)
+        throw InputError("--check: not with --units\n  remedy:  check the "
+                         "scene that --units writes");
       if (command.reads_units)
         return print_units(assignments, command);
 

@@ -52,16 +52,19 @@ namespace ThermoContact
                       const Parameters  &parameters)
     {
       std::string line = describe_steady_state(rest, parameters) + "; differs";
-      const auto  add  = [&line](const double value, const double predicted) {
-        if (std::isfinite(predicted))
-          line += text(line.back() == 's' ? " by " : ", ",
-                       std::setprecision(2),
-                       value - predicted);
-      };
-      add(record.displacement_end, rest.displacement_end);
-      add(record.temperature_end, rest.temperature_end);
+      const auto  add =
+        [&line](const char *name, const double value, const double predicted) {
+          if (std::isfinite(predicted))
+            line += text(line.back() == 's' ? " in " : ", ",
+                         name,
+                         " by ",
+                         std::setprecision(2),
+                         value - predicted);
+        };
+      add("u(1)", record.displacement_end, rest.displacement_end);
+      add("theta(1)", record.temperature_end, rest.temperature_end);
       if (parameters.contact_law().is_active)
-        add(record.contact_force, rest.contact_force);
+        add("force", record.contact_force, rest.contact_force);
       return line;
     }
 

@@ -170,7 +170,9 @@ namespace ThermoContact
       return text("the paper's iteration fails in contact for dt > ",
                   critical,
                   fails ? text(", as the ", *time.step_size, " of this run") :
-                          "");
+                  parameters.solver.is_fixed_point() ?
+                          "" :
+                          "; monolithic has no such limit");
     }
 
 

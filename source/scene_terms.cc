@@ -4,6 +4,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include "parameter_file.h"
+
 namespace ThermoContact
 {
   std::vector<std::string>
@@ -28,7 +30,7 @@ namespace ThermoContact
         terms.emplace_back(term);
     };
     const auto is_source = [](const std::string &expression) {
-      return dealii::Utilities::trim(expression) != "0";
+      return !equal_values(expression, "0");
     };
     const ModelParameters  &model            = parameters.model;
     const SourceParameters &sources          = parameters.sources;

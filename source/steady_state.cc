@@ -5,8 +5,10 @@
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
+#include <iomanip>
 #include <limits>
 
+#include "parameter_file.h"
 #include "text.h"
 
 namespace ThermoContact
@@ -49,7 +51,7 @@ namespace ThermoContact
   has_sources(const Parameters &parameters)
   {
     const auto acts = [](const bool has_field, const std::string &expression) {
-      return has_field && dealii::Utilities::trim(expression) != "0";
+      return has_field && !equal_values(expression, "0");
     };
     const SourceParameters &sources = parameters.sources;
     const bool              heat    = parameters.model.has_temperature();
@@ -104,7 +106,8 @@ namespace ThermoContact
     forecast.state = state;
     if (model.has_displacement() && model.inertia > 0. && model.viscosity == 0.)
       forecast.remark =
-        text("damped by heat conduction alone, over times of about ",
+        text("damped by heat conduction alone, over times of the order of ",
+             std::setprecision(1),
              2. * (model.inertia + 0.4) / std::pow(model.thermal_stress(), 2));
     return forecast;
   }

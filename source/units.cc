@@ -26,7 +26,8 @@ namespace ThermoContact
     const Double any_number(-1e30, 1e30);
     const Double kelvin(1e-3, 1e6);
 
-    // Below this, inertia and viscosity change less than the default tolerance.
+    // Below this, inertia and viscosity are ringing of relative size b^(1/4)
+    // after sudden changes, in steps far below those of heat.
     constexpr double small_term = 1e-6;
 
 
@@ -39,7 +40,7 @@ namespace ThermoContact
     {
       const auto is_optional = [](const std::string &path) {
         return path == "Title" || path == "Small terms" ||
-               path == "Rod/Lateral sides" || path == "Obstacle/Stiffness";
+               path == "Rod/Lateral sides";
       };
       for (const DeclaredEntry &entry : declared_entries(prm))
         if (!is_optional(entry.path) &&
@@ -122,7 +123,10 @@ namespace ThermoContact
       const auto coefficient =
         [](const std::string &symbol, const double value, const bool is_kept) {
           return (is_kept ? number(value) : "0") + " # " + symbol +
-                 (is_kept ? "" : " = " + number(value) + ", dropped") + '\n';
+                 (is_kept ? "" :
+                            " = " + number(value) +
+                              ", dropped; kept by Small terms = kept") +
+                 '\n';
         };
       std::string text;
       if (!rod.title.empty())

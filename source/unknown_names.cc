@@ -110,6 +110,8 @@ namespace ThermoContact
         if (section.rfind(known + "/", 0) == 0)
           remedy = "close section " + known + " with 'end' first; ";
       }
+    if (section == "Rod" || section == "Obstacle")
+      remedy = "a rod in units is read by --units; ";
     throw InputError(place + ": there is no section " + quote(section, 60) +
                      "\n  remedy:  " + remedy + "sections are " + all);
   }
