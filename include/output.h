@@ -141,9 +141,6 @@ namespace ThermoContact
     restore(const OutputMemory &memory, const Simulation<dim> &simulation);
 
     void
-    write_row(const StepRecord &record);
-
-    void
     write_events(const std::vector<ContactEvent> &events);
 
     void

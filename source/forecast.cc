@@ -127,8 +127,9 @@ namespace ThermoContact
                                     !parameters.contact_law().is_active);
       }
     if (output.land_on_times)
-      for (const double interval :
-           {output.contact_interval, output.fields_interval})
+      for (const double interval : {output.contact_interval,
+                                    output.fields_interval,
+                                    output.space_time_interval})
         if (interval > 0.)
           cost.steps += T / interval;
 

@@ -5,9 +5,9 @@
 #include <deal.II/base/revision.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
+#include "csv_rows.h"
 #include "exceptions.h"
 #include "output_directory.h"
 #include "version.h"
@@ -16,17 +16,6 @@ namespace ThermoContact
 {
   namespace
   {
-    const char *const contact_columns =
-      "step,time,step_size,displacement_end,displacement_mid,velocity_end,"
-      "stress_end,gap,penetration,contact_force,contact_impulse,"
-      "temperature_end,heat_flux_end,energy,dissipation,numerical_dissipation,"
-      "in_contact,iterations,work,temperature_mean";
-
-    const char *const step_columns =
-      "time,step_size,error,accepted,reason,wall_seconds";
-
-    const char *const event_columns = "time,kind,velocity";
-
     /** Rows after which a fault of the file is looked for on all ranks. */
     constexpr unsigned int rows_between_checks = 1000;
 
@@ -201,7 +190,8 @@ namespace ThermoContact
     if (parameters.contact_interval == 0. ||
         is_due(parameters.contact_interval, record.time, next_contact))
       {
-        write_row(record);
+        if (is_writer)
+          add_row(record, contact_file);
         if (probe_output)
           probe_output->write(simulation.state());
       }
@@ -236,59 +226,10 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Output<dim>::write_row(const StepRecord &r)
-  {
-    if (!is_writer)
-      return;
-    char      row[640];
-    const int length = std::snprintf(
-      row,
-      sizeof(row),
-      "%u,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,"
-      "%.17g,%.17g,%.17g,%.17g,%d,%u,%.17g,%.17g\n",
-      r.step,
-      r.time,
-      r.step_size,
-      r.displacement_end,
-      r.displacement_mid,
-      r.velocity_end,
-      r.stress_end,
-      r.gap,
-      r.penetration,
-      r.contact_force,
-      r.contact_impulse,
-      r.temperature_end,
-      r.heat_flux_end,
-      r.energy,
-      r.dissipation,
-      r.numerical_dissipation,
-      r.in_contact ? 1 : 0,
-      r.iterations,
-      r.work,
-      r.temperature_mean);
-    contact_file.write_row(row, length);
-  }
-
-
-
-  template <int dim>
-  void
   Output<dim>::write_events(const std::vector<ContactEvent> &events)
   {
     for (; n_written_events < events.size(); ++n_written_events)
-      if (is_writer)
-        {
-          const ContactEvent &event = events[n_written_events];
-          char                row[80];
-          const int           length =
-            std::snprintf(row,
-                          sizeof(row),
-                          "%.17g,%s,%.17g\n",
-                          event.time,
-                          event.kind == ContactEvent::begin ? "begin" : "end",
-                          event.velocity);
-          events_file.write_row(row, length);
-        }
+      add_row(events[n_written_events], events_file);
   }
 
 
@@ -298,21 +239,9 @@ namespace ThermoContact
   Output<dim>::write_attempts(const std::vector<StepAttempt> &attempts)
   {
     if (!is_writer || !has_attempts)
-      return;
-    for (const StepAttempt &a : attempts)
-      {
-        char      row[160];
-        const int length = std::snprintf(row,
-                                         sizeof(row),
-                                         "%.17g,%.17g,%.6g,%d,%s,%.6g\n",
-                                         a.time,
-                                         a.size,
-                                         a.error,
-                                         a.is_accepted ? 1 : 0,
-                                         a.reason,
-                                         a.wall_seconds);
-        steps_file.write_row(row, length);
-      }
+      return; // do not format what goes nowhere
+    for (const StepAttempt &attempt : attempts)
+      add_row(attempt, steps_file);
   }
 
 
