@@ -1,5 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/log.h>
+#include <thermocontact/base/version.h>
+#include <thermocontact/input/command_line.h>
+#include <thermocontact/input/parameter_file.h>
+#include <thermocontact/input/parameter_reference.h>
+#include <thermocontact/input/parameters.h>
+#include <thermocontact/input/units.h>
+#include <thermocontact/output/output_directory.h>
+#include <thermocontact/scene_run.h>
+#include <thermocontact/study/study.h>
+#include <thermocontact/study/study_report.h>
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
@@ -8,19 +21,6 @@
 #include <fstream>
 #include <iostream>
 #include <sstream>
-
-#include "command_line.h"
-#include "exceptions.h"
-#include "log.h"
-#include "output_directory.h"
-#include "parameter_file.h"
-#include "parameter_reference.h"
-#include "parameters.h"
-#include "scene_run.h"
-#include "study.h"
-#include "study_report.h"
-#include "units.h"
-#include "version.h"
 
 namespace ThermoContact
 {

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "scene_run.h"
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/interruption.h>
+#include <thermocontact/base/version.h>
+#include <thermocontact/input/parameter_file.h>
+#include <thermocontact/output/checkpoint.h>
+#include <thermocontact/output/checkpointer.h>
+#include <thermocontact/output/output.h>
+#include <thermocontact/output/output_directory.h>
+#include <thermocontact/report/progress.h>
+#include <thermocontact/report/result_report.h>
+#include <thermocontact/report/scene_report.h>
+#include <thermocontact/report/summary.h>
+#include <thermocontact/scene_run.h>
+#include <thermocontact/simulation/simulation.h>
 
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <sstream>
-
-#include "checkpoint.h"
-#include "checkpointer.h"
-#include "exceptions.h"
-#include "interruption.h"
-#include "output.h"
-#include "output_directory.h"
-#include "parameter_file.h"
-#include "progress.h"
-#include "result_report.h"
-#include "scene_report.h"
-#include "simulation.h"
-#include "summary.h"
-#include "version.h"
 
 namespace ThermoContact
 {

@@ -3,12 +3,13 @@
 #ifndef thermocontact_history_h
 #define thermocontact_history_h
 
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/simulation/simulation.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "exceptions.h"
-#include "simulation.h"
 #include "tests.h"
 
 namespace ThermoContact

@@ -3,6 +3,10 @@
 #ifndef thermocontact_tests_h
 #define thermocontact_tests_h
 
+#include <thermocontact/input/parameter_file.h>
+#include <thermocontact/input/parameters.h>
+#include <thermocontact/simulation/measurements.h>
+
 #include <deal.II/base/logstream.h>
 #include <deal.II/base/parameter_handler.h>
 
@@ -13,10 +17,6 @@
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include "measurements.h"
-#include "parameter_file.h"
-#include "parameters.h"
 
 using dealii::deallog;
 

@@ -43,7 +43,7 @@ for page in sorted((project / "doc").glob("*.md")):
 places = set(re.findall(r"`([\w.]+)`",
                         (project / "doc/architecture.md").read_text()))
 names = {path.stem: path.name for folder in ("include", "source")
-         for path in (project / folder).iterdir()}
+         for path in (project / folder).rglob("*.[ch]*")}
 faults += [f"doc/architecture.md: no place for {name}"
            for stem, name in sorted(names.items())
            if not places & {stem, stem + ".h", stem + ".cc"}]

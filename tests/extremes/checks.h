@@ -3,13 +3,13 @@
 #ifndef thermocontact_extremes_checks_h
 #define thermocontact_extremes_checks_h
 
+#include <thermocontact/simulation/simulation.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "../tests.h"
-
-#include "simulation.h"
 
 namespace ThermoContact
 {

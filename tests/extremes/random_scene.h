@@ -3,13 +3,14 @@
 #ifndef thermocontact_extremes_random_scene_h
 #define thermocontact_extremes_random_scene_h
 
+#include <thermocontact/input/parameter_file.h>
+#include <thermocontact/input/parameters.h>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <sstream>
 
-#include "parameter_file.h"
-#include "parameters.h"
 #include "scene.h"
 
 namespace ThermoContact

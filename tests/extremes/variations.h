@@ -3,11 +3,12 @@
 #ifndef thermocontact_extremes_variations_h
 #define thermocontact_extremes_variations_h
 
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/method/butcher_tableau.h>
+
 #include <iomanip>
 
-#include "butcher_tableau.h"
 #include "checks.h"
-#include "exceptions.h"
 
 namespace ThermoContact
 {

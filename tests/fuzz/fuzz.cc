@@ -11,6 +11,13 @@
 // 20 seconds for one file, a file written. It is saved in DIRECTORY as
 // finding-NUMBER.prm and .txt. Exit status 1 if there is any.
 
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/input/parameter_file.h>
+#include <thermocontact/input/units.h>
+#include <thermocontact/output/output_directory.h>
+#include <thermocontact/simulation/simulation.h>
+#include <thermocontact/study/study.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <sys/mman.h>
@@ -27,13 +34,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "exceptions.h"
 #include "mutations.h"
-#include "output_directory.h"
-#include "parameter_file.h"
-#include "simulation.h"
-#include "study.h"
-#include "units.h"
 
 namespace ThermoContact
 {

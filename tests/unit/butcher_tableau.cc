@@ -10,7 +10,7 @@
 // * the weights of the error estimate satisfy all conditions up to order p - 1,
 //   and not all of order p.
 
-#include "butcher_tableau.h"
+#include <thermocontact/method/butcher_tableau.h>
 
 #include <complex>
 

@@ -21,7 +21,7 @@
 // 5. Ties: 5 nodes that just touch (free displacement = gap), uncoupled and
 //    coupled: zero pressure, one or two iterations.
 
-#include "contact_solver.h"
+#include <thermocontact/method/contact_solver.h>
 
 #include <cmath>
 #include <random>

@@ -17,7 +17,9 @@
 // 4. The stage matrix times rates is what the blocks give, and rows of the
 //    fixed end are those of the identity.
 
-#include "discretization.h"
+#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/h1_projection.h>
+#include <thermocontact/space/thermoviscoelastic_operator.h>
 
 #include <deal.II/base/function_lib.h>
 #include <deal.II/base/mpi.h>
@@ -27,9 +29,6 @@
 #include <cmath>
 
 #include "../tests.h"
-
-#include "h1_projection.h"
-#include "thermoviscoelastic_operator.h"
 
 using namespace ThermoContact;
 

@@ -20,7 +20,7 @@
 //    touches: neither open nor closed holds for both, so that the next step is
 //    unilateral, and contact has begun once.
 
-#include "event_locator.h"
+#include <thermocontact/method/event_locator.h>
 
 #include <cmath>
 

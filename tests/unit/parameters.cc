@@ -9,13 +9,13 @@
 //   T = 71711.8845, dt = 3e-4: 239039615 steps of dt, although the quotient
 //                        rounds to more
 
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/time/step_controller.h>
+
 #include <cmath>
 #include <sstream>
 
 #include "../tests.h"
-
-#include "exceptions.h"
-#include "step_controller.h"
 
 using namespace ThermoContact;
 

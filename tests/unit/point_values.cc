@@ -18,7 +18,7 @@
 // 4. Places on the axis: p + 1 per cell, from 0 to 1, each cell beginning where
 //    the last one ends.
 
-#include "point_values.h"
+#include <thermocontact/space/point_values.h>
 
 #include <deal.II/base/function.h>
 #include <deal.II/base/mpi.h>

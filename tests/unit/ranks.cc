@@ -8,14 +8,14 @@
 // of an impact is (u_free - g)/chi, and chi is 1e-3 for these steps, so that
 // the rounding of 18 steps, 3e-13 of u, becomes 5e-10 of p.
 
+#include <thermocontact/simulation/simulation.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <array>
 #include <cmath>
 
 #include "../tests.h"
-
-#include "simulation.h"
 
 using namespace ThermoContact;
 

@@ -13,7 +13,7 @@
 // and nothing after it. First step 0.05 tol^(1/4) = 0.005 with tolerance 1e-4:
 // -31.
 
-#include "step_controller.h"
+#include <thermocontact/time/step_controller.h>
 
 #include <cmath>
 

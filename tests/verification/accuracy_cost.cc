@@ -17,6 +17,8 @@
 //    the force: 2e-3, 6e-2, at most 400 solves. Measured: 2.3e-4, 9.7e-3, 295
 //    solves.
 
+#include <thermocontact/simulation/simulation.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -24,8 +26,6 @@
 #include <cmath>
 
 #include "../tests.h"
-
-#include "simulation.h"
 
 using namespace ThermoContact;
 

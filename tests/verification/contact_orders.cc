@@ -21,6 +21,8 @@
 // error of sdirk4 is erratic, of order 2 on average, here between dt = 1/50 and
 // 1/800 at most 2.5, and at dt = 1/400 at least 1000 times the one above.
 
+#include <thermocontact/simulation/simulation.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <array>
@@ -28,8 +30,6 @@
 #include <vector>
 
 #include "../tests.h"
-
-#include "simulation.h"
 
 using namespace ThermoContact;
 

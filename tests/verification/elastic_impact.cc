@@ -29,6 +29,8 @@
 //    stop the steps. Four events up to t = 6, two periods, for any eps; energy
 //    as in 3.
 
+#include <thermocontact/simulation/simulation.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -36,8 +38,6 @@
 #include <vector>
 
 #include "../tests.h"
-
-#include "simulation.h"
 
 using namespace ThermoContact;
 

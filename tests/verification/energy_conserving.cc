@@ -22,6 +22,8 @@
 //    the contact node either: a change of the body over one cell, of order 1 in
 //    h, +-0.25, for u.
 
+#include <thermocontact/simulation/simulation.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -30,8 +32,6 @@
 #include <vector>
 
 #include "../tests.h"
-
-#include "simulation.h"
 
 using namespace ThermoContact;
 

@@ -11,11 +11,11 @@
 // independent dense code, tests/reference/energy_decay_contacts.py, gives the
 // same ones.
 
+#include <thermocontact/simulation/simulation.h>
+
 #include <deal.II/base/mpi.h>
 
 #include "../tests.h"
-
-#include "simulation.h"
 
 using namespace ThermoContact;
 

@@ -41,6 +41,8 @@
 // Orders are those between two meshes or steps, one half of the other; an
 // order within 0.05 of an integer is printed as that integer.
 
+#include <thermocontact/simulation/simulation.h>
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 
@@ -55,8 +57,6 @@
 #include <sstream>
 
 #include "../tests.h"
-
-#include "simulation.h"
 
 using namespace ThermoContact;
 

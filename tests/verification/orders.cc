@@ -10,14 +10,14 @@
 // away from the corner layer of the data at t = 0, vanishes with that order,
 // too; for backward Euler, whose N has a formula of its own, it is of order 1.
 
+#include <thermocontact/simulation/simulation.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <array>
 #include <cmath>
 
 #include "../tests.h"
-
-#include "simulation.h"
 
 using namespace ThermoContact;
 

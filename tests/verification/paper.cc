@@ -21,6 +21,8 @@
 // 4. Cost: the monolithic scheme factorises twice (the start of the paper and
 //    the stages), solves once per step, and needs one response.
 
+#include <thermocontact/simulation/simulation.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <array>
@@ -29,8 +31,6 @@
 #include <sstream>
 
 #include "../tests.h"
-
-#include "simulation.h"
 
 using namespace ThermoContact;
 

@@ -13,6 +13,8 @@
 //    1e-4, 1e-5, and +-0.15 between 1e-2 and 1e-3, which is not small against
 //    (zeta pi/4)^2 = 0.025, where the first mode begins to oscillate.
 
+#include <thermocontact/simulation/simulation.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -21,8 +23,6 @@
 #include <vector>
 
 #include "../tests.h"
-
-#include "simulation.h"
 
 using namespace ThermoContact;
 

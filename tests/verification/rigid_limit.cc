@@ -24,6 +24,8 @@
 //    0.003; exact: rate 0.942, by the logarithm in the solution.
 // Bound on all rates: +-0.1.
 
+#include <thermocontact/simulation/simulation.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <array>
@@ -32,8 +34,6 @@
 #include <vector>
 
 #include "../tests.h"
-
-#include "simulation.h"
 
 using namespace ThermoContact;
 

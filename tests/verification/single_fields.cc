@@ -15,6 +15,9 @@
 //    Nothing acts on the temperature, which is that of heat alone, and for
 //    a = 0 nothing acts on the displacement.
 
+#include <thermocontact/simulation/simulation.h>
+#include <thermocontact/space/direct_solver.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <array>
@@ -24,9 +27,6 @@
 #include <vector>
 
 #include "../tests.h"
-
-#include "direct_solver.h"
-#include "simulation.h"
 
 using namespace ThermoContact;
 using numbers::PI;

@@ -16,17 +16,17 @@
 // 4. 2-D (8 x 2 cells, degree 2, nu = 0.3) and 3-D (4 x 2 x 2) strips with
 //    rollers against the rod with the same cells along x: 1e-9 in every column.
 
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/simulation/simulation.h>
+#include <thermocontact/space/discretization.h>
+#include <thermocontact/time/fixed_point_solver.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <array>
 #include <cmath>
 
 #include "../tests.h"
-
-#include "discretization.h"
-#include "exceptions.h"
-#include "fixed_point_solver.h"
-#include "simulation.h"
 
 using namespace ThermoContact;
 

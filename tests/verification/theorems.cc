@@ -37,6 +37,8 @@
 // K + kB gives ||._x||^2 + k (.)(1)^2, S gives ||._x||^2. The velocity of the
 // scheme is delta_u, and [U(1) - g]_+^2/eps = eps p^2.
 
+#include <thermocontact/simulation/simulation.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -44,8 +46,6 @@
 #include <vector>
 
 #include "../tests.h"
-
-#include "simulation.h"
 
 using namespace ThermoContact;
 

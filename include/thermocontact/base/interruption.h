@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_base_interruption_h
+#define thermocontact_base_interruption_h
+
+#include <thermocontact/base/exceptions.h>
+
+#include <string>
+
+namespace ThermoContact
+{
+  /** A run was asked to end; its checkpoint is written. */
+  class Interruption : public ComputationError
+  {
+  public:
+    using ComputationError::ComputationError;
+  };
+
+
+
+  /**
+   * Takes note of SIGTERM and SIGINT as long as it lives, instead of ending
+   * the program; a second signal, of either kind, ends it at once. Signals that
+   * are ignored stay ignored. At most one at a time.
+   */
+  class SignalWatch
+  {
+  public:
+    SignalWatch();
+
+    ~SignalWatch();
+
+    SignalWatch(const SignalWatch &) = delete;
+    SignalWatch &
+    operator=(const SignalWatch &) = delete;
+
+    /** The signal that has come, or 0. */
+    int
+    signal() const;
+  };
+
+
+
+  /** "SIGTERM", "SIGINT". */
+  std::string
+  name_of_signal(const int signal);
+} // namespace ThermoContact
+
+#endif

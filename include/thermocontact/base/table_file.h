@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_base_table_file_h
+#define thermocontact_base_table_file_h
+
+#include <cstdint>
+#include <string>
+
+namespace ThermoContact
+{
+  /**
+   * A file that grows by whole rows, text or binary. Rows are collected and
+   * written in larger pieces; a piece that does not fit on the disk is taken
+   * back, so that the file ends with a whole row whatever happens.
+   *
+   * Used on one rank. Faults are returned as messages, to be told to all ranks
+   * by throw_everywhere(); a file that has failed stays failed.
+   */
+  class TableFile
+  {
+  public:
+    TableFile() = default;
+
+    TableFile(const TableFile &) = delete;
+    TableFile &
+    operator=(const TableFile &) = delete;
+
+    /** Writes what is left, if it can. */
+    ~TableFile();
+
+    /** Begins a new file at @p path. A fault shows at the next flush(). */
+    void
+    open(const std::string &path);
+
+    /**
+     * Goes on with the file at @p path behind its first @p size bytes; what
+     * comes after them is cut off. A fault shows at the next flush().
+     */
+    void
+    reopen(const std::string &path, const std::uint64_t size);
+
+    /** Appends one row of @p length bytes; nothing if the file is not open. */
+    void
+    write_row(const char *row, const std::size_t length);
+
+    void
+    write_row(const std::string &row)
+    {
+      write_row(row.data(), row.size());
+    }
+
+    /**
+     * Hands all rows to the operating system: other programs see them.
+     *
+     * @return what is wrong, with path and remedy, or nothing
+     */
+    std::string
+    flush();
+
+    /** flush(), and the rows survive a loss of power; same return value. */
+    std::string
+    sync();
+
+    /** Length of the file in bytes, with the rows that are not flushed. */
+    std::uint64_t
+    size() const
+    {
+      return n_written + rows.size();
+    }
+
+  private:
+    std::string   path;
+    int           descriptor = -1;
+    std::string   rows;          ///< not yet written
+    std::uint64_t n_written = 0; ///< bytes
+    std::string   fault;
+
+    void
+    open_descriptor(const int flags);
+
+    void
+    close();
+
+    /** Remembers the first fault, from errno. */
+    void
+    fail(const std::string &what);
+
+    void
+    write_rows();
+  };
+} // namespace ThermoContact
+
+#endif

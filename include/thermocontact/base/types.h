@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_base_types_h
+#define thermocontact_base_types_h
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/distributed/tria.h>
+
+#include <deal.II/lac/trilinos_block_sparse_matrix.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <memory>
+
+/**
+ * Dynamic contact of a thermoviscoelastic rod with an obstacle. All
+ * quantities are nondimensional; the equations are those of doc/model.md.
+ */
+namespace ThermoContact
+{
+  using namespace dealii;
+
+  /** Values of one field (temperature or displacement), without ghosts. */
+  using Vector            = TrilinosWrappers::MPI::Vector;
+  using SparseMatrix      = TrilinosWrappers::SparseMatrix;
+  using BlockSparseMatrix = TrilinosWrappers::BlockSparseMatrix;
+
+  /** Boundary ids that GridGenerator gives to a coloured box. */
+  constexpr types::boundary_id fixed_boundary_id   = 0; ///< $x=0$
+  constexpr types::boundary_id contact_boundary_id = 1; ///< $x=1$
+
+  /**
+   * What differs in one dimension: p4est has no 1-D meshes, and a face is a
+   * point.
+   */
+  template <int dim>
+  struct DimensionTraits
+  {
+    using Triangulation = parallel::distributed::Triangulation<dim>;
+
+    static std::unique_ptr<Triangulation>
+    make_triangulation(const MPI_Comm communicator)
+    {
+      return std::make_unique<Triangulation>(communicator);
+    }
+
+    /** Gauss-Lobatto rule on a face whose points are the nodes of FE_Q. */
+    static Quadrature<dim - 1>
+    nodal_face_quadrature(const unsigned int degree)
+    {
+      return QGaussLobatto<dim - 1>(degree + 1);
+    }
+  };
+
+  template <>
+  struct DimensionTraits<1>
+  {
+    using Triangulation = parallel::shared::Triangulation<1>;
+
+    static std::unique_ptr<Triangulation>
+    make_triangulation(const MPI_Comm communicator)
+    {
+      return std::make_unique<Triangulation>(communicator,
+                                             dealii::Triangulation<1>::none,
+                                             false,
+                                             Triangulation::partition_zorder);
+    }
+
+    static Quadrature<0>
+    nodal_face_quadrature(const unsigned int)
+    {
+      return QGauss<0>(1);
+    }
+  };
+} // namespace ThermoContact
+
+#endif

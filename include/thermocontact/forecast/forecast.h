@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_forecast_forecast_h
+#define thermocontact_forecast_forecast_h
+
+#include <thermocontact/input/parameters.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * Names and values of the times that the terms of a scene act on,
+   * doc/model.md (M.43): only those that it has.
+   */
+  std::vector<std::pair<std::string, double>>
+  time_scales(const Parameters &parameters);
+
+
+
+  /**
+   * The step size above which the iteration of the paper fails while the rod is
+   * in contact: $\rho(\Delta t)=1$ in (M.20).
+   *
+   * @return nothing if there is none: obstacles with $\varepsilon\ge1$ yield
+   *   more than the rod; and where (M.20) does not apply: no inertia, no
+   *   elastic obstacle, more than one dimension
+   */
+  std::optional<double>
+  critical_step_size(const Parameters &parameters);
+
+
+
+  /** What a run is expected to take and to write. */
+  struct ExpectedCost
+  {
+    double steps          = 0.;
+    bool   is_exact       = false; ///< of steps, rows and snapshots
+    double rows           = 0.;    ///< of contact.csv
+    double row_bytes      = 0.;    ///< of contact.csv, about
+    double snapshots      = 0.;
+    double snapshot_bytes = 0.; ///< of all of them, about
+  };
+
+
+
+  /**
+   * Number of steps, exact if they are fixed and nothing shortens them, for
+   * error-controlled ones within a factor of about two (doc/accuracy.md); size
+   * of the files that grow with time.
+   *
+   * @param n_cells of the mesh
+   * @return nothing for error-controlled steps under sources, which may ask for
+   *   anything
+   */
+  std::optional<ExpectedCost>
+  expected_cost(const Parameters &parameters, const double n_cells);
+} // namespace ThermoContact
+
+#endif

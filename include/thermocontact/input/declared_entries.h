@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_input_declared_entries_h
+#define thermocontact_input_declared_entries_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  using dealii::ParameterHandler;
+
+  /** What a ParameterHandler says about one entry. */
+  struct DeclaredEntry
+  {
+    std::string path;          ///< "Section/Entry", or "Entry" outside sections
+    std::string value;         ///< the present one
+    std::string default_value; ///< the one declared
+    std::string text;          ///< meaning
+    std::string pattern;       ///< what is allowed, as deal.II describes it
+  };
+
+
+
+  /** All declared entries, in the order of declaration. */
+  std::vector<DeclaredEntry>
+  declared_entries(const ParameterHandler &prm);
+
+  /** "[Double 0...MAX_DOUBLE (inclusive)]" in words: "a number 0 or more". */
+  std::string
+  describe_pattern(std::string pattern);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_input_expression_h
+#define thermocontact_input_expression_h
+
+#include <thermocontact/base/types.h>
+
+#include <deal.II/base/function_parser.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace ThermoContact
+{
+  /** An expression of the parameter file and the entry it comes from. */
+  struct Expression
+  {
+    std::string path;
+    std::string text;
+
+    bool
+    is_zero() const;
+  };
+
+
+
+  /** The names that expressions of a scene may use, besides the coordinates. */
+  struct ExpressionNames
+  {
+    std::map<std::string, double> constants;
+    bool                          has_time = false; ///< t is known
+  };
+
+
+
+  /**
+   * The function with the components that @p text separates by ';', not
+   * checked.
+   */
+  template <int dim>
+  std::unique_ptr<FunctionParser<dim>>
+  make_function(const std::string &text, const ExpressionNames &names);
+
+  /**
+   * Checks an expression: parses it and evaluates each component at 17 points
+   * of the axis, at $t=0$.
+   *
+   * @param n_components largest number of components
+   * @return its text, filled up with zeros to @p n_components: one component
+   *   alone is the axial one
+   * @throw InputError naming entry and expression, and the column of the fault,
+   *   if it cannot be parsed, assigns or separates what is no argument
+   * (muParser
+   *   would do so), has neither one nor @p n_components components, or is not
+   *   finite
+   */
+  template <int dim>
+  std::string
+  check_expression(const Expression      &expression,
+                   const unsigned int     n_components,
+                   const ExpressionNames &names);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_input_parameter_file_h
+#define thermocontact_input_parameter_file_h
+
+#include <thermocontact/input/parameter_text.h>
+#include <thermocontact/input/parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <iosfwd>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * Writes @p assignments into @p prm, whose entries are bound to a
+   * Parameters object.
+   *
+   * @throw InputError with place, path, value, what is allowed and the meaning
+   *   of the entry if a section or a name is unknown (then with the nearest
+   *   known one), a value does not fit, or a file sets an entry twice
+   */
+  void
+  assign_entries(const std::vector<Assignment> &assignments,
+                 ParameterHandler              &prm);
+
+  /**
+   * Completes a message that begins with the path of an entry, by the place of
+   * the last assignment to it (for a default value: the place of the
+   * assignment that the message gives as its reason) and by the meaning of the
+   * entry. Other messages stay as they are.
+   */
+  std::string
+  complete_message(const std::string             &message,
+                   const std::vector<Assignment> &assignments,
+                   const ParameterHandler        &prm);
+
+  /**
+   * Refuses values that the scene would ignore.
+   *
+   * @throw InputError if an entry of parameters.unused_entries() differs from
+   *   its default
+   */
+  void
+  check_unused_entries(const Parameters &parameters, ParameterHandler &prm);
+
+  /** Path and present value of every entry. */
+  std::map<std::string, std::string>
+  entry_values(const ParameterHandler &prm);
+
+  /** True for the same text or the same number. */
+  bool
+  equal_values(const std::string &a, const std::string &b);
+
+  /**
+   * Writes all entries with their present values as a parameter file, in the
+   * order of declaration.
+   *
+   * @param omit paths that are left out
+   */
+  void
+  write_entries(const ParameterHandler      &prm,
+                const std::set<std::string> &omit,
+                std::ostream                &output);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_input_parameter_text_h
+#define thermocontact_input_parameter_text_h
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** The place of assignments on the command line, which override others. */
+  constexpr const char *command_line_place = "command line";
+
+
+
+  /** One statement of a parameter file or of the command line. */
+  struct Assignment
+  {
+    std::string place; ///< "rod.prm, line 12" or the command line
+    std::string path;  ///< "Section/Entry", or "Entry" outside sections
+    std::string value;
+
+    /** True for `subsection`, whose path is "Section/", without a value. */
+    bool
+    is_section() const
+    {
+      return !path.empty() && path.back() == '/';
+    }
+  };
+
+
+
+  /**
+   * The text as messages show it: what cannot be seen (control characters,
+   * blanks of other widths, bytes that are not UTF-8) by its number, and no
+   * more than the beginning of a long text.
+   */
+  std::string
+  quote(const std::string &text, const unsigned int max_length = 200);
+
+  /** True for UTF-8 without control characters other than tabs. */
+  bool
+  is_plain_text(const std::string &text);
+
+  /**
+   * The text of a file, or of a pipe.
+   *
+   * @throw InputError if it cannot be opened or read, is a directory, empty, or
+   *   larger than any parameter file
+   */
+  std::string
+  read_text(const std::string &file_name);
+
+  /**
+   * Reads the statements of a parameter file in deal.II's format: `set`,
+   * `subsection`, `end`, comments from '#', lines continued by '\'. Lines end
+   * as on Unix or on Windows.
+   *
+   * @param name what messages call the input
+   * @throw InputError naming line and remedy on any other statement, on
+   *   `subsection` without `end` and the reverse, on a binary file
+   */
+  std::vector<Assignment>
+  read_assignments(std::istream &input, const std::string &name);
+
+  /**
+   * Reads 'Section/Entry=value', the argument of the option --set.
+   *
+   * @throw InputError if there is no '=' or no entry
+   */
+  Assignment
+  parse_override(const std::string &argument);
+} // namespace ThermoContact
+
+#endif

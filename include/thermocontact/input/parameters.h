@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_input_parameters_h
+#define thermocontact_input_parameters_h
+
+#include <thermocontact/method/contact_law.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  using dealii::ParameterHandler;
+
+  /** Name of the scheme that is no Runge-Kutta scheme, doc/model.md section 13.
+   */
+  constexpr char energy_conserving_scheme[] = "energy conserving";
+
+
+
+  /** Section Model: coefficients of doc/model.md (M.1), (M.2), (M.6). */
+  struct ModelParameters
+  {
+    std::string fields        = "temperature and displacement";
+    double      inertia       = 1.;    ///< $b\ge0$; 0 is quasi-static
+    double      viscosity     = 0.2;   ///< $\zeta\ge0$
+    double      coupling      = 0.017; ///< $a$
+    bool        heating       = true;  ///< the term $-a\,\mathrm{div}\,u_t$
+    double      poisson_ratio = 0.;    ///< $\nu$, dim > 1
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    bool
+    has_temperature() const
+    {
+      return fields != "displacement";
+    }
+
+    bool
+    has_displacement() const
+    {
+      return fields != "temperature";
+    }
+
+    /** Number of scalar unknowns per node. */
+    unsigned int
+    n_components(const unsigned int dim) const
+    {
+      return (has_temperature() ? 1 : 0) + (has_displacement() ? dim : 0);
+    }
+
+    /** $a$ of the thermal stress $-a\theta$; 0 if a field is absent. */
+    double
+    thermal_stress() const
+    {
+      return has_temperature() && has_displacement() ? coupling : 0.;
+    }
+
+    /** $a$ of the heating $-a\,\mathrm{div}\,u_t$; 0 if it is off. */
+    double
+    thermoelastic_heating() const
+    {
+      return heating ? thermal_stress() : 0.;
+    }
+
+    /** True if displacements are in equilibrium at every time, $b=\zeta=0$. */
+    bool
+    is_static() const
+    {
+      return inertia == 0. && viscosity == 0.;
+    }
+  };
+
+
+
+  /** Section Boundary: doc/model.md (M.3). */
+  struct BoundaryParameters
+  {
+    double      fixed_end_temperature = 10.; ///< $\theta_A$
+    double      heat_exchange         = 1.;  ///< $k\ge0$
+    double      obstacle_temperature  = 0.;  ///< $\theta_{obs}$
+    std::string lateral_support       = "rollers";
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /** Section Contact: doc/model.md (M.4), (M.5). */
+  struct ContactParameters
+  {
+    std::string condition      = "normal compliance";
+    double      compliance     = 0.01; ///< $\varepsilon>0$
+    double      gap            = 0.1;  ///< $g$
+    std::string massless_nodes = "automatic";
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    bool
+    is_none() const
+    {
+      return condition == "none";
+    }
+
+    bool
+    is_rigid() const
+    {
+      return condition == "rigid";
+    }
+  };
+
+
+
+  /** Section Initial values: expressions in x (y, z). */
+  struct InitialValuesParameters
+  {
+    std::string temperature  = "theta_A*(cos(2*pi*x)-sin(pi*x/2))";
+    std::string displacement = "0";
+    std::string velocity     = "20*x*(x-1)^2";
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /** Section Sources: expressions in x (y, z), t. */
+  struct SourceParameters
+  {
+    std::string heat_source   = "0"; ///< $q$
+    std::string body_force    = "0"; ///< $f$
+    std::string end_traction  = "0"; ///< $t$
+    std::string end_heat_flux = "0"; ///< $h$
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /** Section Mesh. */
+  struct MeshParameters
+  {
+    unsigned int cells        = 8;
+    unsigned int degree       = 4;
+    unsigned int refinements  = 0;
+    double       grading      = 1.;
+    std::string  mass_matrix  = "consistent";
+    double       width        = 0.1;
+    unsigned int cells_across = 4;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    bool
+    is_lumped() const
+    {
+      return mass_matrix == "lumped";
+    }
+
+    /**
+     * Lengths of the cells along the rod before the refinements, in geometric
+     * progression.
+     */
+    std::vector<double>
+    cell_sizes() const;
+
+    /** Mean distance of nodes in the cells of the contact end. */
+    double
+    contact_spacing() const;
+  };
+
+
+
+  /** Section Time. */
+  struct TimeParameters
+  {
+    std::string           scheme   = "sdirk4";
+    std::string           start    = "automatic";
+    double                end_time = 10.;
+    std::optional<double> step_size;        ///< none: error-controlled
+    double                tolerance = 1e-5; ///< of error-controlled steps
+    std::optional<double> first_step_size;  ///< none: from the tolerance
+    double                minimum_step_size = 0.;
+    double      maximum_step_size     = std::numeric_limits<double>::infinity();
+    std::string locate_contact_events = "automatic";
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    bool
+    has_error_control() const
+    {
+      return !step_size.has_value();
+    }
+
+    /** True if steps end where contact begins or ends. */
+    bool
+    locates_contact_events() const
+    {
+      return locate_contact_events == "true" ||
+             (locate_contact_events == "automatic" && has_error_control());
+    }
+
+    bool
+    is_energy_conserving() const
+    {
+      return scheme == energy_conserving_scheme;
+    }
+
+    /**
+     * Number of fixed steps, without those that events or output times add:
+     * the smallest $N$ with $N\Delta t\ge T$.
+     */
+    unsigned int
+    n_steps() const
+    {
+      if (end_time <= 0.)
+        return 0;
+      // a remainder below the slack is rounding of T / dt
+      const double count = end_time / step_size.value();
+      const double slack = 1e-9 + 4e-16 * count;
+      return std::max(1u, static_cast<unsigned int>(std::ceil(count - slack)));
+    }
+  };
+
+
+
+  /** Section Solver. */
+  struct SolverParameters
+  {
+    std::string  step_solver            = "monolithic";
+    double       fixed_point_tolerance  = 1e-12;
+    unsigned int fixed_point_iterations = 100;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    bool
+    is_fixed_point() const
+    {
+      return step_solver == "fixed point";
+    }
+  };
+
+
+
+  /** Section Output. */
+  struct OutputParameters
+  {
+    std::string directory;
+    double      fields_interval  = 0.1;
+    double      contact_interval = 0.;
+    std::string probes; ///< read by parse_probe_positions()
+    double      space_time_interval = 0.;
+    bool        land_on_times       = false; ///< steps end on output times
+    double      checkpoint_interval = 0.;    ///< seconds of wall-clock time
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /** Section Study: runs the scene many times. */
+  struct StudyParameters
+  {
+    std::string  vary;
+    std::string  reference    = "none";
+    unsigned int repetitions  = 1;
+    double       target_error = 0.;
+    bool         keep_files   = false;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    bool
+    is_active() const
+    {
+      return !vary.empty();
+    }
+  };
+
+
+
+  /**
+   * Everything that a parameter file can set. The defaults are the scene of
+   * the paper's first experiment; each default and each text stands once, in
+   * the struct of its section.
+   */
+  struct Parameters
+  {
+    std::string  title;
+    unsigned int dimension = 1;
+
+    ModelParameters         model;
+    BoundaryParameters      boundary;
+    ContactParameters       contact;
+    InitialValuesParameters initial_values;
+    SourceParameters        sources;
+    MeshParameters          mesh;
+    TimeParameters          time;
+    SolverParameters        solver;
+    OutputParameters        output;
+    StudyParameters         study;
+
+    /** An entry that a scene cannot use, and the setting that says so. */
+    struct UnusedEntry
+    {
+      std::string path;   ///< "Section/Entry"
+      std::string reason; ///< e.g. "Contact/Condition = rigid"
+    };
+
+    /**
+     * Binds every member to an entry of @p prm. Parsing or `prm.set` then
+     * writes into this object, which must outlive @p prm.
+     */
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /**
+     * Checks what a pattern for one entry cannot: limits that exclude their
+     * bound, combinations, the number of steps.
+     *
+     * @throw InputError naming section path, value, what is allowed, remedy
+     */
+    void
+    check() const;
+
+    /** The contact law; not active without displacement or obstacle. */
+    ContactLaw
+    contact_law() const;
+
+    /**
+     * True if the contact nodes have no mass, doc/model.md (M.36): where the
+     * viscosity does not damp the oscillations of one node on its obstacle,
+     * $\zeta/\sqrt b$ below the spacing of the nodes; on a rigid obstacle that
+     * several nodes meet one by one; and if the scheme needs it.
+     */
+    bool
+    has_massless_contact() const;
+
+    /** True if the contact nodes have momentum. */
+    bool
+    has_contact_mass() const
+    {
+      return model.inertia > 0. && !has_massless_contact();
+    }
+
+    /**
+     * True if the contact nodes are in equilibrium at all times, since they, or
+     * the whole body, have neither mass nor viscous stress.
+     */
+    bool
+    has_contact_equilibrium() const;
+
+    /** True if the first step has the prescribed velocity of the paper. */
+    bool
+    has_prescribed_start() const;
+
+    /** The entries that this scene cannot use. */
+    std::vector<UnusedEntry>
+    unused_entries() const;
+
+  private:
+    void
+    check_steps() const;
+
+    void
+    check_scheme() const;
+
+    void
+    check_fixed_point() const;
+
+    /** The entries that mean a field or a term that the scene does not have. */
+    void
+    add_unused_by_model(std::vector<UnusedEntry> &unused) const;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_method_conserving_contact_h
+#define thermocontact_method_conserving_contact_h
+
+#include <thermocontact/method/contact_law.h>
+#include <thermocontact/method/contact_solver.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * Contact of massless nodes in steps that conserve energy, doc/model.md
+   * section 13. At each time the nodes are in equilibrium: with $s$ their
+   * positions without contact and $X$ their static receptance, the pressures
+   * $p(s)$ solve (M.18) for $W=X$, $u_{free}=s$. They are the gradient of a
+   * convex potential $V(s)$. No mesh, no communication.
+   */
+  class ConservingContact
+  {
+  public:
+    /**
+     * @param receptance $X_{ij}$, loss of displacement of node i per unit
+     *   pressure at node j; symmetric up to a positive scaling of its columns,
+     *   positive definite
+     */
+    ConservingContact(const ContactLaw                 &law,
+                      const dealii::FullMatrix<double> &receptance);
+
+    /**
+     * Pressures at one time.
+     *
+     * @param pressure in: a guess; out: $p(s)$
+     */
+    void
+    equilibrium(const std::vector<double> &s,
+                std::vector<double>       &pressure) const;
+
+    /**
+     * The pressures of a step that moves the nodes from $s^0$ to
+     * $s^1=A-2B\bar p$ and does the work $V(s^1)-V(s^0)$ on them,
+     * $\bar p=\int_0^1 p(s^0+\xi(s^1-s^0))\,d\xi$, (M.40). There is one
+     * solution: for a node in closed form, each branch a quadratic; for several
+     * by Newton's method.
+     *
+     * @param start $s^0$
+     * @param free_end $A$, the end for zero pressure
+     * @param receptance $B$, positive semidefinite in the product of $X^{-1}$
+     * @param pressure in: a guess; out: $\bar p$
+     * @return number of iterations
+     * @throw ComputationError if Newton's method does not converge
+     */
+    unsigned int
+    step_pressure(const std::vector<double>        &start,
+                  const std::vector<double>        &free_end,
+                  const dealii::FullMatrix<double> &receptance,
+                  std::vector<double>              &pressure) const;
+
+  private:
+    const ContactLaw                 law;
+    const dealii::FullMatrix<double> static_receptance;
+    const ContactSolver              contact_solver;
+
+    /** One node; distances from the obstacle, positive beyond it. */
+    double
+    step_pressure_of_node(const double start,
+                          const double free_end,
+                          const double receptance) const;
+
+    /**
+     * Mean of $p$ on the way from @p start to @p end, exact on each stretch
+     * with the same nodes in contact.
+     *
+     * @param derivative out: with respect to @p end
+     */
+    void
+    mean_pressure(const std::vector<double>  &start,
+                  const std::vector<double>  &end,
+                  std::vector<double>        &mean,
+                  dealii::FullMatrix<double> &derivative) const;
+  };
+} // namespace ThermoContact
+
+#endif

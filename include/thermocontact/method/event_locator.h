@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_method_event_locator_h
+#define thermocontact_method_event_locator_h
+
+#include <thermocontact/method/contact_law.h>
+
+#include <vector>
+
+namespace ThermoContact
+{
+  /** Begin or end of contact. */
+  struct ContactEvent
+  {
+    enum Kind
+    {
+      begin,
+      end
+    };
+
+    double time     = 0.;
+    Kind   kind     = begin;
+    double velocity = 0.; ///< $u_t(1)$ of the free end next to that time
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &time &kind &velocity;
+    }
+  };
+
+
+
+  /** The cubic on (0, 1) with these values and slopes at its ends. */
+  class CubicHermite
+  {
+  public:
+    CubicHermite(const double s0,
+                 const double slope0,
+                 const double s1,
+                 const double slope1);
+
+    double
+    value(const double x) const;
+
+    double
+    slope(const double x) const;
+
+    /**
+     * Where it first becomes negative in (0, 1), and infinity if it does not.
+     * One that begins below zero must first become positive; if it does not,
+     * the answer is 0. A dip that does not reach @p tolerable_dip below zero
+     * between two positive values is none.
+     */
+    double
+    first_zero(const double tolerable_dip) const;
+
+    /** The zero next to 1, on either side; 1 if there is none near. */
+    double
+    zero_near_end() const;
+
+  private:
+    const double s0, slope0, s1, quadratic, cubic;
+  };
+
+
+
+  /** The contact nodes at one time. */
+  struct ContactValues
+  {
+    double              time = 0.;
+    std::vector<double> displacement; ///< normal, $u_n$
+    std::vector<double> velocity;     ///< normal, $v_n$
+    std::vector<double> pressure;     ///< of either sign in a closed step
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &time &displacement &velocity &pressure;
+    }
+  };
+
+
+
+  /** What a contact event is compared with; per unit cross-section. */
+  struct BodyScales
+  {
+    double energy   = 0.; ///< largest elastic or kinetic energy E
+    double momentum = 0.; ///< $\sqrt{2bE}$
+  };
+
+
+
+  /**
+   * Follows the state of contact and finds the instants where it changes,
+   * doc/model.md section 11, so that steps can end there: between them the
+   * solution is smooth and schemes keep their order. Knows neither mesh nor
+   * communication.
+   *
+   * A step is computed with the state of contact held (open or closed for all
+   * nodes), and is right if the margin s of every node stays positive: the gap
+   * $g-u_n$ of an open node, the penetration $u_n-g$ of a closed one, the
+   * pressure with a rigid obstacle. Within the step the cubic Hermite
+   * interpolant of s finds single, double and grazing zeros.
+   *
+   * A step that ends near a zero is as good as one that ends there: the contact
+   * force misses the impulse $s^2/(2\varepsilon|\dot s|)$, which is to be below
+   * a tenth of the tolerance of the momentum of the body, or s itself is below
+   * a hundredth of the tolerance of the displacement and of the penetration
+   * that all the energy of the body could make. The time of the event is that
+   * of the zero all the same.
+   *
+   * With several nodes in different states, and if events are not to be
+   * located, steps are unilateral. An event within such a step is found by
+   * linear interpolation of the smallest gap. The first node to touch and the
+   * last to leave make the events; a body that is in contact at the start
+   * begins contact there.
+   */
+  class EventLocator
+  {
+  public:
+    /**
+     * @param is_active false: all steps are unilateral
+     * @param nodes those of a static body have margins that are interpolated
+     *   linearly
+     * @param tolerance relative accuracy of an event
+     */
+    EventLocator(const ContactLaw  &law,
+                 const bool         is_active,
+                 const ContactNodes nodes,
+                 const double       tolerance);
+
+    /** Forgets all and takes the initial state. */
+    void
+    start(const ContactValues &initial, std::vector<ContactEvent> &events);
+
+    /** How the next step is to be computed. */
+    ContactMode
+    mode() const
+    {
+      return mode_;
+    }
+
+    /** What a step in the present mode shows. */
+    struct Finding
+    {
+      enum Kind
+      {
+        nothing,  ///< contact is the same at its end
+        at_start, ///< contact changes before the step
+        within,   ///< contact changes at @p time: take the step to there
+        at_end    ///< contact changes at its end
+      };
+
+      Kind   kind            = nothing;
+      double time            = 0.;
+      bool   is_of_all_nodes = true; ///< all nodes change together
+
+      /** The node that changes first. */
+      unsigned int node = 0;
+    };
+
+    /**
+     * Looks for a change of contact in a step to @p next. The largest
+     * displacement and pressure so far include those of the step, even if it is
+     * not accepted later.
+     *
+     * @param is_aimed the step was to end at an event
+     * @param scales of the body so far
+     */
+    Finding
+    examine(const ContactValues &next,
+            const bool           is_aimed,
+            const BodyScales    &scales);
+
+    /**
+     * Contact changes at @p time, before the step that was examined last or
+     * so soon that it is not worth a step: the mode is switched where the body
+     * stands. If it was switched there before, contact is about to change at
+     * once in both modes: that event is taken back and the next step is
+     * unilateral.
+     */
+    void
+    switch_at_start(const double time, std::vector<ContactEvent> &events);
+
+    /**
+     * The next step is unilateral: nodes do not change together, or zeros are
+     * not to be had.
+     */
+    void
+    hold_nothing();
+
+    /**
+     * The step to @p next is accepted; appends the event that it ends with.
+     *
+     * @param finding what examine() said; nothing for a unilateral step
+     */
+    void
+    accept(const ContactValues       &next,
+           const Finding             &finding,
+           std::vector<ContactEvent> &events);
+
+    /** The state that was accepted last was computed anew. */
+    void
+    set_present(const ContactValues &values)
+    {
+      present = values;
+    }
+
+    /** What changes during a run, for checkpoints. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &mode_ &present &is_in_contact &was_switched &max_displacement
+        &max_pressure;
+    }
+
+  private:
+    const ContactLaw   law;
+    const bool         is_active;
+    const ContactNodes nodes;
+    const double       tolerance;
+    ContactMode        mode_;
+    ContactValues      present;
+    bool               is_in_contact; ///< as the events say
+    bool               was_switched;  ///< without a step since
+    double             max_displacement;
+    double             max_pressure;
+
+    /** Takes values into the largest displacement and pressure so far. */
+    void
+    add_to_scales(const ContactValues &values);
+
+    /** Margin s of a node over the step. */
+    CubicHermite
+    margin(const ContactValues &next, const unsigned int node) const;
+
+    /** True if a margin s is as good as zero, (M.32). */
+    bool
+    is_near(const double s, const double rate, const BodyScales &scales) const;
+
+    ContactMode
+    mode_of(const ContactValues &values) const;
+
+    void
+    add_event(const double               time,
+              const bool                 begins,
+              const double               velocity,
+              std::vector<ContactEvent> &events);
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_output_checkpoint_h
+#define thermocontact_output_checkpoint_h
+
+#include <thermocontact/base/types.h>
+#include <thermocontact/output/output.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * A run at the end of a step: all that it takes to go on as if it had never
+   * stopped. The newest two are kept in the output directory, checkpoint.bin
+   * and checkpoint.previous.bin: a line that names the format, a line of JSON
+   * for readers, then bytes.
+   */
+  struct Checkpoint
+  {
+    double       time = 0.;
+    unsigned int step = 0;
+
+    /** Program that wrote it. */
+    std::string version;
+
+    /** Path and value of every parameter. */
+    std::map<std::string, std::string> parameters;
+
+    /** What Simulation::memory() gave, for each rank. */
+    std::vector<std::string> simulation;
+
+    OutputMemory output;
+
+    /** What is wrong with a newer one that cannot be read; mostly empty. */
+    std::string warning;
+  };
+
+
+
+  /**
+   * Makes @p checkpoint the newest of @p directory, in one piece and surviving
+   * a loss of power. On one rank.
+   *
+   * @return what is wrong, with the path, or nothing; the earlier ones are as
+   *   they were then
+   */
+  std::string
+  write_checkpoint(const std::string &directory, const Checkpoint &checkpoint);
+
+  /**
+   * Reads the newest checkpoint of @p directory that is whole. Collective, read
+   * by rank 0.
+   *
+   * @throw InputError if there is none, with what is wrong with each file
+   */
+  Checkpoint
+  read_checkpoint(const std::string &directory, const MPI_Comm communicator);
+
+  /**
+   * Before a run goes on from @p checkpoint: a newer one that cannot be read is
+   * replaced by it. On one rank.
+   */
+  void
+  keep_as_newest(const std::string &directory, const Checkpoint &checkpoint);
+
+  /**
+   * Looks whether the tables of a run are as long as @p memory says; on one
+   * rank.
+   *
+   * @return what is wrong, with path and remedy, or nothing
+   */
+  std::string
+  find_short_file(const std::string &directory, const OutputMemory &memory);
+
+  /**
+   * Compares a checkpoint with the run that is to go on from it. End time,
+   * the directory and the intervals of the output may differ.
+   *
+   * @param parameters path and value of every parameter of that run
+   * @throw InputError naming what differs, or an end time before the
+   *   checkpoint
+   */
+  void
+  check_compatibility(const Checkpoint                         &checkpoint,
+                      const std::map<std::string, std::string> &parameters,
+                      const double                              end_time,
+                      const unsigned int                        n_ranks);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_output_checkpointer_h
+#define thermocontact_output_checkpointer_h
+
+#include <thermocontact/base/interruption.h>
+#include <thermocontact/output/output.h>
+
+#include <deal.II/base/timer.h>
+
+#include <map>
+#include <string>
+
+namespace ThermoContact
+{
+  /**
+   * Writes checkpoints: at the start, after each interval of wall-clock time
+   * and at the end, and when a signal asks the run to end. An observer of a
+   * Simulation, to be called after its Output.
+   */
+  template <int dim>
+  class Checkpointer
+  {
+  public:
+    /**
+     * @param directory of the run
+     * @param parameters path and value of every parameter
+     * @param interval seconds; 0: only when the run is to end
+     * @param output borrowed
+     */
+    Checkpointer(const std::string                        &directory,
+                 const std::map<std::string, std::string> &parameters,
+                 const double                              interval,
+                 Output<dim>                              &output,
+                 const MPI_Comm                            communicator);
+
+    /**
+     * Writes what is due. Collective.
+     *
+     * @throw ComputationError naming the file that cannot be written
+     * @throw Interruption after a signal
+     */
+    void
+    observe(const Simulation<dim> &simulation);
+
+    /** Seconds spent in checkpoints. */
+    double
+    seconds() const
+    {
+      return timer.wall_time();
+    }
+
+  private:
+    const std::string                        directory;
+    const std::map<std::string, std::string> parameters;
+    const double                             interval;
+    Output<dim>                             &output;
+    const MPI_Comm                           communicator;
+    const SignalWatch                        signals;
+    Timer                                    timer;
+    Timer                                    since_last;
+
+    void
+    write(const Simulation<dim> &simulation);
+
+    /** The signal that any rank has had, or 0. */
+    int
+    common_signal() const;
+
+    /** As rank 0 sees the time. */
+    bool
+    is_due(const Simulation<dim> &simulation) const;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_output_output_directory_h
+#define thermocontact_output_output_directory_h
+
+#include <thermocontact/base/types.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <set>
+#include <string>
+
+namespace ThermoContact
+{
+  /**
+   * Looks whether prepare_output_directory() would refuse @p directory; changes
+   * nothing. Collective, same exceptions.
+   */
+  void
+  check_output_directory(const std::string &directory,
+                         const MPI_Comm     communicator);
+
+  /**
+   * Makes @p directory ready for a run: creates it, or removes the files of an
+   * earlier run (recognised by its used.prm). Collective.
+   *
+   * @throw InputError if the directory holds anything else, or cannot be
+   *   created or emptied; nothing has been removed then
+   */
+  void
+  prepare_output_directory(const std::string &directory,
+                           const MPI_Comm     communicator);
+
+  /**
+   * Keeps other runs out of an output directory as long as it lives, also if
+   * the program is killed. Where the file system has no locks nothing is kept
+   * out.
+   */
+  class DirectoryLock
+  {
+  public:
+    /**
+     * Creates @p directory if it is not there, unless a run is to go on in it.
+     * Collective.
+     *
+     * @throw InputError if it cannot be created, or another run has it
+     */
+    DirectoryLock(const std::string &directory,
+                  const bool         must_exist,
+                  const MPI_Comm     communicator);
+
+    ~DirectoryLock();
+
+    DirectoryLock(const DirectoryLock &) = delete;
+    DirectoryLock &
+    operator=(const DirectoryLock &) = delete;
+
+  private:
+    int descriptor = -1;
+  };
+
+
+
+  /**
+   * Writes used.prm: all entries as used, the directory among them, so that
+   * running the file again gives the same files. Rank 0 writes; collective.
+   *
+   * @param omit paths of entries that are left out
+   * @param prm its entry Output/Directory is set to @p directory
+   * @throw ComputationError if the file cannot be written
+   */
+  void
+  write_used_parameters(const std::string           &directory,
+                        const std::set<std::string> &omit,
+                        ParameterHandler            &prm,
+                        const MPI_Comm               communicator);
+
+  /**
+   * Throws on all ranks if the message of rank 0 is not empty.
+   *
+   * @throw Error (InputError or ComputationError) with that message
+   */
+  template <typename Error>
+  void
+  throw_everywhere(const std::string &message, const MPI_Comm communicator)
+  {
+    const std::string shared = Utilities::MPI::broadcast(communicator, message);
+    if (!shared.empty())
+      throw Error(shared);
+  }
+} // namespace ThermoContact
+
+#endif

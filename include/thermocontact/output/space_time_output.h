@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_output_space_time_output_h
+#define thermocontact_output_space_time_output_h
+
+#include <thermocontact/base/table_file.h>
+#include <thermocontact/output/space_time_file.h>
+#include <thermocontact/space/point_values.h>
+
+#include <string>
+
+namespace ThermoContact
+{
+  /**
+   * The whole run in one picture: space-time.vtu, whose first coordinate is x
+   * and whose second is time, with temperature, displacement, velocity and
+   * stress as in the snapshots, in dim > 1 their axial components along the
+   * axis. While the run goes on the columns are appended to space-time.columns;
+   * the VTU file is made of it at the end.
+   */
+  template <int dim>
+  class SpaceTimeOutput
+  {
+  public:
+    SpaceTimeOutput(const std::string         &directory,
+                    const Parameters          &parameters,
+                    const Discretization<dim> &discretization);
+
+    /**
+     * Begins the file of columns, or goes on behind its first @p size bytes if
+     * that is not 0. On rank 0.
+     */
+    void
+    open(const std::uint64_t size);
+
+    /** Adds a column. Collective. A fault shows when file() is flushed. */
+    void
+    write(const State &state);
+
+    /** The file of columns; open on rank 0 alone. */
+    TableFile &
+    file()
+    {
+      return columns_file;
+    }
+
+    /**
+     * Makes space-time.vtu from the columns so far. On rank 0.
+     *
+     * @param is_done removes the columns if no checkpoint needs them
+     * @return what is wrong, or nothing
+     */
+    std::string
+    write_vtu(const bool is_done);
+
+  private:
+    const std::string             directory;
+    const std::string             columns_path;
+    const bool                    is_writer;
+    const std::vector<Place<dim>> places;
+    SpaceTimeLayout               layout;
+    PointValues<dim>              point_values;
+    TableFile                     columns_file;
+    std::vector<double>           column;
+
+    void
+    write_row(const std::vector<double> &numbers);
+  };
+} // namespace ThermoContact
+
+#endif

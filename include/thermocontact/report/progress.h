@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_report_progress_h
+#define thermocontact_report_progress_h
+
+#include <thermocontact/base/log.h>
+#include <thermocontact/simulation/simulation.h>
+
+#include <chrono>
+
+namespace ThermoContact
+{
+  /**
+   * Tells how far a run has come. An observer of a Simulation, without
+   * collective calls.
+   *
+   * On a terminal it is a live line, at most ten times a second: percent, time,
+   * step size, gap or contact force, steps per second, and the remaining wall
+   * time if the rest of the time goes as fast as the time so far. Whenever
+   * another tenth of the run is done, a line goes to log.txt and, where there
+   * is no live line, to the screen.
+   */
+  template <int dim>
+  class Progress
+  {
+  public:
+    /**
+     * @param simulation before it runs
+     * @param log borrowed
+     */
+    Progress(const Simulation<dim> &simulation, Log &log);
+
+    void
+    observe(const Simulation<dim> &simulation);
+
+    /** Wall time of all attempts at steps so far, in seconds. */
+    double
+    step_seconds() const
+    {
+      return step_seconds_;
+    }
+
+    /** What the audit (M.22) starts from: $\hat E$ of the initial state. */
+    double
+    initial_energy() const
+    {
+      return initial_energy_;
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    Log                    &log;
+    const Clock::time_point start;
+    const double            start_time; ///< of the scene, not of the clock
+    const double            initial_energy_;
+    Clock::time_point       last_update;
+    unsigned int            last_step;
+    double                  steps_per_second;
+    double                  step_seconds_;
+
+    void
+    report_tenth(const Simulation<dim> &simulation);
+
+    void
+    update_live_line(const Simulation<dim> &simulation);
+  };
+} // namespace ThermoContact
+
+#endif

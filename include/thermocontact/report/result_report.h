@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_report_result_report_h
+#define thermocontact_report_result_report_h
+
+#include <thermocontact/base/log.h>
+#include <thermocontact/base/run_times.h>
+#include <thermocontact/simulation/simulation.h>
+
+namespace ThermoContact
+{
+  /**
+   * Prints contacts, the final state beside the state of rest that the scene
+   * tends to, the energy audit, and what the run cost.
+   *
+   * @param initial_energy Progress::initial_energy()
+   */
+  template <int dim>
+  void
+  report_result(const Simulation<dim> &simulation,
+                const RunTimes        &times,
+                const double           initial_energy,
+                Log                   &log);
+} // namespace ThermoContact
+
+#endif

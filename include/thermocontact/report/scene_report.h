@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_report_scene_report_h
+#define thermocontact_report_scene_report_h
+
+#include <thermocontact/base/log.h>
+#include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/simulation/simulation.h>
+
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * Prints the warnings after the first @p n_reported.
+   *
+   * @return their number
+   */
+  unsigned int
+  report_warnings(const std::vector<std::string> &warnings,
+                  const unsigned int              n_reported,
+                  Log                            &log);
+
+  /** The quantities of an end state that the scene has, on one line. */
+  std::string
+  describe_steady_state(const SteadyState &state, const Parameters &parameters);
+
+  /**
+   * Prints what is going to be computed, what is known of the result, and the
+   * warnings so far.
+   */
+  template <int dim>
+  void
+  report_scene(const Simulation<dim> &simulation, Log &log);
+} // namespace ThermoContact
+
+#endif

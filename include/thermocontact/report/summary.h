@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_report_summary_h
+#define thermocontact_report_summary_h
+
+#include <thermocontact/base/run_times.h>
+#include <thermocontact/simulation/simulation.h>
+
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** How often contact began. */
+  unsigned int
+  n_contact_begins(const std::vector<ContactEvent> &events);
+
+  /**
+   * Writes summary.json; numbers are JSON numbers, NaN is null. Collective.
+   *
+   * @param status "done" or "failed: " and the reason
+   * @throw ComputationError if the file cannot be written
+   */
+  template <int dim>
+  void
+  write_summary(const std::string     &file_name,
+                const std::string     &status,
+                const Simulation<dim> &simulation,
+                const RunTimes        &times);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_scene_run_h
+#define thermocontact_scene_run_h
+
+#include <thermocontact/base/log.h>
+#include <thermocontact/input/command_line.h>
+#include <thermocontact/input/parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/timer.h>
+
+#include <set>
+#include <string>
+
+namespace ThermoContact
+{
+  /** Where the files of a run go: as given, or `results/` and the file's name.
+   */
+  std::string
+  output_directory(const Parameters &parameters, const CommandLine &command);
+
+  /** Entries that the scene cannot use; runs of a study may use them. */
+  std::set<std::string>
+  unused_entries(const Parameters &parameters);
+
+  /**
+   * Sets up one scene, or goes on from a checkpoint, and runs it with all its
+   * files; or checks it, if the command says so. Collective on MPI_COMM_WORLD.
+   *
+   * @param prm is bound to @p parameters
+   * @param since_start runs since the start of the program
+   * @throw InputError if the scene, the directory or the checkpoint do not fit
+   * @throw ComputationError if the run fails or is interrupted
+   */
+  template <int dim>
+  void
+  run_scene(const Parameters    &parameters,
+            ParameterHandler    &prm,
+            const CommandLine   &command,
+            const dealii::Timer &since_start,
+            Log                 &log);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_simulation_contact_transition_h
+#define thermocontact_simulation_contact_transition_h
+
+#include <thermocontact/space/direct_solver.h>
+#include <thermocontact/space/energy.h>
+#include <thermocontact/time/step_solver.h>
+#include <thermocontact/time/time_integrator.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <memory>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * What happens to a state where contact begins or ends: the velocity that a
+   * rigid obstacle takes away, and pressures that no stage has seen.
+   */
+  template <int dim>
+  class ContactTransition
+  {
+  public:
+    /**
+     * The references are borrowed.
+     *
+     * @param has_contact_mass false: the contact nodes have no mass, and with
+     *   it no momentum
+     */
+    ContactTransition(const Discretization<dim>             &discretization,
+                      const ThermoviscoelasticOperator<dim> &stage_operator,
+                      const Energy<dim>                     &energy,
+                      const ContactLaw                      &law,
+                      const bool                             has_contact_mass);
+
+    /**
+     * Impact of all contact nodes on a rigid obstacle: they are put on it, and
+     * an impulse through the mass matrix takes their velocity away, so that the
+     * velocity jumps to the nearest one, in the norm of the kinetic energy,
+     * with which they rest (M.33). Nodes without mass need no impulse.
+     *
+     * @param energy out: of the new state
+     * @param impulse,numerical_dissipation what the impact costs is added
+     * @throw ComputationError if the mass matrix cannot be factorised
+     */
+    void
+    impact(State       &state,
+           EnergyTerms &energy,
+           double      &impulse,
+           double      &numerical_dissipation);
+
+    /**
+     * Pressures of a step that is accepted: none is negative, and where contact
+     * begins they are those of the law, since no stage has seen them.
+     */
+    void
+    finish_pressure(const bool begins_contact, StepResult &result);
+
+    const SolverCounters &
+    counters() const
+    {
+      return counters_;
+    }
+
+    /**
+     * Makes again what was kept and goes on counting from there, for a run that
+     * goes on. Collective.
+     */
+    void
+    restore(const SolverCounters &counters);
+
+  private:
+    const Discretization<dim>             &discretization;
+    const ThermoviscoelasticOperator<dim> &stage_operator;
+    const Energy<dim>                     &energy;
+    const ContactLaw                       law;
+    const bool                             has_contact_mass;
+    SolverCounters                         counters_;
+    std::unique_ptr<DirectSolver>          mass_solver;
+    std::vector<Vector>                    impulse_responses;
+    FullMatrix<double>                     inverse_receptance;
+
+    /** Velocities, and those of the contact nodes, per unit impulse. */
+    void
+    compute_impulse_responses();
+
+    /** Takes the velocity of the contact nodes away; returns the impulse. */
+    double
+    stop_contact_nodes(Vector &velocity);
+  };
+} // namespace ThermoContact
+
+#endif

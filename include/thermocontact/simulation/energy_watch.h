@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_simulation_energy_watch_h
+#define thermocontact_simulation_energy_watch_h
+
+#include <thermocontact/input/parameters.h>
+#include <thermocontact/space/energy.h>
+
+#include <string>
+
+namespace ThermoContact
+{
+  /**
+   * Watches the energy of a run without loads, which physics never lets grow
+   * (M.9). A scheme may let it grow by what its errors explain: rounding for
+   * schemes that cannot create energy, the tolerance of each step with
+   * error-controlled steps, a thousandth with fixed steps of the other schemes.
+   * Arithmetic only.
+   */
+  class EnergyWatch
+  {
+  public:
+    /** @param has_work true: the energy may grow, and nothing is watched */
+    EnergyWatch(const Parameters &parameters, const bool has_work);
+
+    /** Begins anew from a state with energy @p terms. */
+    void
+    start(const EnergyTerms &terms);
+
+    /**
+     * Takes the state after a step.
+     *
+     * @return a warning with the step and the remedy at the first step that has
+     *   created energy, else nothing
+     */
+    std::string
+    add(const unsigned int step, const double time, const EnergyTerms &terms);
+
+    /** What changes during a run, for checkpoints. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &smallest &scale &n_steps &has_warned;
+    }
+
+  private:
+    const bool        is_active;
+    const std::string remedy;           ///< of this scene
+    const double      allowed_per_run;  ///< relative to the scale
+    const double      allowed_per_step; ///< likewise
+    double            smallest;         ///< energy so far
+    double            scale;   ///< largest sum of absolute terms so far
+    unsigned int      n_steps; ///< since the smallest
+    bool              has_warned;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_simulation_error_norm_h
+#define thermocontact_simulation_error_norm_h
+
+#include <thermocontact/space/energy.h>
+
+namespace ThermoContact
+{
+  /**
+   * Measures the error estimate of a step relative to the solution so far,
+   * doc/model.md (M.30):
+   * @f[
+   *   \left( \frac{\|e_\theta\|^2}{\max\|\hat\theta\|^2} +
+   *   \frac{\|\nabla e_u\|^2 + b\|e_v\|^2 + \varepsilon e_p^2}
+   *        {\max(\|\nabla u\|^2, b\|v\|^2)} \right)^{1/2} .
+   * @f]
+   * The maxima are over all accepted states and the one that the step has
+   * reached; a field that has been zero takes its scale from the first attempt
+   * at a step that moves it. There is no absolute floor: scaling a scene
+   * changes nothing. An error of the temperature that is rounding of the
+   * temperature itself, of which $\hat\theta$ may be a tiny part, counts as
+   * none.
+   */
+  class ErrorNorm
+  {
+  public:
+    /** @param temperature_energy $\frac12\|\theta_s\|^2$ */
+    explicit ErrorNorm(const double temperature_energy);
+
+    /** Takes a state that is accepted into the maxima. */
+    void
+    add(const EnergyTerms &energy);
+
+    /**
+     * Size of the error of a step.
+     *
+     * @param error half the squared norms of the estimate
+     * @param energy of the state at the end of the step
+     */
+    double
+    operator()(const EnergyTerms &error, const EnergyTerms &energy);
+
+    /** Largest elastic or kinetic energy so far. */
+    double
+    mechanical_energy() const
+    {
+      return max_mechanical;
+    }
+
+    /** What changes during a run, for checkpoints. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &max_thermal &max_mechanical;
+    }
+
+  private:
+    const double temperature_energy;
+    double       max_thermal;
+    double       max_mechanical;
+  };
+} // namespace ThermoContact
+
+#endif

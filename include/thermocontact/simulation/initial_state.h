@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_simulation_initial_state_h
+#define thermocontact_simulation_initial_state_h
+
+#include <thermocontact/input/parameters.h>
+#include <thermocontact/method/contact_law.h>
+#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/loads.h>
+#include <thermocontact/space/problem_data.h>
+#include <thermocontact/space/state.h>
+#include <thermocontact/space/thermoviscoelastic_operator.h>
+
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * The state at $t=0$: the projection $P_E$ of the initial values, the fixed
+   * end at its temperature, and the pressure of the compliance law. Without
+   * inertia it is completed, and contact nodes that are to be in equilibrium
+   * are put there, doc/model.md sections 12 and 13.
+   *
+   * @param first_step_size of the paper's first step, if the scene has it
+   * @param warnings appended to: a corner layer of the temperature, contact at
+   *   the start, a preload
+   * @throw InputError if displacement or velocity do not vanish where they are
+   *   held, or if a rigid obstacle is penetrated at the start or by the
+   *   paper's first step
+   */
+  template <int dim>
+  State
+  initial_state(const Parameters                      &parameters,
+                const ProblemData<dim>                &data,
+                const Discretization<dim>             &discretization,
+                const ThermoviscoelasticOperator<dim> &stage_operator,
+                const ContactLaw                      &law,
+                const double                           first_step_size,
+                Loads<dim>                            &loads,
+                std::vector<std::string>              &warnings);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_simulation_measurements_h
+#define thermocontact_simulation_measurements_h
+
+#include <thermocontact/method/contact_law.h>
+#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/energy.h>
+
+#include <utility>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * One row of contact.csv. Extensive quantities are per unit cross-section;
+   * values at the contact end are means over it. Values of a field that the
+   * scene does not have are NaN.
+   */
+  struct StepRecord
+  {
+    unsigned int step                  = 0;
+    double       time                  = 0.;
+    double       step_size             = 0.;
+    double       displacement_end      = 0.; ///< $u(1)$, axial
+    double       displacement_mid      = 0.; ///< $u(1/2)$, on the axis
+    double       velocity_end          = 0.; ///< $u_t(1)$ of the scheme
+    double       stress_end            = 0.; ///< $-p+t$
+    double       gap                   = 0.; ///< $g-u$, the smallest
+    double       penetration           = 0.; ///< $\varepsilon p$, the largest
+    double       contact_force         = 0.; ///< mean of $p\ge0$
+    double       contact_impulse       = 0.; ///< $\sum\Delta t\,p$
+    double       temperature_end       = 0.;
+    double       heat_flux_end         = 0.; ///< $k(\theta-\theta_{obs})$
+    double       energy                = 0.; ///< $\hat E$, (M.8)
+    double       dissipation           = 0.; ///< sum of (M.23)
+    double       numerical_dissipation = 0.; ///< sum of (M.24)
+    bool         in_contact            = false;
+    unsigned int iterations            = 0;
+    double       work                  = 0.; ///< sum of (M.25)
+    double       temperature_mean      = 0.;
+    EnergyTerms  energy_terms; ///< the terms of energy; not in the file
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &step &time &step_size &displacement_end &displacement_mid
+        &velocity_end &stress_end &gap &penetration &contact_force
+          &contact_impulse &temperature_end &heat_flux_end &energy &dissipation
+            &numerical_dissipation &in_contact &iterations &work
+              &temperature_mean &energy_terms;
+    }
+  };
+
+
+
+  /**
+   * Evaluates the quantities of a state that users follow over time.
+   * Collective.
+   */
+  template <int dim>
+  class Measurements
+  {
+  public:
+    Measurements(const Discretization<dim>             &discretization,
+                 const ThermoviscoelasticOperator<dim> &stage_operator,
+                 const ContactLaw                      &law,
+                 const Parameters                      &parameters);
+
+    /**
+     * Fills the members of @p record that are functions of @p state alone: the
+     * end and mid values, gap, penetration, force, heat flux, mean temperature.
+     *
+     * @param data sources, for the traction of the end stress; their time is
+     *   set
+     */
+    void
+    measure(const State &state, ProblemData<dim> &data, StepRecord &record);
+
+  private:
+    const Discretization<dim> &discretization;
+    const ContactLaw           law;
+    const BoundaryParameters   boundary;
+    const bool                 has_no_initial_velocity; ///< $b=\zeta=0$
+
+    /** Position in the local vector and weight; empty on other ranks. */
+    std::vector<std::pair<unsigned int, double>> mid_weights;
+    Vector                                       mean_weights;
+    std::vector<double>                          contact_values;
+
+    void
+    find_mid_point(const double width);
+
+    void
+    measure_displacement(const State            &state,
+                         const ProblemData<dim> &data,
+                         StepRecord             &record);
+
+    void
+    measure_temperature(const State &state, StepRecord &record);
+  };
+} // namespace ThermoContact
+
+#endif

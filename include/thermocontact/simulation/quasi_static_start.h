@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_simulation_quasi_static_start_h
+#define thermocontact_simulation_quasi_static_start_h
+
+#include <thermocontact/method/contact_law.h>
+#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/loads.h>
+#include <thermocontact/space/state.h>
+#include <thermocontact/space/thermoviscoelastic_operator.h>
+
+namespace ThermoContact
+{
+  /**
+   * Completes the initial state of a body without inertia, doc/model.md section
+   * 12: with viscosity the velocity follows from the displacement, (M.34);
+   * without, the displacement is in equilibrium with the temperature, (M.35),
+   * and the velocity, which has no value yet, is left at zero.
+   *
+   * @param state in: temperature and, with viscosity, displacement and pressure
+   *   of the compliance law
+   * @throw ComputationError if the stiffness matrix cannot be factorised or the
+   *   contact nodes do not settle
+   */
+  template <int dim>
+  void
+  complete_quasi_static_state(
+    const ModelParameters                 &model,
+    const Discretization<dim>             &discretization,
+    const ThermoviscoelasticOperator<dim> &stage_operator,
+    const ContactLaw                      &law,
+    Loads<dim>                            &loads,
+    State                                 &state);
+} // namespace ThermoContact
+
+#endif

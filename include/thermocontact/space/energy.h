@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_energy_h
+#define thermocontact_space_energy_h
+
+#include <thermocontact/method/contact_law.h>
+#include <thermocontact/space/loads.h>
+#include <thermocontact/space/thermoviscoelastic_operator.h>
+
+namespace ThermoContact
+{
+  /** The energy (M.8) term by term, per unit cross-section. */
+  struct EnergyTerms
+  {
+    double thermal  = 0.; ///< $\frac12\|\hat\theta\|^2$
+    double kinetic  = 0.; ///< $\frac b2\|v\|^2$
+    double elastic  = 0.; ///< $\frac12(C\varepsilon(u),\varepsilon(u))$
+    double obstacle = 0.; ///< $\frac\varepsilon2\|p\|_{\Gamma_C}^2$
+    double coupling = 0.; ///< $-a(\theta_s,\mathrm{div}\,u)$
+
+    double
+    sum() const
+    {
+      return thermal + kinetic + elastic + obstacle + coupling;
+    }
+
+    /** Sum of absolute values: what rounding of the sum is relative to. */
+    double
+    magnitude() const;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &thermal &kinetic &elastic &obstacle &coupling;
+    }
+  };
+
+
+
+  /**
+   * Energy and its audit, doc/model.md (M.8), (M.22)-(M.25), each line by its
+   * own formula. All results are per unit cross-section area.
+   */
+  template <int dim>
+  class Energy
+  {
+  public:
+    Energy(const Discretization<dim>             &discretization,
+           const ThermoviscoelasticOperator<dim> &stage_operator,
+           const Loads<dim>                      &loads,
+           const ContactLaw                      &law,
+           const Parameters                      &parameters);
+
+    /** $\hat E$ of (M.8). */
+    EnergyTerms
+    energy(const State &state) const;
+
+    /**
+     * The quadratic terms of (M.8) of a difference between two states at the
+     * same time: half the squares of its norms in the energy. The difference
+     * of the pressures is that of the displacements over $\varepsilon$ at the
+     * nodes in contact.
+     *
+     * @param difference of temperature, displacement and velocity; its
+     *   pressures are not used
+     * @param pressure tells by its sign which nodes are in contact
+     */
+    EnergyTerms
+    difference_energy(const State               &difference,
+                      const std::vector<double> &pressure) const;
+
+    /**
+     * Rate of physical dissipation, (M.23) without its $\Delta t$:
+     * $\|\nabla\hat\theta\|^2+k\|\hat\theta\|_{\Gamma_C}^2+\zeta(C\varepsilon
+     * (v),\varepsilon(v))\ge0$.
+     */
+    double
+    dissipation_rate(const State &state) const;
+
+    /**
+     * Numerical dissipation of one backward Euler step, (M.24); every term is
+     * not negative. Both states carry the pressures of the scheme.
+     */
+    double
+    numerical_dissipation(const State &old_state, const State &state) const;
+
+    /** True if anything does work: sources, or heat that drives the rod. */
+    bool
+    has_work() const;
+
+    /**
+     * Rate of work of the sources and, if thermoelastic heating is off, of the
+     * thermal stress, $a(\hat\theta,\mathrm{div}\,v)$; (M.25) without its
+     * $\Delta t$.
+     *
+     * @param heat_load,momentum_load loads at the time of @p state as
+     *   Loads::assemble() gives them
+     */
+    double
+    work_rate(const Vector &heat_load,
+              const Vector &momentum_load,
+              const State  &state) const;
+
+    /** Nodal values of the steady profile $\theta_s$, (M.7). */
+    const Vector &
+    steady_profile() const;
+
+    /** $\frac12\|\theta_s\|^2$. */
+    double
+    steady_profile_energy() const;
+
+  private:
+    const Discretization<dim>             &discretization;
+    const ThermoviscoelasticOperator<dim> &stage_operator;
+    const Loads<dim>                      &loads;
+    const ContactLaw                       law;
+    const ModelParameters                  model;
+    Vector                                 steady_profile_;
+    Vector                                 steady_stress; ///< $D^T\theta_s$
+    mutable Vector                         heat_scratch;
+    mutable Vector                         heat_product;
+    mutable Vector                         momentum_scratch;
+    mutable Vector                         momentum_product;
+    mutable std::vector<double>            end_displacement;
+    mutable std::vector<double>            old_end_displacement;
+
+    double
+    heat_form(const SparseMatrix &matrix, const Vector &vector) const;
+
+    double
+    momentum_form(const SparseMatrix &matrix, const Vector &vector) const;
+
+    /** The thermal stress works and takes no heat for it. */
+    bool
+    is_driven_by_heat() const;
+
+    double
+    contact_dissipation(const State &old_state, const State &state) const;
+  };
+} // namespace ThermoContact
+
+#endif

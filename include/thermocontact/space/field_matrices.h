@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_field_matrices_h
+#define thermocontact_space_field_matrices_h
+
+#include <thermocontact/base/types.h>
+#include <thermocontact/input/parameters.h>
+#include <thermocontact/space/discretization.h>
+
+namespace ThermoContact
+{
+  /**
+   * The matrices of both fields, doc/model.md section 4, assembled once without
+   * constraints. The first diagonal block belongs to the temperature, the last
+   * to the displacement; a field that the scene does not have has none.
+   *
+   * The mass matrices may be lumped, and in the cells of the contact end that
+   * of the displacement may be such that the contact nodes have no mass,
+   * doc/model.md (M.36).
+   */
+  template <int dim>
+  struct FieldMatrices
+  {
+    /** The reference is borrowed. */
+    FieldMatrices(const Discretization<dim> &discretization,
+                  const Parameters          &parameters);
+
+  private:
+    const Discretization<dim> &discretization;
+    const ModelParameters      model;
+    const double               heat_exchange;
+    const bool                 is_lumped;
+    const bool                 has_massless_contact;
+
+  public:
+    const bool        has_own_viscous_stiffness;
+    BlockSparseMatrix mass;      ///< $M$, $M_u$
+    BlockSparseMatrix stiffness; ///< $K+kB$, $S$
+
+    /** $D$ in (0, 1), $D^T$ in (1, 0); none without thermal stress. */
+    BlockSparseMatrix coupling;
+
+    /** $S_\zeta$ in the last block, where it is not $S$, (M.37). */
+    BlockSparseMatrix viscous_stiffness;
+
+  private:
+    /** @param couples_fields two blocks off the diagonal, else those on it */
+    void
+    setup_matrix(const bool couples_fields, BlockSparseMatrix &matrix) const;
+
+    void
+    assemble_mass();
+
+    void
+    assemble_stiffness();
+
+    /** Adds the heat exchange of the contact end. */
+    void
+    assemble_contact_end();
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_h1_projection_h
+#define thermocontact_space_h1_projection_h
+
+#include <thermocontact/space/direct_solver.h>
+#include <thermocontact/space/discretization.h>
+
+#include <deal.II/base/function.h>
+
+#include <memory>
+
+namespace ThermoContact
+{
+  /**
+   * The projection $P_E$ of initial data, doc/model.md (M.13):
+   * $(\nabla(P_E w-w),\nabla\eta)=0$ for all $\eta$ that vanish on the fixed
+   * end, with $P_E w=w$ there; at rollers the normal component keeps the
+   * value of $w$ too.
+   *
+   * Computed as the nodal interpolant plus a correction, integrated by parts
+   * cell by cell, so that only values of $w$ are needed and, in 1-D, the
+   * interpolation at the vertices holds to rounding.
+   */
+  template <int dim>
+  class H1Projection
+  {
+  public:
+    /** Assembles and factorises the Laplace matrix of all components. */
+    explicit H1Projection(const Discretization<dim> &discretization);
+
+    /**
+     * Projects @p function, with the components of the FESystem.
+     *
+     * @param temperature,displacement out: the two blocks of the projection
+     */
+    void
+    project(const Function<dim> &function,
+            Vector              &temperature,
+            Vector              &displacement);
+
+  private:
+    const Discretization<dim>    &discretization;
+    std::unique_ptr<DirectSolver> laplace_solver;
+
+    void
+    assemble_laplace_matrix();
+
+    Vector
+    correction_rhs(const Function<dim> &function,
+                   const Vector        &interpolant) const;
+  };
+} // namespace ThermoContact
+
+#endif

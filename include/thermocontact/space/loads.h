@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_loads_h
+#define thermocontact_space_loads_h
+
+#include <thermocontact/base/types.h>
+#include <thermocontact/input/parameters.h>
+#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/problem_data.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <deal.II/lac/trilinos_parallel_block_vector.h>
+
+namespace ThermoContact
+{
+  /**
+   * The loads of the semidiscrete equations, doc/model.md (M.11), (M.12):
+   * @f[
+   *   \ell_\theta = k\,\theta_{obs}\int_{\Gamma_C}\eta_i + \int q\,\eta_i +
+   *     \int_{\Gamma_C} h\,\eta_i , \quad
+   *   \ell_u = \int f\cdot\varphi_i + w_i\,t(x_i) .
+   * @f]
+   * The traction t acts at the contact nodes, as the pressure does.
+   */
+  template <int dim>
+  class Loads
+  {
+  public:
+    /** The references are borrowed; the time of @p data is set from here. */
+    Loads(const Discretization<dim> &discretization,
+          const Parameters          &parameters,
+          ProblemData<dim>          &data);
+
+    /** The part of $\ell_\theta$ that is no source: the obstacle's heat. */
+    const Vector &
+    obstacle_heat() const
+    {
+      return obstacle_heat_;
+    }
+
+    bool
+    has_sources() const
+    {
+      return data.has_sources();
+    }
+
+    /**
+     * Both loads at @p time. Integrates the sources that the scene has; without
+     * sources a copy.
+     */
+    void
+    assemble(const double time, Vector &heat, Vector &momentum);
+
+  private:
+    const Discretization<dim>         &discretization;
+    ProblemData<dim>                  &data;
+    FEValues<dim>                      fe_values;
+    FEFaceValues<dim>                  face_values;
+    AffineConstraints<double>          unconstrained;
+    TrilinosWrappers::MPI::BlockVector sources;
+    dealii::Vector<double>             cell_load;
+    Vector                             obstacle_heat_;
+
+    void
+    add_scalar(const FEValuesBase<dim> &values, const Function<dim> &function);
+
+    void
+    add_vector(const FEValuesBase<dim> &values, const Function<dim> &function);
+
+    /** Adds a heat flux through the contact end to the sources. */
+    void
+    integrate_end_flux(const Function<dim> &flux);
+
+    /** Adds heat source and body force. */
+    void
+    integrate_volume();
+
+    void
+    distribute(const typename DoFHandler<dim>::active_cell_iterator &cell);
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_point_values_h
+#define thermocontact_space_point_values_h
+
+#include <thermocontact/input/parameters.h>
+#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/state.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** Where fields are evaluated. */
+  template <int dim>
+  struct Place
+  {
+    Point<dim> position;
+
+    /**
+     * The cells that contain this point are the ones to evaluate in, on the
+     * boundary of which @p position may lie; @p position itself if nothing
+     * chooses between the cells that meet there.
+     */
+    Point<dim> cell_point;
+  };
+
+
+
+  /**
+   * Places along the axis of the body: degree + 1 in each cell, equidistant and
+   * in order of x, the last one of a cell where the first one of the next is.
+   * Collective; the same on all ranks.
+   *
+   * @param width of the body; no matter in 1-D
+   */
+  template <int dim>
+  std::vector<Place<dim>>
+  places_on_axis(const Discretization<dim> &discretization, const double width);
+
+
+
+  /**
+   * Evaluates temperature, axial displacement and velocity, and the axial
+   * stress
+   * @f[
+   *   \sigma_{xx} = 2\mu\,\partial_x w_x + \lambda\,\mathrm{div}\,w - a\theta,
+   *   \qquad w = u + \zeta v,
+   * @f]
+   * at given places. The stress, which jumps between cells, is the mean of the
+   * cells of a place. The cells and the values of the shape functions are found
+   * once. Collective.
+   */
+  template <int dim>
+  class PointValues
+  {
+  public:
+    enum Field
+    {
+      temperature,
+      displacement,
+      velocity,
+      stress,
+      n_fields
+    };
+
+    /** @param places in the body; the same on all ranks */
+    PointValues(const Discretization<dim>     &discretization,
+                const ModelParameters         &model,
+                const std::vector<Place<dim>> &places);
+
+    /**
+     * @return on all ranks, valid until the next call: the values of the first
+     *   field at all places, then those of the next. NaN for a field that the
+     *   scene does not have, and for the velocity at $t=0$ if $b=\zeta=0$.
+     */
+    const std::vector<double> &
+    evaluate(const State &state);
+
+  private:
+    /** Linear form of the nodal values of a field. */
+    enum Form
+    {
+      temperature_form,
+      displacement_form,
+      strain_form, ///< $2\mu\,\partial_x w_x+\lambda\,\mathrm{div}\,w$
+      n_forms
+    };
+
+    /** Entry of a form: a term of the value at one place. */
+    struct Term
+    {
+      unsigned int place;
+      unsigned int entry; ///< position in the local part of the vector
+      double       weight;
+    };
+
+    /** A term before it is known which rank owns the degree of freedom. */
+    struct Share
+    {
+      unsigned int            form;
+      unsigned int            place;
+      types::global_dof_index dof; ///< within its block
+      double                  weight;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &form &place &dof &weight;
+      }
+    };
+
+    const Discretization<dim>             &discretization;
+    const ModelParameters                  model;
+    const unsigned int                     n_places;
+    std::array<std::vector<Term>, n_forms> terms;
+    std::vector<double>                    values;
+
+    /**
+     * Adds the shares of one cell at one place, not yet divided by the number
+     * of cells.
+     */
+    void
+    add_shares(const typename DoFHandler<dim>::active_cell_iterator &cell,
+               const Point<dim>                                     &position,
+               const unsigned int                                    place,
+               std::vector<Share> &shares) const;
+
+    /** The shares of the cells that this rank owns. */
+    std::vector<Share>
+    local_shares(const std::vector<Place<dim>> &places) const;
+
+    void
+    add_values(const Form    form,
+               const Vector &vector,
+               const double  factor,
+               const Field   field);
+  };
+} // namespace ThermoContact
+
+#endif

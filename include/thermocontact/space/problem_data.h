@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_problem_data_h
+#define thermocontact_space_problem_data_h
+
+#include <thermocontact/base/types.h>
+#include <thermocontact/input/parameters.h>
+
+#include <deal.II/base/function.h>
+#include <deal.II/base/function_parser.h>
+
+#include <memory>
+
+namespace ThermoContact
+{
+  /**
+   * The functions of a scene, parsed from its expressions: initial values and
+   * sources. A source whose expression is 0 is absent, so that nothing is
+   * integrated for it.
+   */
+  template <int dim>
+  class ProblemData
+  {
+  public:
+    /**
+     * Parses and evaluates every expression once.
+     *
+     * @throw InputError naming entry and expression if one cannot be parsed,
+     *   has the wrong number of components, or is not finite at a sample of
+     *   points at $t=0$
+     */
+    explicit ProblemData(const Parameters &parameters);
+
+    /**
+     * Initial values $(\theta_0, u_0)$ of the fields that the scene has, with
+     * the components of its FESystem. A displacement that has to be computed,
+     * $b=\zeta=0$, is 0 here.
+     */
+    const Function<dim> &
+    initial_fields() const;
+
+    /** $(0, u_1)$ likewise; 0 without inertia. */
+    const Function<dim> &
+    initial_velocity() const;
+
+    /** Heat source $q$, or nullptr. */
+    const Function<dim> *
+    heat_source() const;
+
+    /** Body force $f$, dim components, or nullptr. */
+    const Function<dim> *
+    body_force() const;
+
+    /** End traction $t$, or nullptr. */
+    const Function<dim> *
+    end_traction() const;
+
+    /** End heat flux $h$, or nullptr. */
+    const Function<dim> *
+    end_heat_flux() const;
+
+    /** True if any source is present. */
+    bool
+    has_sources() const;
+
+    /** Sets the time at which the sources are evaluated. */
+    void
+    set_time(const double time);
+
+  private:
+    std::unique_ptr<FunctionParser<dim>> initial_fields_;
+    std::unique_ptr<FunctionParser<dim>> initial_velocity_;
+    std::unique_ptr<FunctionParser<dim>> heat_source_;
+    std::unique_ptr<FunctionParser<dim>> body_force_;
+    std::unique_ptr<FunctionParser<dim>> end_traction_;
+    std::unique_ptr<FunctionParser<dim>> end_heat_flux_;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_thermoviscoelastic_operator_h
+#define thermocontact_space_thermoviscoelastic_operator_h
+
+#include <thermocontact/base/types.h>
+#include <thermocontact/input/parameters.h>
+#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/field_matrices.h>
+#include <thermocontact/space/state.h>
+
+namespace ThermoContact
+{
+  /**
+   * The semidiscrete equations, doc/model.md (M.11), (M.12):
+   * @f[
+   *   M\theta' + (K+kB)\theta + aDv = \ell_\theta(t), \quad
+   *   bM_u v' + Su + \zeta Sv - aD^T\theta = \ell_u(t) - N p .
+   * @f]
+   *
+   * A field that the scene does not have has no matrices, and $a$ is zero then;
+   * $a$ of the first equation is zero if thermoelastic heating is off.
+   *
+   * Field matrices are assembled once, without constraints; the constrained
+   * rows of stage matrices and right-hand sides say that rates vanish. Vectors
+   * have the layout of their block, without ghosts.
+   */
+  template <int dim>
+  class ThermoviscoelasticOperator
+  {
+  public:
+    /** Both references are borrowed and must outlive this object. */
+    ThermoviscoelasticOperator(const Discretization<dim> &discretization,
+                               const Parameters          &parameters);
+
+    /** $M$, $\int\eta_i\eta_j$. */
+    const SparseMatrix &
+    heat_mass() const
+    {
+      return matrices.mass.block(0, 0);
+    }
+
+    /** $K+kB$, $\int\nabla\eta_i\cdot\nabla\eta_j + k\int_{\Gamma_C}\eta_i
+     * \eta_j$. */
+    const SparseMatrix &
+    conduction() const
+    {
+      return matrices.stiffness.block(0, 0);
+    }
+
+    /** $D$, $\int\eta_i\,\mathrm{div}\,\varphi_j$; temperature rows,
+     * displacement columns. */
+    const SparseMatrix &
+    divergence() const
+    {
+      return matrices.coupling.block(0, 1);
+    }
+
+    /** $D^T$; displacement rows, temperature columns. */
+    const SparseMatrix &
+    thermal_stress() const
+    {
+      return matrices.coupling.block(1, 0);
+    }
+
+    /** $M_u$, without the inertia coefficient $b$. */
+    const SparseMatrix &
+    momentum_mass() const
+    {
+      return last_block(matrices.mass);
+    }
+
+    /** $S$, $\int C{:}\varepsilon(\varphi_i){:}\varepsilon(\varphi_j)$. */
+    const SparseMatrix &
+    stiffness() const
+    {
+      return last_block(matrices.stiffness);
+    }
+
+    /**
+     * $S_\zeta$, without the viscosity $\zeta$: $S$, but for the scheme energy
+     * conserving, whose contact nodes have no viscous stress (M.37).
+     */
+    const SparseMatrix &
+    viscous_stiffness() const
+    {
+      return matrices.has_own_viscous_stiffness ?
+               last_block(matrices.viscous_stiffness) :
+               stiffness();
+    }
+
+    /** $a$ of the heat equation; 0 if no heat comes from the motion. */
+    double
+    heating_coefficient() const
+    {
+      return model.thermoelastic_heating();
+    }
+
+    /**
+     * Matrix of the heat block of a stage, $M+\tau(K+kB)$, doc/model.md (M.15).
+     */
+    SparseMatrix
+    heat_stage_matrix(const double tau) const;
+
+    /** Matrix of the momentum block, $bM_u+\tau\zeta S_\zeta+\tau^2S$. */
+    SparseMatrix
+    momentum_stage_matrix(const double tau) const;
+
+    /**
+     * The whole stage matrix in the numbering of the whole system, of a scene
+     * with thermal stress: (M.15) for the unknowns $(\tau\theta',v)$ with its
+     * first row times $\tau$.
+     */
+    SparseMatrix
+    stage_matrix(const double tau) const;
+
+    /**
+     * Right-hand side of a stage (M.15) without contact: @p heat
+     * $\ell_\theta-(K+kB)\tilde\theta$ and @p momentum $bM_u\tilde v +
+     * \tau(\ell_u-S\tilde u+aD^T\tilde\theta)$; constrained rows are zero.
+     */
+    void
+    stage_rhs(const State  &known,
+              const double  tau,
+              const Vector &heat_load,
+              const Vector &momentum_load,
+              Vector       &heat,
+              Vector       &momentum) const;
+
+    /** @p heat $-= aDv$, with zero constrained rows. */
+    void
+    subtract_heating(const Vector &velocity, Vector &heat) const;
+
+    /** @p momentum $+=$ @p factor $aD^T\theta$, with zero constrained rows. */
+    void
+    add_thermal_stress(const Vector &temperature,
+                       const double  factor,
+                       Vector       &momentum) const;
+
+    /**
+     * @p momentum $-= \sum_i p_i w_i e_i$ times @p factor: the load $Np$ of
+     * nodal pressures.
+     */
+    void
+    subtract_pressure(const std::vector<double> &pressure,
+                      const double               factor,
+                      Vector                    &momentum) const;
+
+    /** Sets the entries of constrained degrees of freedom to zero. */
+    void
+    zero_constrained(const unsigned int block, Vector &vector) const;
+
+  private:
+    const Discretization<dim> &discretization;
+    const ModelParameters      model;
+    const FieldMatrices<dim>   matrices;
+    mutable Vector             heat_scratch;
+    mutable Vector             momentum_scratch;
+
+    /** The diagonal block of the displacement. */
+    static const SparseMatrix &
+    last_block(const BlockSparseMatrix &matrix)
+    {
+      return matrix.block(matrix.n_block_rows() - 1, matrix.n_block_cols() - 1);
+    }
+
+    /** Weighted sum of two matrices of a block, with constrained rows. */
+    SparseMatrix
+    combine(const SparseMatrix &first,
+            const double        first_factor,
+            const SparseMatrix &second,
+            const double        second_factor,
+            const unsigned int  block) const;
+  };
+} // namespace ThermoContact
+
+#endif

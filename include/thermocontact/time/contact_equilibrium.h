@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_time_contact_equilibrium_h
+#define thermocontact_time_contact_equilibrium_h
+
+#include <thermocontact/method/contact_law.h>
+#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/loads.h>
+#include <thermocontact/space/state.h>
+#include <thermocontact/space/thermoviscoelastic_operator.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+namespace ThermoContact
+{
+  /** $S_{NN}$, the stiffness between the contact nodes. */
+  template <int dim>
+  FullMatrix<double>
+  contact_stiffness(const Discretization<dim>             &discretization,
+                    const ThermoviscoelasticOperator<dim> &stage_operator);
+
+  /**
+   * $X=K^{-1}\mathrm{diag}(w)$ of (M.39), displacements of the contact nodes
+   * per unit pressure, from a stiffness $K$ between them.
+   */
+  template <int dim>
+  FullMatrix<double>
+  contact_receptance(const Discretization<dim> &discretization,
+                     const FullMatrix<double>  &stiffness);
+
+  /**
+   * Puts contact nodes without mass and viscosity into equilibrium with the
+   * rest of the body, its temperature, the loads and the obstacle, doc/model.md
+   * (M.38), and gives them the velocity of an elastic equilibrium that each
+   * node keeps by itself, for the interpolation of the first step.
+   */
+  template <int dim>
+  void
+  settle_contact_nodes(const Discretization<dim>             &discretization,
+                       const ThermoviscoelasticOperator<dim> &stage_operator,
+                       const ContactLaw                      &law,
+                       Loads<dim>                            &loads,
+                       State                                 &state);
+} // namespace ThermoContact
+
+#endif

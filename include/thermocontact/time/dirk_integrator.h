@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_time_dirk_integrator_h
+#define thermocontact_time_dirk_integrator_h
+
+#include <thermocontact/method/butcher_tableau.h>
+#include <thermocontact/space/loads.h>
+#include <thermocontact/space/thermoviscoelastic_operator.h>
+#include <thermocontact/time/time_integrator.h>
+
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * One step of a stiffly accurate SDIRK scheme, and the paper's first step.
+   *
+   * Stage i of a step by $\Delta t$ starts from the known values
+   * $\tilde\theta=\theta^n+\Delta t\sum_{j<i}a_{ij}\theta'_j$ and likewise
+   * $\tilde u$, $\tilde v$, and has length $\tau=a_{ii}\Delta t$; the last
+   * stage is the new state. Backward Euler, one stage that starts from the old
+   * state, is the scheme (3.1), (3.2) of the paper.
+   *
+   * Work, dissipation and impulse are sums over the stages with the weights of
+   * the scheme. The numerical dissipation of backward Euler has its own formula
+   * (M.24); that of the other schemes is what the balance lacks, has no sign,
+   * and vanishes with the order of the scheme.
+   */
+  template <int dim>
+  class DirkIntegrator : public TimeIntegrator
+  {
+  public:
+    /** The references are borrowed. */
+    DirkIntegrator(const Discretization<dim>             &discretization,
+                   const ThermoviscoelasticOperator<dim> &stage_operator,
+                   const Energy<dim>                     &energy,
+                   const ContactLaw                      &law,
+                   const ButcherTableau                  &tableau,
+                   Loads<dim>                            &loads,
+                   StepSolver                            &step_solver);
+
+    /** (M.27), (M.28). */
+    void
+    step(const State      &state,
+         const double      old_energy,
+         const TimeStep   &time_step,
+         const ContactMode mode,
+         StepResult       &result) override;
+
+    void
+    prescribed_step(const State    &state,
+                    const TimeStep &time_step,
+                    StepResult     &result) override;
+
+  private:
+    const Discretization<dim>             &discretization;
+    const ThermoviscoelasticOperator<dim> &stage_operator;
+    const Energy<dim>                     &energy;
+    const ContactLaw                       law;
+    const ButcherTableau                  &tableau;
+    Loads<dim>                            &loads;
+    StepSolver                            &step_solver;
+    std::vector<StageRates>                stages;
+    std::vector<Vector>                    accelerations; ///< $v'$ of a stage
+    State                                  known;
+    State                                  difference;
+    Vector                                 heat_load;
+    Vector                                 momentum_load;
+
+    /** The known values of stage @p i of a step by @p step_size. */
+    void
+    set_known_values(const State       &state,
+                     const double       step_size,
+                     const unsigned int i);
+
+    /** The difference to the embedded scheme, (M.29). */
+    void
+    estimate_error(const double step_size, StepResult &result);
+
+    /** Adds what the stage that ends in @p stage_state weighs. */
+    void
+    book(const State &stage_state, const double weight, StepResult &result);
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_time_energy_conserving_integrator_h
+#define thermocontact_time_energy_conserving_integrator_h
+
+#include <thermocontact/method/conserving_contact.h>
+#include <thermocontact/space/energy.h>
+#include <thermocontact/space/loads.h>
+#include <thermocontact/time/stage_solver.h>
+#include <thermocontact/time/time_integrator.h>
+
+#include <memory>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * The midpoint rule with a discrete gradient of the contact potential,
+   * doc/model.md section 13: of order 2, and without loads a step changes the
+   * energy by exactly the physical dissipation, through contact of any
+   * stiffness and for any step size.
+   *
+   * One stage of length $\Delta t/2$, whose matrix and factorisation are those
+   * of other schemes. The contact nodes have no mass and carry elastic and
+   * thermal stress alone, so that they are in equilibrium at every time level,
+   * as the caller has put them in the initial state. Their velocity is the mean
+   * one of the step.
+   */
+  template <int dim>
+  class EnergyConservingIntegrator : public TimeIntegrator
+  {
+  public:
+    /** The references are borrowed. */
+    EnergyConservingIntegrator(
+      const Discretization<dim>             &discretization,
+      const ThermoviscoelasticOperator<dim> &stage_operator,
+      const Energy<dim>                     &energy,
+      const ContactLaw                      &law,
+      Loads<dim>                            &loads,
+      StageSolver<dim>                      &stage_solver);
+
+    void
+    step(const State      &state,
+         const double      old_energy,
+         const TimeStep   &time_step,
+         const ContactMode mode,
+         StepResult       &result) override;
+
+  private:
+    const Discretization<dim>             &discretization;
+    const ThermoviscoelasticOperator<dim> &stage_operator;
+    const Energy<dim>                     &energy;
+    const ContactLaw                       law;
+    Loads<dim>                            &loads;
+    StageSolver<dim>                      &stage_solver;
+
+    StageRates         rates;
+    State              midpoint;
+    Vector             heat_load;
+    Vector             momentum_load;
+    FullMatrix<double> receptance; ///< $X$ of (M.39)
+
+    /** Temperature per unit displacement of a node at fixed entropy. */
+    std::vector<Vector>                temperature_responses;
+    std::unique_ptr<ConservingContact> contact;
+
+    std::vector<double> old_free_position; ///< $s$ at the beginning
+    std::vector<double> free_position;     ///< $s$ at the end
+
+    /** Computes $X$ and what goes with it. */
+    void
+    set_up_contact();
+
+    /** Work of loads and of heat that drives the body, (M.25). */
+    double
+    work(const double size, const State &new_state);
+
+    /**
+     * Loads of a step: those at its middle, but for the contact nodes the mean
+     * ones of both ends, with which they are in equilibrium.
+     */
+    void
+    assemble_loads(const double begin, const double end);
+
+    /** Finds $\bar p$ and adds its response to the rates. */
+    void
+    apply_contact(const State &state, const TimeStep &time_step);
+
+    /** Moves the contact nodes to their equilibrium at the end of the step. */
+    void
+    finish_contact(const State    &state,
+                   const TimeStep &time_step,
+                   State          &new_state);
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_time_fixed_point_solver_h
+#define thermocontact_time_fixed_point_solver_h
+
+#include <thermocontact/method/contact_law.h>
+#include <thermocontact/space/direct_solver.h>
+#include <thermocontact/space/thermoviscoelastic_operator.h>
+#include <thermocontact/time/step_solver.h>
+
+#include <memory>
+
+namespace ThermoContact
+{
+  /**
+   * The iteration (3.3)-(3.4) of the paper, doc/model.md (M.19): heat with the
+   * last velocity, then momentum with the new temperature and the last contact
+   * pressure; one factorisation per field. Needs an elastic obstacle or none.
+   *
+   * It converges for small stages only: the contact part contracts by
+   * $\rho=\chi/\varepsilon$, (M.20). Not far past that limit it settles into a
+   * bounded 2-cycle, so that a stage that has not converged within the allowed
+   * iterations is a failure. Converged: the largest change of a displacement
+   * is below the tolerance times the largest displacement (or the gap as long
+   * as nothing moves).
+   */
+  template <int dim>
+  class FixedPointSolver : public StepSolver
+  {
+  public:
+    /** The references are borrowed. */
+    FixedPointSolver(const Discretization<dim>             &discretization,
+                     const ThermoviscoelasticOperator<dim> &stage_operator,
+                     const ContactLaw                      &law,
+                     const Parameters                      &parameters);
+
+    void
+    solve(const State  &known,
+          const double  tau,
+          const Vector &heat_load,
+          const Vector &momentum_load,
+          ContactMode   mode,
+          StageRates   &rates) override;
+
+    types::global_dof_index
+    n_factorized_unknowns() const override;
+
+    SolverMemory
+    memory() const override;
+
+    void
+    restore(const SolverMemory &memory) override;
+
+    /**
+     * The contraction factor (M.20) of the contact part at stage length
+     * @p tau: $\chi/\varepsilon$ with $\chi$ the largest eigenvalue of the
+     * response of the momentum matrix to contact pressures; 0 without an
+     * obstacle.
+     */
+    double
+    contraction_factor(const double tau);
+
+  private:
+    const Discretization<dim>             &discretization;
+    const ThermoviscoelasticOperator<dim> &stage_operator;
+    const ContactLaw                       law;
+    const ModelParameters                  model;
+    const double                           tolerance;
+    const unsigned int                     max_iterations;
+
+    double                        factorized_tau;
+    std::unique_ptr<DirectSolver> heat_solver;
+    std::unique_ptr<DirectSolver> momentum_solver;
+
+    Vector              heat_rhs;
+    Vector              momentum_rhs;
+    Vector              rhs;
+    Vector              momentum_stage_rhs;
+    Vector              last_velocity;
+    std::vector<double> known_displacement;
+    std::vector<double> contact_velocity;
+
+    void
+    factorize(const double tau);
+
+    /** Pressure of the compliance law (M.4) at the end of the stage. */
+    void
+    update_pressure(const double tau, StageRates &rates);
+
+    std::string
+    describe_failure(const double       tau,
+                     const unsigned int n_iterations,
+                     const double       observed_factor);
+  };
+
+
+
+  /**
+   * The step size (M.21) above which the iteration of the paper fails while in
+   * contact: the root of $\Delta t^3=b\varepsilon^2(\Delta t+\zeta)$.
+   *
+   * @param inertia $b>0$
+   * @param viscosity $\zeta\ge0$
+   * @param compliance $\varepsilon>0$
+   */
+  double
+  critical_step_size(const double inertia,
+                     const double viscosity,
+                     const double compliance);
+} // namespace ThermoContact
+
+#endif

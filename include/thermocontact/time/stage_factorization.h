@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_time_stage_factorization_h
+#define thermocontact_time_stage_factorization_h
+
+#include <thermocontact/space/direct_solver.h>
+#include <thermocontact/space/thermoviscoelastic_operator.h>
+
+#include <memory>
+
+namespace ThermoContact
+{
+  /**
+   * The factorised stage matrix of doc/model.md (M.15) for one stage length,
+   * in as many pieces as the scene allows: fields that act on each other are
+   * one matrix; if the motion does not heat the body, or a field is absent,
+   * each field has a matrix of its own, and the heat equation is solved first.
+   */
+  template <int dim>
+  class StageFactorization
+  {
+  public:
+    /**
+     * The references are borrowed.
+     *
+     * @throw ComputationError if a matrix cannot be factorised
+     */
+    StageFactorization(const Discretization<dim>             &discretization,
+                       const ThermoviscoelasticOperator<dim> &stage_operator,
+                       const double                           tau);
+
+    /**
+     * Solves (M.15) without contact.
+     *
+     * @param heat_rhs,momentum_rhs its right-hand side; both may be
+     *   changed
+     * @param temperature_rate,velocity out: $\theta'$, $v$
+     */
+    void
+    solve(Vector &heat_rhs,
+          Vector &momentum_rhs,
+          Vector &temperature_rate,
+          Vector &velocity);
+
+    double
+    tau() const
+    {
+      return tau_;
+    }
+
+    /** Number of matrices. */
+    unsigned int
+    n_factorizations() const
+    {
+      return (whole ? 1 : 0) + (heat ? 1 : 0) + (momentum ? 1 : 0);
+    }
+
+    /** True if one matrix holds both fields. */
+    static bool
+    is_coupled(const ThermoviscoelasticOperator<dim> &stage_operator)
+    {
+      return stage_operator.heating_coefficient() != 0.;
+    }
+
+  private:
+    const Discretization<dim>             &discretization;
+    const ThermoviscoelasticOperator<dim> &stage_operator;
+    const double                           tau_;
+    std::unique_ptr<DirectSolver>          whole;
+    std::unique_ptr<DirectSolver>          heat;
+    std::unique_ptr<DirectSolver>          momentum;
+    Vector                                 system_rhs;
+    Vector                                 system_rates;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_time_step_controller_h
+#define thermocontact_time_step_controller_h
+
+#include <thermocontact/input/parameters.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** One attempt at a step: a row of steps.csv. */
+  struct StepAttempt
+  {
+    double      time         = 0.; ///< where it starts
+    double      size         = 0.;
+    double      error        = 0.; ///< relative to the tolerance
+    bool        is_accepted  = false;
+    const char *reason       = ""; ///< why it ends there or was rejected
+    double      wall_seconds = 0.;
+  };
+
+
+
+  /**
+   * Why error-controlled steps end, and what to try.
+   *
+   * @param attempt the last one
+   * @param failure why it could not be computed, or empty
+   */
+  std::string
+  describe_exhaustion(const StepAttempt &attempt, const std::string &failure);
+
+
+
+  /** One step of the time loop: from the present time to @p end. */
+  struct TimeStep
+  {
+    /** What the step ends at. */
+    enum Target
+    {
+      none,   ///< nothing: its size is the controller's
+      event,  ///< the instant where contact was seen to change
+      output, ///< an output time
+      finish  ///< $T$
+    };
+
+    double size   = 0.; ///< $\Delta t$
+    double end    = 0.; ///< time at its end
+    Target target = none;
+  };
+
+
+
+  /** "ok", "event", "output" or "end", as steps.csv has it. */
+  const char *
+  name_of(const TimeStep::Target target);
+
+
+
+  /**
+   * Chooses the time steps. Arithmetic only.
+   *
+   * Fixed steps end at the multiples of $\Delta t$, so that rounding does not
+   * accumulate. Error-controlled steps are accepted if their error is not
+   * above the tolerance; the next size follows from the last two errors
+   * (Gustafsson's PI controller), rounded down to a power of $2^{1/4}$ so that
+   * sizes, and their factorisations, come back. Steps of both kinds are
+   * shortened to end at $T$, at a contact event, at output times if these are
+   * to be hit; the size from which the next step is derived is not affected.
+   */
+  class StepController
+  {
+  public:
+    /** @param order order of the scheme, for error-controlled steps */
+    StepController(const Parameters &parameters, const unsigned int order);
+
+    /** The step to be tried from @p time on; @p time < $T$. */
+    TimeStep
+    propose(const double time) const;
+
+    bool
+    is_finished(const double time) const
+    {
+      return time >= end_time;
+    }
+
+    /** The next step ends at @p event_time, which lies within the last one. */
+    void
+    aim_at(const double event_time);
+
+    /**
+     * True if a step with this error, relative to the tolerance, is accurate
+     * enough; NaN is not. Fixed steps always are. The first step after contact
+     * changed must be more accurate: the solution is not smooth there, and the
+     * estimate is less than the error.
+     */
+    bool
+    is_accurate(const double error) const
+    {
+      return !has_error_control || error <= largest_error();
+    }
+
+    /** The step is not accurate enough. */
+    void
+    reject(const TimeStep &step, const double error);
+
+    /** The step is accepted. */
+    void
+    accept(const TimeStep &step, const double error);
+
+    /**
+     * The step could not be computed: the next one will be smaller.
+     *
+     * @return false if steps are fixed, and there is nothing to try
+     */
+    bool
+    retry_smaller(const TimeStep &step);
+
+    /**
+     * Contact has begun or ended: what follows is faster than what the size
+     * was chosen for.
+     */
+    void
+    restart(const bool contact_begins);
+
+    /**
+     * True if there is nothing left to try after @p step, which was not
+     * accurate enough or could not be computed: it was not above the smallest
+     * size that is allowed, or the next would be below what @p time resolves.
+     */
+    bool
+    is_exhausted(const TimeStep &step, const double time) const;
+
+    /** What changes during a run, for checkpoints. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      bool   is_aimed = event_time.has_value();
+      double aim      = event_time.value_or(0.);
+      archive &size &last_error &was_rejected &is_restarting &is_aimed &aim;
+      event_time = is_aimed ? std::optional<double>(aim) : std::nullopt;
+    }
+
+  private:
+    const bool          has_error_control;
+    const double        fixed_size;
+    const double        end_time;
+    const double        minimum_size;
+    const double        maximum_size;
+    const unsigned int  order;
+    std::vector<double> landing_intervals;
+
+    double                size; ///< of the next step if nothing shortens it
+    double                last_error;
+    bool                  was_rejected;
+    bool                  is_restarting; ///< after begin or end of contact
+    std::optional<double> event_time;
+
+    double
+    largest_error() const
+    {
+      return is_restarting ? 0.2 : 1.;
+    }
+
+    /** The largest power of $2^{1/4}$ that is not above @p value. */
+    static double
+    rung_below(const double value);
+
+    void
+    set_size(const double value);
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_time_step_solver_h
+#define thermocontact_time_step_solver_h
+
+#include <thermocontact/base/types.h>
+#include <thermocontact/method/contact_law.h>
+#include <thermocontact/space/state.h>
+
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** The solution of one implicit stage, doc/model.md (M.14). */
+  struct StageRates
+  {
+    Vector              temperature_rate; ///< $\theta'$
+    Vector              velocity;         ///< $v=u'$
+    std::vector<double> pressure;         ///< $p_i$ at the contact nodes
+    unsigned int        n_iterations = 0; ///< active sets or fixed point
+    std::string         failure;          ///< empty: solved
+  };
+
+
+
+  /** What a run has spent. */
+  struct SolverCounters
+  {
+    unsigned int factorizations = 0;
+    unsigned int solves         = 0; ///< back-substitutions of stages
+    unsigned int responses      = 0; ///< back-substitutions for $W$
+
+    double factorization_seconds = 0.; ///< assembly of stage matrices, too
+    double solve_seconds         = 0.; ///< with factorisations
+    double contact_seconds       = 0.; ///< pressures and responses
+
+    SolverCounters &
+    operator+=(const SolverCounters &other)
+    {
+      factorizations += other.factorizations;
+      solves += other.solves;
+      responses += other.responses;
+      factorization_seconds += other.factorization_seconds;
+      solve_seconds += other.solve_seconds;
+      contact_seconds += other.contact_seconds;
+      return *this;
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &factorizations &solves &responses;
+    }
+  };
+
+
+
+  /** What a step solver keeps from one stage to the next. */
+  struct SolverMemory
+  {
+    SolverCounters counters;
+
+    /** Stage lengths that are factorised, the one used last in front. */
+    std::vector<double> taus;
+
+    /** Whether the response to pressures is known for them. */
+    std::vector<bool> has_response;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &counters &taus &has_response;
+    }
+  };
+
+
+
+  /**
+   * Solves one implicit stage of length tau: finds the rates with
+   * $\theta=\tilde\theta+\tau\theta'$, $u=\tilde u+\tau v$,
+   * $v=\tilde v+\tau v'$ that satisfy the semidiscrete equations (M.11),
+   * (M.12) with contact.
+   */
+  class StepSolver
+  {
+  public:
+    virtual ~StepSolver() = default;
+
+    /**
+     * @param known $(\tilde\theta,\tilde u,\tilde v)$ and, to start the search,
+     *   nearby contact pressures
+     * @param tau stage length, positive; a new value costs a factorisation
+     * @param heat_load,momentum_load loads at the stage time
+     * @param mode unilateral: the contact law; open, closed: one of its two
+     *   branches, which makes the stage linear
+     * @param rates out; its vectors have been given their layout by the caller;
+     *   a stage that did not converge has a non-empty failure
+     * @throw ComputationError if a matrix cannot be factorised or the active
+     *   set of several contact nodes does not settle
+     */
+    virtual void
+    solve(const State  &known,
+          const double  tau,
+          const Vector &heat_load,
+          const Vector &momentum_load,
+          ContactMode   mode,
+          StageRates   &rates) = 0;
+
+    /** Number of unknowns of the largest matrix that is factorised. */
+    virtual types::global_dof_index
+    n_factorized_unknowns() const = 0;
+
+    const SolverCounters &
+    counters() const
+    {
+      return counters_;
+    }
+
+    /** What the solver keeps between stages, for checkpoints. */
+    virtual SolverMemory
+    memory() const = 0;
+
+    /**
+     * Makes again what was kept and goes on counting from there, so that a run
+     * that goes on spends what an uninterrupted one does. Collective.
+     */
+    virtual void
+    restore(const SolverMemory &memory) = 0;
+
+  protected:
+    SolverCounters counters_;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_time_time_integrator_h
+#define thermocontact_time_time_integrator_h
+
+#include <thermocontact/method/contact_law.h>
+#include <thermocontact/space/energy.h>
+#include <thermocontact/space/state.h>
+#include <thermocontact/time/step_controller.h>
+#include <thermocontact/time/step_solver.h>
+
+#include <string>
+
+namespace ThermoContact
+{
+  /** A step that has been computed but not yet accepted. */
+  struct StepResult
+  {
+    State        state;                      ///< at the end of the step
+    EnergyTerms  energy;                     ///< of that state
+    EnergyTerms  error;                      ///< its estimate, (M.29)
+    double       work                  = 0.; ///< $W$
+    double       dissipation           = 0.; ///< $D$
+    double       numerical_dissipation = 0.; ///< $N$
+    double       impulse               = 0.; ///< of the contact force
+    unsigned int n_iterations          = 0;  ///< of the stages, added up
+    bool         is_prescribed = false;      ///< the paper's first step, (M.26)
+    std::string  failure;                    ///< empty: the step is solved
+  };
+
+
+
+  /** Computes one step from a state to the next. */
+  class TimeIntegrator
+  {
+  public:
+    virtual ~TimeIntegrator() = default;
+
+    /**
+     * One step with all equations solved.
+     *
+     * @param old_energy $\hat E$ of @p state
+     * @param mode unilateral: the contact law; open, closed: the state of
+     *   contact is held, which makes the step a smooth function of its size
+     * @param result out; its error is set if the scheme has an estimate; reuses
+     *   the memory of an earlier result; if a stage did not converge only its
+     *   failure has a meaning
+     * @throw ComputationError as StepSolver::solve() does
+     */
+    virtual void
+    step(const State      &state,
+         const double      old_energy,
+         const TimeStep   &time_step,
+         const ContactMode mode,
+         StepResult       &result) = 0;
+
+    /**
+     * The start of the paper, (M.26): the displacement moves with the present
+     * velocity, then the heat equation is solved. No stage is solved, so that
+     * the pressure is that of the compliance law, and the defect of the energy
+     * balance is booked as numerical dissipation, of either sign. The caller
+     * has made sure that the scheme has this start and that a rigid obstacle is
+     * not penetrated.
+     *
+     * @throw ComputationError if the heat matrix cannot be factorised
+     */
+    virtual void
+    prescribed_step(const State &, const TimeStep &, StepResult &)
+    {
+      Assert(false, dealii::ExcNotImplemented());
+    }
+
+    /** What was spent beside the step solver. */
+    const SolverCounters &
+    counters() const
+    {
+      return counters_;
+    }
+
+    /** Goes on counting from there, for a run that goes on. */
+    void
+    restore(const SolverCounters &counters)
+    {
+      counters_ = counters;
+    }
+
+  protected:
+    SolverCounters counters_;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The sections that say what a run, or a study, leaves behind.
+
+#include <thermocontact/input/parameters.h>
+
+#include <deal.II/base/patterns.h>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    using namespace dealii::Patterns;
+
+    const Double duration(0., 1e15);
+  } // namespace
+
+
+
+  void
+  OutputParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Output");
+    prm.add_parameter("Directory",
+                      directory,
+                      "Output directory; empty: results/<name of the "
+                      "parameter file>.");
+    prm.add_parameter("Fields interval",
+                      fields_interval,
+                      "Fields (VTU) are written at the first step end at or "
+                      "after each multiple of this time, and at T; 0: none.",
+                      duration);
+    prm.add_parameter("Contact interval",
+                      contact_interval,
+                      "Rows of contact.csv are written at the first step end "
+                      "at or after each multiple of this time, and at T; 0: "
+                      "every step.",
+                      duration);
+    prm.add_parameter("Probes",
+                      probes,
+                      "Positions, separated by ';', the coordinates of each by "
+                      "',': histories of the fields there (probes.csv), in the "
+                      "rows of contact.csv. Empty: none.");
+    prm.add_parameter("Space-time interval",
+                      space_time_interval,
+                      "The fields on the axis are kept at the first step end "
+                      "at or after each multiple of this time, and at T, for "
+                      "one picture over x and t (space-time.vtu); 0: none.",
+                      duration);
+    prm.add_parameter("Land on output times",
+                      land_on_times,
+                      "Steps are shortened to end on the multiples of the "
+                      "intervals; costs solves.");
+    prm.add_parameter("Checkpoint interval",
+                      checkpoint_interval,
+                      "Wall-clock seconds between checkpoints, from which "
+                      "--resume goes on; also at the start and the end; 0: "
+                      "none, but for one when SIGTERM or SIGINT ends the run.",
+                      Double(0., 1e9));
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  StudyParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Study");
+    prm.add_parameter("Vary",
+                      vary,
+                      "Runs the scene for all combinations of values: "
+                      "Section/Entry = value | value ; Section/Entry = value "
+                      "| ... ; several sets of combinations are separated by "
+                      "';;'. Values cannot hold '|' or ';'. Empty: runs once.");
+    prm.add_parameter("Reference",
+                      reference,
+                      "none, or overrides Section/Entry = value ; ... for the "
+                      "run that errors are measured against.");
+    prm.add_parameter("Repetitions",
+                      repetitions,
+                      "Number of times that each run is made, for timing.",
+                      Integer(1, 1000));
+    prm.add_parameter("Target error",
+                      target_error,
+                      "Largest error of displacement_end that is wanted: the "
+                      "cheapest run that meets it is named; 0: none.",
+                      duration);
+    prm.add_parameter("Keep files",
+                      keep_files,
+                      "Each run writes its files into a folder of its own.");
+    prm.leave_subsection();
+  }
+} // namespace ThermoContact

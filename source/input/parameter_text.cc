@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/input/parameter_text.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    using dealii::Utilities::trim;
+
+    // bytes; far more than any scene needs
+    constexpr std::size_t max_file_size      = 64 << 20;
+    constexpr std::size_t max_statement_size = 20000;
+
+    struct Character
+    {
+      std::size_t n_bytes;
+      unsigned    code_point;
+      bool        is_valid; ///< false: one byte that is not UTF-8
+    };
+
+
+
+    /** The character of a UTF-8 text that begins at byte @p i. */
+    Character
+    character_at(const std::string &text, const std::size_t i)
+    {
+      const auto byte = [&text](const std::size_t j) {
+        return j < text.size() ? static_cast<unsigned char>(text[j]) : 0u;
+      };
+      const unsigned first = byte(i);
+      if (first < 0x80)
+        return {1, first, true};
+      const std::size_t n_bytes    = first < 0xC2 ? 1 :
+                                     first < 0xE0 ? 2 :
+                                     first < 0xF0 ? 3 :
+                                     first < 0xF5 ? 4 :
+                                                    1;
+      unsigned          code_point = first & (0x7F >> n_bytes);
+      bool              is_valid   = n_bytes > 1;
+      for (std::size_t j = i + 1; j < i + n_bytes; ++j)
+        {
+          is_valid &= (byte(j) & 0xC0) == 0x80;
+          code_point = (code_point << 6) | (byte(j) & 0x3F);
+        }
+      // more bytes than needed, halves of UTF-16, beyond Unicode
+      constexpr std::array<unsigned, 5> smallest = {
+        {0, 0, 0x80, 0x800, 0x10000}};
+      is_valid &= code_point >= smallest[n_bytes] && code_point <= 0x10FFFF &&
+                  (code_point < 0xD800 || code_point > 0xDFFF);
+      return is_valid ? Character{n_bytes, code_point, true} :
+                        Character{1, first, false};
+    }
+
+
+
+    bool
+    is_control(const unsigned code_point)
+    {
+      return code_point < 0x20 || (code_point >= 0x7F && code_point < 0xA0);
+    }
+
+
+
+    /** Looks like nothing or like a blank, and is neither. */
+    bool
+    is_invisible(const unsigned code_point)
+    {
+      return is_control(code_point) || code_point == 0xA0 ||
+             code_point == 0xAD ||
+             (code_point >= 0x2000 && code_point < 0x2010) ||
+             (code_point >= 0x2028 && code_point < 0x2030) ||
+             (code_point >= 0x205F && code_point < 0x2070) ||
+             code_point == 0x3000 || code_point == 0xFEFF;
+    }
+
+
+
+    /** Names the fault of a line that no editor shows, or nothing. */
+    std::string
+    find_unreadable(const std::string &line)
+    {
+      if (line.find('\0') != std::string::npos)
+        return "not a text file";
+      const auto carriage_return = line.find('\r');
+      if (carriage_return != std::string::npos &&
+          carriage_return + 1 < line.size())
+        return "a carriage return within the line";
+      return "";
+    }
+
+
+
+    [[noreturn]] void
+    fail(const std::string &place,
+         const std::string &fault,
+         const std::string &remedy)
+    {
+      throw InputError(place + ": " + fault + "\n  remedy:  " + remedy);
+    }
+
+
+
+    struct OpenSection
+    {
+      std::string place;
+      std::string path; ///< "Section/"
+    };
+
+    /** Adds what one statement says. */
+    void
+    read_statement(const std::string        &statement,
+                   const std::string        &place,
+                   std::vector<OpenSection> &open_sections,
+                   std::vector<Assignment>  &statements)
+    {
+      const auto        blank = statement.find_first_of(" \t");
+      const std::string verb  = statement.substr(0, blank);
+      const std::string rest =
+        blank == std::string::npos ? "" : trim(statement.substr(blank));
+      const auto        equal_sign = rest.find('=');
+      const std::string entry =
+        equal_sign == std::string::npos ? "" : trim(rest.substr(0, equal_sign));
+      const std::string section =
+        open_sections.empty() ? "" : open_sections.back().path;
+
+      if (verb == "subsection" && !rest.empty())
+        {
+          if (open_sections.size() > 9)
+            fail(place,
+                 "ten sections within each other",
+                 "close each subsection with 'end'");
+          open_sections.push_back({place, section + rest + "/"});
+          statements.push_back({place, open_sections.back().path, ""});
+        }
+      else if (verb == "end" && rest.empty())
+        {
+          if (open_sections.empty())
+            fail(place, "'end' without 'subsection'", "remove the line");
+          open_sections.pop_back();
+        }
+      else if (verb == "set" && !entry.empty() && entry.back() != '/')
+        statements.push_back(
+          {place, section + entry, trim(rest.substr(equal_sign + 1))});
+      else
+        fail(place,
+             "cannot read '" + quote(statement, 60) + "'",
+             "a line is 'set Entry = value', 'subsection Name', 'end', a "
+             "comment after '#', or empty");
+    }
+  } // namespace
+
+
+
+  std::string
+  quote(const std::string &text, const unsigned int max_length)
+  {
+    std::string  quoted;
+    unsigned int length = 0;
+    for (std::size_t i = 0; i < text.size();)
+      {
+        if (++length > max_length)
+          return quoted + "...";
+        const Character character = character_at(text, i);
+        if (!character.is_valid || is_invisible(character.code_point))
+          {
+            std::ostringstream number;
+            number << (character.is_valid ? "<U+" : "<byte ") << std::hex
+                   << std::uppercase;
+            number.width(character.is_valid ? 4 : 2);
+            number.fill('0');
+            number << character.code_point << '>';
+            quoted += number.str();
+          }
+        else
+          quoted += text.substr(i, character.n_bytes);
+        i += character.n_bytes;
+      }
+    return quoted;
+  }
+
+
+
+  bool
+  is_plain_text(const std::string &text)
+  {
+    for (std::size_t i = 0; i < text.size();)
+      {
+        const Character character = character_at(text, i);
+        if (!character.is_valid ||
+            (is_control(character.code_point) && text[i] != '\t'))
+          return false;
+        i += character.n_bytes;
+      }
+    return true;
+  }
+
+
+
+  std::string
+  read_text(const std::string &file_name)
+  {
+    const std::string place = quote(file_name);
+    std::error_code   not_found; // the stream says why
+    if (std::filesystem::is_directory(file_name, not_found))
+      fail(place, "is a directory", "give a parameter file (.prm)");
+    std::ifstream input(file_name, std::ios::binary);
+    if (!input)
+      fail(place,
+           std::string("cannot be opened: ") + std::strerror(errno),
+           "check the path of the parameter file");
+
+    std::string             text;
+    std::array<char, 65536> buffer;
+    while (input && text.size() <= max_file_size)
+      {
+        input.read(buffer.data(), buffer.size());
+        text.append(buffer.data(), input.gcount());
+      }
+    if (input.bad())
+      fail(place, "cannot be read to its end", "check the file and the disk");
+    if (text.size() > max_file_size)
+      fail(place, "is larger than 64 MB", "give a parameter file (.prm)");
+    if (text.find_first_not_of(" \t\r\n\f\v") == std::string::npos)
+      fail(place,
+           "is empty",
+           "give another file; for the default scene one with a comment, "
+           "e.g. '# defaults'");
+    return text;
+  }
+
+
+
+  std::vector<Assignment>
+  read_assignments(std::istream &input, const std::string &name)
+  {
+    std::vector<Assignment>  statements;
+    std::vector<OpenSection> open_sections;
+    std::string              line, physical_line;
+    unsigned int             n_lines = 0;
+
+    while (std::getline(input, physical_line))
+      {
+        ++n_lines;
+        const auto place = [&]() {
+          return quote(name) + ", line " + std::to_string(n_lines);
+        };
+        if (const std::string fault = find_unreadable(physical_line);
+            !fault.empty())
+          fail(place(),
+               fault,
+               "give a parameter file, as text in UTF-8 with the line ends of "
+               "Unix or Windows");
+        if (n_lines == 1 && physical_line.rfind("\xEF\xBB\xBF", 0) == 0)
+          physical_line.erase(0, 3); // some editors mark UTF-8 so
+
+        line += physical_line.substr(0, physical_line.find('#'));
+        if (line.size() > max_statement_size)
+          fail(place(),
+               "a statement of more than " +
+                 std::to_string(max_statement_size) + " characters, '" +
+                 quote(trim(line), 60) + "'",
+               "give a parameter file (.prm)");
+        if (const std::string trimmed = trim(line);
+            !trimmed.empty() && trimmed.back() == '\\')
+          {
+            line = trimmed.substr(0, trimmed.size() - 1) + " ";
+            continue;
+          }
+        if (const std::string statement = trim(line); !statement.empty())
+          read_statement(statement, place(), open_sections, statements);
+        line.clear();
+      }
+
+    if (!trim(line).empty())
+      fail(quote(name),
+           "the last line ends in '\\'",
+           "complete the line or remove the '\\'");
+    if (const std::string section =
+          open_sections.empty() ? "" : open_sections.back().path;
+        !section.empty())
+      fail(open_sections.back().place,
+           "'end' is missing for subsection " +
+             quote(section.substr(0, section.size() - 1), 60),
+           "close each subsection with 'end'");
+    return statements;
+  }
+
+
+
+  Assignment
+  parse_override(const std::string &argument)
+  {
+    const auto        equal_sign = argument.find('=');
+    const std::string path       = trim(argument.substr(0, equal_sign));
+    if (equal_sign == std::string::npos || path.empty() || path.back() == '/')
+      throw InputError(std::string(command_line_place) +
+                       ": cannot read '--set " + quote(argument, 60) +
+                       "'\n  remedy:  --set 'Section/Entry=value'");
+    return {command_line_place, path, trim(argument.substr(equal_sign + 1))};
+  }
+} // namespace ThermoContact

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/input/number_or_word.h>
+#include <thermocontact/input/parameters.h>
+#include <thermocontact/method/butcher_tableau.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <limits>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    using namespace dealii::Patterns;
+
+    // Beyond 1e15 a coefficient leaves nothing of the others in a sum.
+    const Double coefficient(0., 1e15);
+    const Double signed_coefficient(-1e15, 1e15);
+    const Double duration(0., 1e15);
+    const Double any_number(-std::numeric_limits<double>::max(),
+                            std::numeric_limits<double>::max());
+  } // namespace
+
+
+
+  void
+  ModelParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Model");
+    prm.add_parameter("Fields",
+                      fields,
+                      "The fields that the scene has; the other one is absent "
+                      "from the unknowns, the matrices and the files.",
+                      Selection("temperature and displacement|temperature|"
+                                "displacement"));
+    prm.add_parameter("Inertia",
+                      inertia,
+                      "Inertia coefficient b >= 0 of the momentum equation; 0 "
+                      "is quasi-static.",
+                      coefficient);
+    prm.add_parameter("Viscosity",
+                      viscosity,
+                      "Kelvin-Voigt viscosity zeta >= 0.",
+                      coefficient);
+    prm.add_parameter("Coupling",
+                      coupling,
+                      "Thermoelastic coupling a: thermal stress -a theta and "
+                      "heating -a div u_t.",
+                      signed_coefficient);
+    prm.add_parameter("Thermoelastic heating",
+                      heating,
+                      "The term -a div u_t of the heat equation; false: heat "
+                      "drives the rod, not the reverse.");
+    prm.add_parameter("Poisson ratio",
+                      poisson_ratio,
+                      "Poisson ratio nu, for Dimension > 1; the P-wave modulus "
+                      "is one for every nu.",
+                      Double(-1., 0.5));
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  BoundaryParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Boundary");
+    prm.add_parameter("Fixed end temperature",
+                      fixed_end_temperature,
+                      "Temperature theta_A of the fixed end x = 0.",
+                      any_number);
+    prm.add_parameter("Heat exchange",
+                      heat_exchange,
+                      "Heat exchange coefficient k >= 0 of the contact end: "
+                      "-d theta/dn = k (theta - theta_obs).",
+                      coefficient);
+    prm.add_parameter("Obstacle temperature",
+                      obstacle_temperature,
+                      "Temperature theta_obs of the obstacle.",
+                      any_number);
+    prm.add_parameter("Lateral support",
+                      lateral_support,
+                      "Lateral faces, for Dimension > 1: rollers (no normal "
+                      "displacement) or free; adiabatic in both cases.",
+                      Selection("rollers|free"));
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  ContactParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Contact");
+    prm.add_parameter("Condition",
+                      condition,
+                      "Contact end x = 1: normal compliance (elastic "
+                      "obstacle), rigid (Signorini) or none (free end).",
+                      Selection("normal compliance|rigid|none"));
+    prm.add_parameter("Compliance",
+                      compliance,
+                      "Compliance epsilon > 0 of an elastic obstacle: pressure "
+                      "= penetration / epsilon.",
+                      coefficient);
+    prm.add_parameter("Gap",
+                      gap,
+                      "Initial gap g between the undeformed rod and the "
+                      "obstacle; negative is a preload.",
+                      any_number);
+    prm.add_parameter("Massless nodes",
+                      massless_nodes,
+                      "The mass of the contact nodes is moved to their "
+                      "neighbours, for impacts without oscillations; "
+                      "automatic: where the viscosity is small against the "
+                      "mesh, on a rigid obstacle if Dimension > 1, and for the "
+                      "scheme energy conserving.",
+                      Selection("automatic|on|off"));
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  InitialValuesParameters::add_parameters(ParameterHandler &prm)
+  {
+    const std::string variables =
+      " Expression in x (y, z); pi is known, and theta_A where there is a "
+      "temperature.";
+    prm.enter_subsection("Initial values");
+    prm.add_parameter("Temperature",
+                      temperature,
+                      "Temperature theta_0." + variables);
+    prm.add_parameter("Displacement",
+                      displacement,
+                      "Displacement u_0, zero at x = 0; components separated "
+                      "by ';', one alone is the axial one." +
+                        variables);
+    prm.add_parameter("Velocity",
+                      velocity,
+                      "Velocity u_1, zero at x = 0; components separated by "
+                      "';', one alone is the axial one." +
+                        variables);
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  SourceParameters::add_parameters(ParameterHandler &prm)
+  {
+    const std::string variables =
+      " Expression in x (y, z), t; pi is known, and theta_A where there is a "
+      "temperature.";
+    prm.enter_subsection("Sources");
+    prm.add_parameter("Heat source",
+                      heat_source,
+                      "Heat source q per volume." + variables);
+    prm.add_parameter("Body force",
+                      body_force,
+                      "Body force f per volume; components separated by ';', "
+                      "one alone is the axial one." +
+                        variables);
+    prm.add_parameter("End traction",
+                      end_traction,
+                      "Traction t on the contact end, positive outward: the "
+                      "end stress is -pressure + t." +
+                        variables);
+    prm.add_parameter("End heat flux",
+                      end_heat_flux,
+                      "Heat flux h into the contact end: -d theta/dn = "
+                      "k (theta - theta_obs) - h." +
+                        variables);
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  MeshParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Mesh");
+    prm.add_parameter("Cells",
+                      cells,
+                      "Number of cells along the rod; the paper: 250.",
+                      Integer(1, 10000000));
+    prm.add_parameter("Degree",
+                      degree,
+                      "Polynomial degree p of both fields; the paper: 1.",
+                      Integer(1, 30));
+    prm.add_parameter("Refinements",
+                      refinements,
+                      "Global refinements of that mesh.",
+                      Integer(0, 30));
+    prm.add_parameter("Grading",
+                      grading,
+                      "Size of the first cell over size of the last, in "
+                      "geometric progression; 1 is uniform.",
+                      Double(1e-8, 1e8));
+    prm.add_parameter("Mass matrix",
+                      mass_matrix,
+                      "consistent, or lumped (Gauss-Lobatto rule: diagonal).",
+                      Selection("consistent|lumped"));
+    prm.add_parameter("Width",
+                      width,
+                      "Width (and height) of the body, for Dimension > 1; its "
+                      "length is 1.",
+                      Double(1e-3, 1e3));
+    prm.add_parameter("Cells across",
+                      cells_across,
+                      "Number of cells across the body, for Dimension > 1.",
+                      Integer(1, 100000));
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  TimeParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Time");
+    prm.add_parameter(
+      "Scheme",
+      scheme,
+      "Time integrator: backward euler (order 1, the paper's), "
+      "the L-stable schemes sdirk2, sdirk3, sdirk4 of orders "
+      "2, 3, 4 with 2, 3, 5 solves per step, or energy conserving "
+      "(order 2, for impacts of elastic bodies).",
+      Selection(scheme_names() + "|" + energy_conserving_scheme));
+    prm.add_parameter("Start",
+                      start,
+                      "First step: paper (the end of the step is u_0 + dt u_1, "
+                      "then the heat equation alone), consistent (a step like "
+                      "all others), automatic (paper for backward euler).",
+                      Selection("automatic|paper|consistent"));
+    prm.add_parameter("End time", end_time, "End time T >= 0.", duration);
+    add_number_or_word(
+      prm,
+      "Step size",
+      "automatic",
+      "Time step dt > 0, the same for all steps but those that end at T, at "
+      "a contact event or at an output time; automatic: from the error "
+      "estimate of the scheme and the tolerance. The paper: 0.001.",
+      [this](const double *dt) {
+        step_size = dt ? std::optional<double>(*dt) : std::nullopt;
+      });
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "Tolerance of automatic steps: error per step, relative "
+                      "to the running maximum of each field.",
+                      Double(1e-13, 0.1));
+    add_number_or_word(prm,
+                       "First step size",
+                       "automatic",
+                       "First of the automatic steps.",
+                       [this](const double *dt) {
+                         first_step_size =
+                           dt ? std::optional<double>(*dt) : std::nullopt;
+                       });
+    prm.add_parameter("Minimum step size",
+                      minimum_step_size,
+                      "An automatic step that would have to be smaller stops "
+                      "the run with an error; steps to contact events, output "
+                      "times and T may be smaller.",
+                      duration);
+    add_number_or_word(prm,
+                       "Maximum step size",
+                       "infinity",
+                       "Largest automatic step.",
+                       [this](const double *dt) {
+                         maximum_step_size =
+                           dt ? *dt : std::numeric_limits<double>::infinity();
+                       });
+    prm.add_parameter("Locate contact events",
+                      locate_contact_events,
+                      "Steps end where contact begins or ends, which keeps the "
+                      "order of the scheme; automatic: with automatic steps.",
+                      Selection("automatic|true|false"));
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  SolverParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Solver");
+    prm.add_parameter("Step solver",
+                      step_solver,
+                      "monolithic: one coupled solve with exact contact; fixed "
+                      "point: the iteration (3.3)-(3.4) of the paper, which "
+                      "converges for small steps only.",
+                      Selection("monolithic|fixed point"));
+    prm.add_parameter("Fixed point tolerance",
+                      fixed_point_tolerance,
+                      "Largest change of a displacement in the last iteration, "
+                      "relative to the largest displacement.",
+                      Double(1e-16, 1.));
+    prm.add_parameter("Fixed point iterations",
+                      fixed_point_iterations,
+                      "Iterations per step after which the run stops with an "
+                      "error.",
+                      Integer(1, 1000000));
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  Parameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Title",
+                      title,
+                      "Title of the run, for the log and the CSV files.");
+    prm.add_parameter("Dimension",
+                      dimension,
+                      "Space dimension: 1 is the rod; in 2 (plane strain) and "
+                      "3 the body is a box of length 1.",
+                      Integer(1, 3));
+    model.add_parameters(prm);
+    boundary.add_parameters(prm);
+    contact.add_parameters(prm);
+    initial_values.add_parameters(prm);
+    sources.add_parameters(prm);
+    mesh.add_parameters(prm);
+    time.add_parameters(prm);
+    solver.add_parameters(prm);
+    output.add_parameters(prm);
+    study.add_parameters(prm);
+  }
+} // namespace ThermoContact

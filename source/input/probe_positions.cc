@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/input/probe_positions.h>
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <sstream>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** The parts of @p text between separators, also empty ones. */
+    std::vector<std::string>
+    split(const std::string &text, const char separator)
+    {
+      std::vector<std::string> parts;
+      std::istringstream       stream(text + separator);
+      for (std::string part; std::getline(stream, part, separator);)
+        parts.push_back(dealii::Utilities::trim(part));
+      return parts;
+    }
+
+
+
+    [[noreturn]] void
+    refuse(const std::string &text,
+           const std::string &position,
+           const std::string &fault,
+           const unsigned int dim,
+           const double       width)
+    {
+      std::ostringstream message;
+      message << "Output/Probes = " << text << ": '" << position << "' "
+              << fault << "\n  allowed: "
+              << (dim == 1 ? "x" : (dim == 2 ? "x, y" : "x, y, z"))
+              << " with 0 <= x <= 1";
+      if (dim > 1)
+        message << (dim == 2 ? ", 0 <= y <= " : ", 0 <= y, z <= ") << width
+                << " (Mesh/Width)";
+      message << "; ';' between positions\n  remedy:  e.g. Output/Probes = "
+              << (dim == 1 ? "0.5; 1" : (dim == 2 ? "0.5, 0" : "0.5, 0, 0"));
+      throw InputError(message.str());
+    }
+  } // namespace
+
+
+
+  std::vector<std::array<double, 3>>
+  parse_probe_positions(const std::string &text,
+                        const unsigned int dim,
+                        const double       width)
+  {
+    std::vector<std::array<double, 3>> positions;
+    if (dealii::Utilities::trim(text).empty())
+      return positions;
+    const dealii::Patterns::Double number;
+    for (const std::string &part : split(text, ';'))
+      {
+        const auto coordinates = split(part, ',');
+        if (coordinates.size() != dim)
+          refuse(text,
+                 part,
+                 "has " + std::to_string(coordinates.size()) +
+                   " coordinates, Dimension is " + std::to_string(dim),
+                 dim,
+                 width);
+        positions.push_back({{0., 0., 0.}});
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            if (!number.match(coordinates[d]))
+              refuse(text, part, "is no position", dim, width);
+            double x = -1.;
+            try
+              {
+                x = dealii::Utilities::string_to_double(coordinates[d]);
+              }
+            catch (const std::exception &) // too large or too small
+              {}
+            if (!(x >= 0. && x <= (d == 0 ? 1. : width)))
+              refuse(text, part, "is not in the body", dim, width);
+            positions.back()[d] = x;
+          }
+      }
+    return positions;
+  }
+} // namespace ThermoContact

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/method/butcher_tableau.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    ButcherTableau
+    make_tableau(const std::string                      &name,
+                 const unsigned int                      order,
+                 const std::vector<std::vector<double>> &a,
+                 const std::vector<double>              &embedded_b = {})
+    {
+      ButcherTableau tableau{name, order, a, {}, embedded_b};
+      for (const std::vector<double> &row : a)
+        {
+          double sum = 0.;
+          for (const double entry : row)
+            sum += entry;
+          tableau.c.push_back(sum);
+        }
+      return tableau;
+    }
+
+
+
+    ButcherTableau
+    make_sdirk2()
+    {
+      const double gamma = 1. - std::sqrt(0.5);
+      return make_tableau("sdirk2", 2, {{gamma}, {1. - gamma, gamma}});
+    }
+
+
+
+    ButcherTableau
+    make_sdirk3()
+    {
+      // the middle root of gamma^3 - 3 gamma^2 + 3/2 gamma - 1/6: the one for
+      // which the scheme is L-stable
+      const double gamma =
+        1. + std::sqrt(2.) *
+               std::cos((std::acos(std::sqrt(8.) / 3.) - 2. * M_PI) / 3.);
+      return make_tableau("sdirk3",
+                          3,
+                          {{gamma},
+                           {(1. - gamma) / 2., gamma},
+                           {(-6. * gamma * gamma + 16. * gamma - 1.) / 4.,
+                            (6. * gamma * gamma - 20. * gamma + 5.) / 4.,
+                            gamma}});
+    }
+
+
+
+    ButcherTableau
+    make_sdirk4()
+    {
+      return make_tableau(
+        "sdirk4",
+        4,
+        {{1. / 4.},
+         {1. / 2., 1. / 4.},
+         {17. / 50., -1. / 25., 1. / 4.},
+         {371. / 1360., -137. / 2720., 15. / 544., 1. / 4.},
+         {25. / 24., -49. / 48., 125. / 16., -85. / 12., 1. / 4.}},
+        {59. / 48., -17. / 96., 225. / 32., -85. / 12., 0.});
+    }
+  } // namespace
+
+
+
+  const std::vector<ButcherTableau> &
+  butcher_tableaus()
+  {
+    static const std::vector<ButcherTableau> tableaus = {
+      make_tableau("backward euler", 1, {{1.}}),
+      make_sdirk2(),
+      make_sdirk3(),
+      make_sdirk4()};
+    return tableaus;
+  }
+
+
+
+  std::string
+  scheme_names()
+  {
+    std::string names;
+    for (const ButcherTableau &tableau : butcher_tableaus())
+      names += (names.empty() ? "" : "|") + tableau.name;
+    return names;
+  }
+
+
+
+  const ButcherTableau &
+  butcher_tableau(const std::string &name)
+  {
+    const auto &tableaus = butcher_tableaus();
+    const auto  tableau =
+      std::find_if(tableaus.begin(),
+                   tableaus.end(),
+                   [&](const ButcherTableau &t) { return t.name == name; });
+    Assert(tableau != tableaus.end(), dealii::ExcInternalError());
+    return *tableau;
+  }
+} // namespace ThermoContact

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/method/conserving_contact.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    double
+    largest_entry(const std::vector<double> &vector)
+    {
+      double largest = 0.;
+      for (const double entry : vector)
+        largest = std::max(largest, std::abs(entry));
+      return largest;
+    }
+
+
+
+    /** Inverse of the rows and columns of @p is_active, zero elsewhere. */
+    dealii::FullMatrix<double>
+    inverse_on(const std::vector<bool>          &is_active,
+               const dealii::FullMatrix<double> &matrix)
+    {
+      const unsigned int        n = is_active.size();
+      std::vector<unsigned int> active;
+      for (unsigned int i = 0; i < n; ++i)
+        if (is_active[i])
+          active.push_back(i);
+      dealii::FullMatrix<double> inverse(n, n);
+      if (active.empty())
+        return inverse;
+      dealii::FullMatrix<double> part(active.size(), active.size());
+      part.extract_submatrix_from(matrix, active, active);
+      part.gauss_jordan();
+      part.scatter_matrix_to(active, active, inverse);
+      return inverse;
+    }
+
+
+
+    /** Size of the terms that positions at the end of a step are made of. */
+    double
+    position_scale(const double                      gap,
+                   const std::vector<double>        &start,
+                   const std::vector<double>        &free_end,
+                   const dealii::FullMatrix<double> &receptance,
+                   const std::vector<double>        &pressure)
+    {
+      double scale = 0.;
+      for (unsigned int i = 0; i < start.size(); ++i)
+        {
+          double sum =
+            std::abs(gap) + std::abs(start[i]) + std::abs(free_end[i]);
+          for (unsigned int j = 0; j < start.size(); ++j)
+            sum += 2. * std::abs(receptance(i, j) * pressure[j]);
+          scale = std::max(scale, sum);
+        }
+      return scale;
+    }
+  } // namespace
+
+
+
+  ConservingContact::ConservingContact(
+    const ContactLaw                 &law,
+    const dealii::FullMatrix<double> &receptance)
+    : law(law)
+    , static_receptance(receptance)
+    , contact_solver(law)
+  {}
+
+
+
+  void
+  ConservingContact::equilibrium(const std::vector<double> &s,
+                                 std::vector<double>       &pressure) const
+  {
+    contact_solver.solve(static_receptance, s, pressure);
+  }
+
+
+
+  double
+  ConservingContact::step_pressure_of_node(const double start,
+                                           const double free_end,
+                                           const double receptance) const
+  {
+    // p(d) = [d]_+ / e, V(d) = [d]_+^2 / (2e); free_end > end if there is
+    // pressure.
+    const double e = law.compliance + static_receptance(0, 0);
+    const double r = std::max(receptance, 0.); // its rounding may be negative
+    if (start <= 0.)
+      {
+        if (free_end <= 0.)
+          return 0.;
+        // end = x > 0: p = x^2 / (2e (x - start)) = (free_end - x) / (2r)
+        const double half = 0.5 * e * (free_end + start);
+        const double root =
+          std::hypot(half, std::sqrt((r + e) * e * free_end * -start));
+        const double x = half > 0. ? (half + root) / (r + e) :
+                                     -e * free_end * start / (root - half);
+        return x * x / (2. * e * (x - start));
+      }
+    const double p = 0.5 * (start + free_end) / (e + r);
+    if (free_end - 2. * r * p >= 0.)
+      return p; // in contact all the time
+    // end < 0: 2e p (start - end) = start^2, end = free_end - 2r p
+    const double half = e * (start - free_end);
+    return start * start /
+           (half + std::hypot(half, 2. * std::sqrt(e * r) * start));
+  }
+
+
+
+  void
+  ConservingContact::mean_pressure(const std::vector<double>  &start,
+                                   const std::vector<double>  &end,
+                                   std::vector<double>        &mean,
+                                   dealii::FullMatrix<double> &derivative) const
+  {
+    const unsigned int n = start.size();
+    mean.assign(n, 0.);
+    derivative.reinit(n, n);
+    dealii::FullMatrix<double> matrix(static_receptance);
+    for (unsigned int i = 0; i < n; ++i)
+      matrix(i, i) += law.compliance;
+
+    // Where nodes change together, the set that follows is that of a point a
+    // little further on; what is wrong up to there is of second order in it.
+    // Nodes that move within rounding are not seen to change: then further on.
+    const double           smallest_peep = 1e-10;
+    double                 peep          = smallest_peep;
+    std::vector<double>    s(n), pressure(n, 0.);
+    dealii::Vector<double> begin(n), slope(n), p(n), change(n);
+    for (double xi = 0.; xi < 1.;)
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          s[i] = start[i] + (xi + peep) * (end[i] - start[i]);
+        contact_solver.solve(static_receptance, s, pressure);
+        std::vector<bool> is_active(n);
+        for (unsigned int i = 0; i < n; ++i)
+          is_active[i] = pressure[i] > 0.;
+        const dealii::FullMatrix<double> inverse =
+          inverse_on(is_active, matrix);
+
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            begin(i) = start[i] + xi * (end[i] - start[i]) - law.gap;
+            slope(i) = end[i] - start[i];
+          }
+        inverse.vmult(p, begin);
+        inverse.vmult(change, slope);
+
+        // to where a pressure, or the margin s = g - u of (M.18), vanishes
+        double next = 1.;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            double value = p(i), rate = change(i);
+            if (!is_active[i])
+              {
+                value = -begin(i);
+                rate  = -slope(i);
+                for (unsigned int j = 0; j < n; ++j)
+                  {
+                    value += static_receptance(i, j) * p(j);
+                    rate += static_receptance(i, j) * change(j);
+                  }
+              }
+            if (rate < 0.)
+              next = std::min(next, std::max(xi - value / rate, xi + peep));
+          }
+        const double length = next - xi;
+        for (unsigned int i = 0; i < n; ++i)
+          mean[i] += length * (p(i) + 0.5 * length * change(i));
+        derivative.add(0.5 * (next * next - xi * xi), inverse);
+        peep = next > xi + peep ? smallest_peep : 2. * peep;
+        xi   = next;
+      }
+  }
+
+
+
+  unsigned int
+  ConservingContact::step_pressure(const std::vector<double>        &start,
+                                   const std::vector<double>        &free_end,
+                                   const dealii::FullMatrix<double> &receptance,
+                                   std::vector<double> &pressure) const
+  {
+    const unsigned int n = start.size();
+    if (n == 1)
+      {
+        pressure[0] = step_pressure_of_node(start[0] - law.gap,
+                                            free_end[0] - law.gap,
+                                            receptance(0, 0));
+        return 1;
+      }
+
+    std::vector<double>        end(n), mean;
+    dealii::FullMatrix<double> derivative, jacobian(n, n);
+    dealii::Vector<double>     residual(n), update(n);
+    const auto                 evaluate = [&](const std::vector<double> &p) {
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          end[i] = free_end[i];
+          for (unsigned int j = 0; j < n; ++j)
+            end[i] -= 2. * receptance(i, j) * p[j];
+        }
+      mean_pressure(start, end, mean, derivative);
+      for (unsigned int i = 0; i < n; ++i)
+        residual(i) = p[i] - mean[i];
+      return residual.linfty_norm();
+    };
+    double norm = evaluate(pressure);
+    for (unsigned int iteration = 1; iteration <= 50; ++iteration)
+      {
+        if (norm <=
+            1e-14 * std::max(largest_entry(pressure), largest_entry(mean)))
+          return iteration;
+        derivative.mmult(jacobian, receptance);
+        jacobian *= 2.;
+        for (unsigned int i = 0; i < n; ++i)
+          jacobian(i, i) += 1.;
+        jacobian.gauss_jordan();
+        jacobian.vmult(update, residual);
+
+        const std::vector<double> old_pressure = pressure;
+        const double              old_norm     = norm;
+        double                    factor       = 1.;
+        for (unsigned int halving = 0; halving < 10; ++halving, factor *= 0.5)
+          {
+            for (unsigned int i = 0; i < n; ++i)
+              pressure[i] = old_pressure[i] - factor * update(i);
+            norm = evaluate(pressure);
+            if (norm < old_norm)
+              break;
+          }
+        // at the rounding of the displacements no step is an improvement
+        if (norm >= old_norm &&
+            old_norm <=
+              1e-14 * (derivative.linfty_norm() *
+                         position_scale(
+                           law.gap, start, free_end, receptance, old_pressure) +
+                       largest_entry(old_pressure)))
+          {
+            pressure = old_pressure;
+            return iteration;
+          }
+      }
+    throw ComputationError(
+      "the pressures of " + std::to_string(n) +
+      " contact nodes that conserve energy were not found\n  remedy:  a smaller "
+      "Time/Step size, or Time/Scheme = sdirk4");
+  }
+} // namespace ThermoContact

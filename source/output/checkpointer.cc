@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/version.h>
+#include <thermocontact/output/checkpoint.h>
+#include <thermocontact/output/checkpointer.h>
+#include <thermocontact/output/output_directory.h>
+
+#include <limits>
+#include <sstream>
+
+namespace ThermoContact
+{
+  template <int dim>
+  Checkpointer<dim>::Checkpointer(
+    const std::string                        &directory,
+    const std::map<std::string, std::string> &parameters,
+    const double                              interval,
+    Output<dim>                              &output,
+    const MPI_Comm                            communicator)
+    : directory(directory)
+    , parameters(parameters)
+    , interval(interval)
+    , output(output)
+    , communicator(communicator)
+  {
+    timer.reset();
+  }
+
+
+
+  template <int dim>
+  int
+  Checkpointer<dim>::common_signal() const
+  {
+    return Utilities::MPI::n_mpi_processes(communicator) == 1 ?
+             signals.signal() :
+             Utilities::MPI::max(signals.signal(), communicator);
+  }
+
+
+
+  template <int dim>
+  bool
+  Checkpointer<dim>::is_due(const Simulation<dim> &simulation) const
+  {
+    if (interval == 0.)
+      return false;
+    const StepRecord &record = simulation.record();
+    if (record.step == 0 ||
+        record.time >= simulation.parameters().time.end_time)
+      return true;
+    const bool is_late = since_last.wall_time() >= interval;
+    return Utilities::MPI::n_mpi_processes(communicator) == 1 ?
+             is_late :
+             Utilities::MPI::broadcast(communicator, is_late);
+  }
+
+
+
+  template <int dim>
+  void
+  Checkpointer<dim>::observe(const Simulation<dim> &simulation)
+  {
+    const int signal = common_signal();
+    if (signal == 0 && !is_due(simulation))
+      return;
+    timer.start();
+    write(simulation);
+    timer.stop();
+    since_last.restart();
+    if (signal != 0)
+      {
+        std::ostringstream message;
+        message << name_of_signal(signal)
+                << " at t = " << simulation.record().time << ", step "
+                << simulation.record().step << "; the checkpoint is written";
+        throw Interruption(message.str());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Checkpointer<dim>::write(const Simulation<dim> &simulation)
+  {
+    Checkpoint checkpoint;
+    checkpoint.time        = simulation.record().time;
+    checkpoint.step        = simulation.record().step;
+    checkpoint.version     = version();
+    checkpoint.parameters  = parameters;
+    checkpoint.output      = output.sync();
+    const std::string part = simulation.memory();
+    std::string       fault;
+    // MPI counts bytes with an int
+    if (Utilities::MPI::sum(static_cast<double>(part.size()), communicator) >
+        std::numeric_limits<int>::max())
+      throw ComputationError("the checkpoint of this scene would be larger "
+                             "than 2 GB\n  remedy:  Output/Checkpoint "
+                             "interval = 0");
+    checkpoint.simulation = Utilities::MPI::gather(communicator, part);
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      fault = write_checkpoint(directory, checkpoint);
+    throw_everywhere<ComputationError>(fault, communicator);
+  }
+
+
+
+  template class Checkpointer<1>;
+  template class Checkpointer<2>;
+  template class Checkpointer<3>;
+} // namespace ThermoContact

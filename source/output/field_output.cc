@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/atomic_file.h>
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/output/field_output.h>
+#include <thermocontact/output/output_directory.h>
+
+#include <deal.II/base/data_out_base.h>
+
+#include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/data_postprocessor.h>
+
+#include <cstdio>
+#include <iomanip>
+#include <sstream>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    using Interpretation =
+      DataComponentInterpretation::DataComponentInterpretation;
+
+    /** Velocity alone, from a vector of both fields. */
+    template <int dim>
+    class VelocityPostprocessor : public DataPostprocessor<dim>
+    {
+    public:
+      /** @param first component of the displacement */
+      explicit VelocityPostprocessor(const unsigned int first)
+        : first(first)
+      {}
+
+      std::vector<std::string>
+      get_names() const override
+      {
+        return std::vector<std::string>(dim, "velocity");
+      }
+
+      std::vector<Interpretation>
+      get_data_component_interpretation() const override
+      {
+        return std::vector<Interpretation>(
+          dim, DataComponentInterpretation::component_is_part_of_vector);
+      }
+
+      UpdateFlags
+      get_needed_update_flags() const override
+      {
+        return update_values;
+      }
+
+      void
+      evaluate_vector_field(
+        const DataPostprocessorInputs::Vector<dim> &inputs,
+        std::vector<dealii::Vector<double>>        &computed) const override
+      {
+        for (unsigned int q = 0; q < computed.size(); ++q)
+          for (unsigned int d = 0; d < dim; ++d)
+            computed[q](d) = inputs.solution_values[q](first + d);
+      }
+
+      /** The displacement of a rod, alone in its FESystem, is a scalar. */
+      void
+      evaluate_scalar_field(
+        const DataPostprocessorInputs::Scalar<dim> &inputs,
+        std::vector<dealii::Vector<double>>        &computed) const override
+      {
+        for (unsigned int q = 0; q < computed.size(); ++q)
+          computed[q](0) = inputs.solution_values[q];
+      }
+
+    private:
+      const unsigned int first;
+    };
+
+
+
+    /** Stress from a vector of $(\theta, u+\zeta v)$. */
+    template <int dim>
+    class StressPostprocessor : public DataPostprocessor<dim>
+    {
+    public:
+      explicit StressPostprocessor(const ModelParameters &model)
+        : lambda(model.poisson_ratio / (1. - model.poisson_ratio))
+        , mu(0.5 * (1. - 2. * model.poisson_ratio) / (1. - model.poisson_ratio))
+        , coupling(model.thermal_stress())
+        , first(model.has_temperature() ? 1 : 0)
+      {}
+
+      std::vector<std::string>
+      get_names() const override
+      {
+        return std::vector<std::string>(dim * dim, "stress");
+      }
+
+      std::vector<Interpretation>
+      get_data_component_interpretation() const override
+      {
+        return std::vector<Interpretation>(
+          dim * dim,
+          dim == 1 ? DataComponentInterpretation::component_is_scalar :
+                     DataComponentInterpretation::component_is_part_of_tensor);
+      }
+
+      UpdateFlags
+      get_needed_update_flags() const override
+      {
+        return update_values | update_gradients;
+      }
+
+      void
+      evaluate_vector_field(
+        const DataPostprocessorInputs::Vector<dim> &inputs,
+        std::vector<dealii::Vector<double>>        &computed) const override
+      {
+        for (unsigned int q = 0; q < computed.size(); ++q)
+          {
+            const auto  &gradients = inputs.solution_gradients[q];
+            const double thermal =
+              coupling == 0. ? 0. : coupling * inputs.solution_values[q](0);
+            double divergence = 0.;
+            for (unsigned int d = 0; d < dim; ++d)
+              divergence += gradients[first + d][d];
+            for (unsigned int d = 0; d < dim; ++d)
+              for (unsigned int e = 0; e < dim; ++e)
+                computed[q](d * dim + e) =
+                  mu * (gradients[first + d][e] + gradients[first + e][d]) +
+                  (d == e ? lambda * divergence - thermal : 0.);
+          }
+      }
+
+      void
+      evaluate_scalar_field(
+        const DataPostprocessorInputs::Scalar<dim> &inputs,
+        std::vector<dealii::Vector<double>>        &computed) const override
+      {
+        for (unsigned int q = 0; q < computed.size(); ++q)
+          computed[q](0) = inputs.solution_gradients[q][0];
+      }
+
+    private:
+      const double lambda;
+      const double mu;
+      const double coupling;
+
+      /** Component of the axial displacement. */
+      const unsigned int first;
+    };
+
+
+
+    /** DataOut whose part of a file can be had as text. */
+    template <int dim>
+    class Snapshot : public DataOut<dim>
+    {
+    public:
+      /**
+       * This rank's part of a VTU file, without header and footer. None if the
+       * rank has no cells: ParaView does not read a file that starts so.
+       */
+      std::string
+      vtu_piece(const DataOutBase::VtkFlags &flags) const
+      {
+        if (this->get_patches().empty())
+          return "";
+        std::ostringstream text;
+        DataOutBase::write_vtu_main(this->get_patches(),
+                                    this->get_dataset_names(),
+                                    this->get_nonscalar_data_ranges(),
+                                    flags,
+                                    text);
+        return text.str();
+      }
+    };
+
+
+
+    /** File of snapshot @p i, from the output directory. */
+    std::string
+    snapshot_name(const unsigned int i)
+    {
+      std::ostringstream name;
+      name << "fields/fields-" << std::setw(5) << std::setfill('0') << i
+           << ".vtu";
+      return name.str();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  FieldOutput<dim>::FieldOutput(const std::string         &directory,
+                                const Parameters          &parameters,
+                                const Discretization<dim> &discretization)
+    : directory(directory)
+    , model(parameters.model)
+    , discretization(discretization)
+  {}
+
+
+
+  template <int dim>
+  TrilinosWrappers::MPI::BlockVector
+  FieldOutput<dim>::joined(const Vector &temperature,
+                           const Vector &displacement) const
+  {
+    // several ranks cannot exchange the ghosts of an empty block
+    std::vector<IndexSet> owned;
+    for (unsigned int block = 0; block < 2; ++block)
+      if (discretization.has_field(block))
+        owned.push_back(discretization.owned_by_block()[block]);
+    TrilinosWrappers::MPI::BlockVector result(owned,
+                                              discretization.communicator());
+    if (discretization.has_field(0))
+      result.block(0) = temperature;
+    if (discretization.has_field(1))
+      result.block(result.n_blocks() - 1) = displacement;
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  FieldOutput<dim>::write(const State &state)
+  {
+    std::vector<std::string>    names;
+    std::vector<Interpretation> interpretation;
+    if (model.has_temperature())
+      {
+        names.emplace_back("temperature");
+        interpretation.push_back(
+          DataComponentInterpretation::component_is_scalar);
+      }
+    if (model.has_displacement())
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          names.emplace_back("displacement");
+          interpretation.push_back(
+            DataComponentInterpretation::component_is_part_of_vector);
+        }
+
+    const VelocityPostprocessor<dim> velocity_postprocessor(
+      discretization.first_component(1));
+    const StressPostprocessor<dim> stress_postprocessor(model);
+    Vector                         viscous_displacement = state.displacement;
+    viscous_displacement.add(model.viscosity, state.velocity);
+
+    const auto fields   = joined(state.temperature, state.displacement);
+    const auto velocity = joined(state.temperature, state.velocity);
+    const auto strain   = joined(state.temperature, viscous_displacement);
+
+    Snapshot<dim> data_out;
+    data_out.attach_dof_handler(discretization.dof_handler());
+    data_out.add_data_vector(fields,
+                             names,
+                             DataOut<dim>::type_dof_data,
+                             interpretation);
+    if (model.has_displacement())
+      {
+        data_out.add_data_vector(velocity, velocity_postprocessor);
+        data_out.add_data_vector(strain, stress_postprocessor);
+      }
+
+    DataOutBase::VtkFlags flags;
+    flags.time                = state.time;
+    flags.cycle               = times_.size();
+    flags.print_date_and_time = false;
+    flags.compression_level   = DataOutBase::VtkFlags::best_speed;
+    data_out.build_patches(discretization.mapping(), discretization.degree());
+
+    const std::string fault =
+      write_files(state.time,
+                  Utilities::MPI::gather(discretization.communicator(),
+                                         data_out.vtu_piece(flags)),
+                  flags);
+    throw_everywhere<ComputationError>(fault, discretization.communicator());
+  }
+
+
+
+  template <int dim>
+  std::string
+  FieldOutput<dim>::write_files(const double                    time,
+                                const std::vector<std::string> &pieces,
+                                const DataOutBase::VtkFlags    &flags)
+  {
+    const std::string name = snapshot_name(times_.size());
+    times_.push_back(time);
+    if (Utilities::MPI::this_mpi_process(discretization.communicator()) != 0)
+      return "";
+
+    std::ostringstream text;
+    DataOutBase::write_vtu_header(text, flags);
+    for (const std::string &piece : pieces)
+      text << piece;
+    DataOutBase::write_vtu_footer(text);
+    const std::string fault =
+      write_atomically(directory + "/" + name, text.str());
+    return fault.empty() ? write_pvd(directory + "/fields.pvd") : fault;
+  }
+
+
+
+  template <int dim>
+  void
+  FieldOutput<dim>::restore(const std::vector<double> &times)
+  {
+    times_   = times;
+    n_synced = times.size(); // before the checkpoint was written
+    std::string fault;
+    if (Utilities::MPI::this_mpi_process(discretization.communicator()) == 0)
+      {
+        // what was written after the checkpoint will be written again
+        unsigned int i = times.size();
+        while (std::remove((directory + "/" + snapshot_name(i)).c_str()) == 0)
+          ++i;
+        const std::string pvd = directory + "/fields.pvd";
+        if (times.empty())
+          std::remove(pvd.c_str());
+        else
+          fault = write_pvd(pvd);
+      }
+    throw_everywhere<ComputationError>(fault, discretization.communicator());
+  }
+
+
+
+  template <int dim>
+  std::string
+  FieldOutput<dim>::sync()
+  {
+    if (n_synced == times_.size())
+      return "";
+    std::string fault;
+    for (; n_synced < times_.size() && fault.empty(); ++n_synced)
+      fault = sync_file(directory + "/" + snapshot_name(n_synced));
+    sync_directory(directory + "/fields");
+    return fault;
+  }
+
+
+
+  template <int dim>
+  std::string
+  FieldOutput<dim>::write_pvd(const std::string &path) const
+  {
+    std::ostringstream text;
+    text << "<?xml version=\"1.0\"?>\n"
+            "<VTKFile type=\"Collection\" version=\"0.1\">\n"
+            "  <Collection>\n"
+         << std::setprecision(17);
+    for (unsigned int i = 0; i < times_.size(); ++i)
+      text << "    <DataSet timestep=\"" << times_[i]
+           << "\" group=\"\" part=\"0\" file=\"" << snapshot_name(i)
+           << "\"/>\n";
+    text << "  </Collection>\n</VTKFile>\n";
+
+    return write_atomically(path, text.str());
+  }
+
+
+
+  template class FieldOutput<1>;
+  template class FieldOutput<2>;
+  template class FieldOutput<3>;
+} // namespace ThermoContact

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/version.h>
+#include <thermocontact/output/csv_rows.h>
+#include <thermocontact/output/output.h>
+#include <thermocontact/output/output_directory.h>
+
+#include <deal.II/base/revision.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Rows after which a fault of the file is looked for on all ranks. */
+    constexpr unsigned int rows_between_checks = 1000;
+
+
+
+    /** Lines at the top of every table. */
+    std::string
+    head_comments(const std::string &title)
+    {
+      return "# " + title + "\n# thermocontact " + version() + ", deal.II " +
+             DEAL_II_PACKAGE_VERSION + '\n';
+    }
+
+
+
+    /** Whole intervals up to @p time. */
+    double
+    count_intervals(const double interval, const double time)
+    {
+      // Times are multiples of the step up to rounding, so that a multiple of
+      // the interval may be missed by a hair.
+      const double slack = 1e-9 + 4e-16 * time / interval;
+      return std::floor(time / interval + slack);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Output<dim>::Output(const std::string     &directory,
+                      const Simulation<dim> &simulation,
+                      const OutputMemory    *memory)
+    : directory(directory)
+    , parameters(simulation.parameters().output)
+    , end_time(simulation.parameters().time.end_time)
+    , communicator(simulation.discretization().communicator())
+    , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
+    , field_output(directory,
+                   simulation.parameters(),
+                   simulation.discretization())
+    , has_attempts(simulation.parameters().time.has_error_control() ||
+                   simulation.parameters().time.locates_contact_events())
+    , n_written_events(0)
+    , n_rows(0)
+    , next_fields(0.)
+    , next_contact(0.)
+    , next_space_time(0.)
+  {
+    field_timer.reset();
+    const std::string &title = simulation.parameters().title;
+    const OutputMemory sizes = memory ? *memory : OutputMemory();
+    open(
+      contact_file, "contact.csv", title, contact_columns, sizes.contact_size);
+    open(events_file, "events.csv", title, event_columns, sizes.events_size);
+    if (has_attempts)
+      open(steps_file, "steps.csv", title, step_columns, sizes.steps_size);
+    if (is_writer && parameters.fields_interval > 0.)
+      {
+        std::error_code error; // a fault shows when the first file is opened
+        std::filesystem::create_directory(directory + "/fields", error);
+      }
+    open_optional(sizes, simulation);
+    flush();
+    if (memory)
+      restore(*memory, simulation);
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::open(TableFile          &file,
+                    const std::string  &name,
+                    const std::string  &title,
+                    const std::string  &columns,
+                    const std::uint64_t size)
+  {
+    if (!is_writer)
+      return;
+    if (size > 0)
+      return file.reopen(directory + "/" + name, size);
+    file.open(directory + "/" + name);
+    file.write_row(head_comments(title) + columns + '\n');
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::open_optional(const OutputMemory    &sizes,
+                             const Simulation<dim> &simulation)
+  {
+    const Parameters          &scene = simulation.parameters();
+    const Discretization<dim> &space = simulation.discretization();
+    if (!Utilities::trim(parameters.probes).empty())
+      {
+        probe_output =
+          std::make_unique<ProbeOutput<dim>>(directory, scene, space);
+        probe_output->open(head_comments(scene.title), sizes.probes_size);
+      }
+    if (parameters.space_time_interval > 0.)
+      {
+        space_time_output =
+          std::make_unique<SpaceTimeOutput<dim>>(directory, scene, space);
+        space_time_output->open(sizes.space_time_size);
+      }
+    else
+      unused_space_time_size = sizes.space_time_size;
+  }
+
+
+
+  template <int dim>
+  std::vector<TableFile *>
+  Output<dim>::tables()
+  {
+    std::vector<TableFile *> files = {&contact_file, &events_file, &steps_file};
+    if (probe_output)
+      files.push_back(&probe_output->file());
+    if (space_time_output)
+      files.push_back(&space_time_output->file());
+    return files;
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::restore(const OutputMemory    &memory,
+                       const Simulation<dim> &simulation)
+  {
+    n_written_events = simulation.events().size();
+    if (is_writer)
+      for (const char *name : {"summary.json", "space-time.vtu"})
+        {
+          std::error_code error; // they tell of the earlier end
+          std::filesystem::remove(directory + "/" + name, error);
+        }
+    // The state that is restored has been seen: the next multiples are due.
+    const double time = simulation.record().time;
+    for (auto [interval, next] :
+         {std::make_pair(parameters.fields_interval, &next_fields),
+          std::make_pair(parameters.contact_interval, &next_contact),
+          std::make_pair(parameters.space_time_interval, &next_space_time)})
+      if (interval > 0.)
+        *next = count_intervals(interval, time) + 1.;
+    field_output.restore(memory.snapshot_times);
+  }
+
+
+
+  template <int dim>
+  bool
+  Output<dim>::is_due(const double interval,
+                      const double time,
+                      double      &next) const
+  {
+    const double count = count_intervals(interval, time);
+    if (count < next && time < end_time)
+      return false;
+    next = count + 1.;
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::observe(const Simulation<dim> &simulation)
+  {
+    const StepRecord &record = simulation.record();
+    if (parameters.contact_interval == 0. ||
+        is_due(parameters.contact_interval, record.time, next_contact))
+      {
+        if (is_writer)
+          add_row(record, contact_file);
+        if (probe_output)
+          probe_output->write(simulation.state());
+      }
+    write_events(simulation.events());
+    write_attempts(simulation.attempts());
+    if (space_time_output &&
+        is_due(parameters.space_time_interval, record.time, next_space_time))
+      space_time_output->write(simulation.state());
+
+    if (parameters.fields_interval > 0. &&
+        is_due(parameters.fields_interval, record.time, next_fields))
+      {
+        field_timer.start();
+        flush();
+        field_output.write(simulation.state());
+        field_timer.stop();
+      }
+    else if (++n_rows % rows_between_checks == 0)
+      flush();
+    else if (Utilities::MPI::n_mpi_processes(communicator) == 1 &&
+             since_flush.wall_time() > 1.)
+      flush();
+    else if (is_writer && since_flush.wall_time() > 1.)
+      {
+        for (TableFile *file : tables())
+          file->flush(); // a fault shows when all ranks meet
+        since_flush.restart();
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::write_events(const std::vector<ContactEvent> &events)
+  {
+    for (; n_written_events < events.size(); ++n_written_events)
+      add_row(events[n_written_events], events_file);
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::write_attempts(const std::vector<StepAttempt> &attempts)
+  {
+    if (!is_writer || !has_attempts)
+      return; // do not format what goes nowhere
+    for (const StepAttempt &attempt : attempts)
+      add_row(attempt, steps_file);
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::observe_failure(const Simulation<dim> &simulation)
+  {
+    // those of a step that was accepted have been written
+    if (!simulation.attempts().empty() &&
+        !simulation.attempts().back().is_accepted)
+      write_attempts(simulation.attempts());
+    for (TableFile *file : tables())
+      file->flush();
+    if (space_time_output)
+      space_time_output->write_vtu(false);
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::finish()
+  {
+    flush();
+    if (!space_time_output)
+      return;
+    field_timer.start();
+    throw_everywhere<ComputationError>(space_time_output->write_vtu(true),
+                                       communicator);
+    field_timer.stop();
+  }
+
+
+
+  template <int dim>
+  double
+  Output<dim>::output_seconds() const
+  {
+    return field_timer.wall_time();
+  }
+
+
+
+  template <int dim>
+  OutputMemory
+  Output<dim>::sync()
+  {
+    OutputMemory memory;
+    std::string  fault;
+    if (is_writer)
+      {
+        for (TableFile *file : tables())
+          if (const std::string message = file->sync(); fault.empty())
+            fault = message;
+        if (fault.empty())
+          fault = field_output.sync();
+        memory.contact_size = contact_file.size();
+        memory.events_size  = events_file.size();
+        memory.steps_size   = steps_file.size();
+        if (probe_output)
+          memory.probes_size = probe_output->file().size();
+        memory.space_time_size = space_time_output ?
+                                   space_time_output->file().size() :
+                                   unused_space_time_size;
+        memory.snapshot_times  = field_output.times();
+      }
+    throw_everywhere<ComputationError>(fault, communicator);
+    return memory;
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::flush()
+  {
+    std::string fault;
+    if (is_writer)
+      {
+        since_flush.restart();
+        for (TableFile *file : tables())
+          if (const std::string message = file->flush(); fault.empty())
+            fault = message;
+      }
+    throw_everywhere<ComputationError>(fault, communicator);
+  }
+
+
+
+  template class Output<1>;
+  template class Output<2>;
+  template class Output<3>;
+} // namespace ThermoContact

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/atomic_file.h>
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/version.h>
+#include <thermocontact/input/parameter_file.h>
+#include <thermocontact/output/output_directory.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** What a run leaves behind; other files are the user's and stay. */
+    const char *const run_files[] = {"checkpoint.bin",
+                                     "checkpoint.next.bin",
+                                     "checkpoint.previous.bin",
+                                     "contact.csv",
+                                     "events.csv",
+                                     "fields.pvd",
+                                     "log.txt",
+                                     "probes.csv",
+                                     "space-time.columns",
+                                     "space-time.vtu",
+                                     "steps.csv",
+                                     "study.csv",
+                                     "study.txt",
+                                     "summary.json"};
+
+    /** True if an earlier run was here, perhaps killed at its start. */
+    bool
+    holds_run(const fs::path &directory)
+    {
+      return fs::exists(directory / "used.prm") ||
+             fs::exists(directory / "used.prm.part");
+    }
+
+
+
+    /** True for @p prefix followed by digits. */
+    bool
+    is_numbered(const std::string &name, const std::string &prefix)
+    {
+      return name.size() > prefix.size() &&
+             name.compare(0, prefix.size(), prefix) == 0 &&
+             std::all_of(name.begin() + prefix.size(),
+                         name.end(),
+                         [](unsigned char c) { return std::isdigit(c); });
+    }
+
+
+
+    /** Throws if files cannot be created or removed in an existing directory.
+     */
+    void
+    check_rights(const fs::path &directory)
+    {
+      if (fs::is_directory(directory) &&
+          access(directory.c_str(), W_OK | X_OK) != 0)
+        throw fs::filesystem_error(
+          "access", directory, std::error_code(errno, std::generic_category()));
+    }
+
+
+
+    void
+    remove_earlier_run(const fs::path &directory)
+    {
+      for (const std::string name : run_files)
+        {
+          fs::remove(directory / name);
+          fs::remove(directory / (name + part_suffix));
+        }
+      if (fs::is_directory(directory / "fields"))
+        {
+          for (const auto &entry : fs::directory_iterator(directory / "fields"))
+            {
+              fs::path name = entry.path().filename();
+              if (name.extension() == part_suffix)
+                name = name.stem();
+              if (name.extension() == ".vtu" &&
+                  is_numbered(name.stem().string(), "fields-"))
+                fs::remove(entry.path());
+            }
+          if (fs::is_empty(directory / "fields"))
+            fs::remove(directory / "fields");
+        }
+      for (const auto &entry : fs::directory_iterator(directory)) // a study
+        if (is_numbered(entry.path().filename().string(), "run-") &&
+            holds_run(entry.path()))
+          {
+            remove_earlier_run(entry.path());
+            if (fs::is_empty(entry.path()))
+              fs::remove(entry.path());
+          }
+      // last, so that an interrupted clean-up is recognised as a run
+      fs::remove(directory / "used.prm.part");
+      fs::remove(directory / "used.prm");
+    }
+
+
+
+    /** Returns what is wrong, or nothing; changes nothing. */
+    std::string
+    find_fault(const fs::path &directory)
+    {
+      if (!fs::exists(directory))
+        return "";
+      if (!fs::is_directory(directory))
+        return "is a file\n  remedy:  give another directory";
+      check_rights(directory);
+      check_rights(directory / "fields");
+      if (!holds_run(directory) && !fs::is_empty(directory))
+        return "holds files that are not from an earlier run (no used.prm)"
+               "\n  remedy:  give a new or an empty directory";
+      return "";
+    }
+
+
+
+    void
+    make_ready(const fs::path &directory)
+    {
+      if (fs::exists(directory))
+        remove_earlier_run(directory);
+      else
+        fs::create_directories(directory);
+    }
+
+
+
+    /** Calls @p action on rank 0; what it returns or throws is a fault. */
+    template <typename Action>
+    void
+    on_first_rank(const std::string &directory,
+                  const MPI_Comm     communicator,
+                  const Action      &action)
+    {
+      std::string fault;
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        try
+          {
+            fault = action();
+          }
+        catch (const fs::filesystem_error &error)
+          {
+            fault = error.code().message() +
+                    "\n  remedy:  give a directory that can be written";
+          }
+      if (!fault.empty())
+        fault = "Output/Directory = " + quote(directory) + ": " + fault;
+      throw_everywhere<InputError>(fault, communicator);
+    }
+  } // namespace
+
+
+
+  void
+  check_output_directory(const std::string &directory,
+                         const MPI_Comm     communicator)
+  {
+    on_first_rank(directory, communicator, [&]() {
+      return find_fault(directory);
+    });
+  }
+
+
+
+  void
+  prepare_output_directory(const std::string &directory,
+                           const MPI_Comm     communicator)
+  {
+    on_first_rank(directory, communicator, [&]() {
+      const std::string fault = find_fault(directory);
+      if (fault.empty())
+        make_ready(directory);
+      return fault;
+    });
+  }
+
+
+
+  DirectoryLock::DirectoryLock(const std::string &directory,
+                               const bool         must_exist,
+                               const MPI_Comm     communicator)
+  {
+    on_first_rank(directory, communicator, [&]() -> std::string {
+      if (!must_exist)
+        fs::create_directories(directory);
+      descriptor = open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      if (descriptor < 0 && !(must_exist && errno == ENOENT))
+        return std::string(std::strerror(errno)) +
+               "\n  remedy:  give a directory that can be read and written";
+      if (descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) != 0 &&
+          errno == EWOULDBLOCK)
+        return "another run is writing into it\n  remedy:  wait for its end, "
+               "or give another directory";
+      return "";
+    });
+  }
+
+
+
+  DirectoryLock::~DirectoryLock()
+  {
+    if (descriptor >= 0)
+      close(descriptor); // ends the lock
+  }
+
+
+
+  void
+  write_used_parameters(const std::string           &directory,
+                        const std::set<std::string> &omit,
+                        ParameterHandler            &prm,
+                        const MPI_Comm               communicator)
+  {
+    std::string fault;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        prm.enter_subsection("Output");
+        prm.set("Directory", directory);
+        prm.leave_subsection();
+
+        const std::string  path = directory + "/used.prm";
+        std::ostringstream text;
+        text << "# thermocontact " << version() << ": every entry as used\n";
+        write_entries(prm, omit, text);
+        fault = write_atomically(path, text.str());
+      }
+    throw_everywhere<ComputationError>(fault, communicator);
+  }
+} // namespace ThermoContact

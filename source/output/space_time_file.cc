@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/atomic_file.h>
+#include <thermocontact/output/space_time_file.h>
+
+#include <deal.II/base/data_out_base.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    using namespace dealii;
+
+    /** Quadrilaterals of a piece of the file, which is held in memory. */
+    constexpr unsigned int patches_per_piece = 50000;
+
+
+
+    /** A file of columns, read one by one. */
+    class ColumnReader
+    {
+    public:
+      SpaceTimeLayout layout;
+
+      /** Time and values of the last column that was read. */
+      double              time = 0.;
+      std::vector<double> values;
+
+      explicit ColumnReader(const std::string &path)
+        : file(path, std::ios::binary)
+      {
+        std::vector<double> numbers(4);
+        if (!read(numbers))
+          return;
+        layout.places_per_cell  = numbers[1];
+        layout.has_temperature  = numbers[2] != 0.;
+        layout.has_displacement = numbers[3] != 0.;
+        layout.x.resize(numbers[0]);
+        read(layout.x);
+        column.resize(1 + layout.x.size() * layout.field_names().size());
+      }
+
+      /** False if there is no file with a whole head. */
+      bool
+      is_good() const
+      {
+        return file.good();
+      }
+
+      /** False at the end. */
+      bool
+      next()
+      {
+        if (!read(column))
+          return false;
+        time = column[0];
+        values.assign(column.begin() + 1, column.end());
+        return true;
+      }
+
+    private:
+      std::ifstream       file;
+      std::vector<double> column;
+
+      bool
+      read(std::vector<double> &numbers)
+      {
+        file.read(reinterpret_cast<char *>(numbers.data()),
+                  numbers.size() * sizeof(double));
+        return file.good();
+      }
+    };
+
+
+
+    /** Writes quadrilaterals into a VTU file, piece by piece. */
+    class PieceWriter
+    {
+    public:
+      PieceWriter(const SpaceTimeLayout &layout, std::ostream &file)
+        : layout(layout)
+        , names(layout.field_names())
+        , file(file)
+      {
+        flags.print_date_and_time = false;
+        flags.compression_level   = DataOutBase::VtkFlags::best_speed;
+      }
+
+      /** Adds what lies between two columns. */
+      void
+      add_slab(const double               lower_time,
+               const std::vector<double> &lower,
+               const double               upper_time,
+               const std::vector<double> &upper)
+      {
+        for (unsigned int place = 0; place + 1 < layout.x.size(); ++place)
+          if ((place + 1) % layout.places_per_cell != 0)
+            {
+              DataOutBase::Patch<2, 2> patch;
+              patch.patch_index    = patches.size();
+              patch.n_subdivisions = 1;
+              patch.reference_cell = ReferenceCells::Quadrilateral;
+              patch.data.reinit(names.size(), 4);
+              for (unsigned int corner = 0; corner < 4; ++corner)
+                {
+                  const bool         is_upper = corner >= 2;
+                  const unsigned int i        = place + corner % 2;
+                  patch.vertices[corner] =
+                    Point<2>(layout.x[i], is_upper ? upper_time : lower_time);
+                  for (unsigned int field = 0; field < names.size(); ++field)
+                    patch.data(field, corner) =
+                      (is_upper ? upper : lower)[field * layout.x.size() + i];
+                }
+              patches.push_back(patch);
+            }
+        if (patches.size() >= patches_per_piece)
+          write_piece();
+      }
+
+      void
+      finish()
+      {
+        if (!patches.empty())
+          write_piece();
+        if (has_pieces)
+          DataOutBase::write_vtu_footer(file);
+      }
+
+      /** Whether the file has any content. */
+      bool has_pieces = false;
+
+    private:
+      const SpaceTimeLayout                &layout;
+      const std::vector<std::string>        names;
+      std::ostream                         &file;
+      DataOutBase::VtkFlags                 flags;
+      std::vector<DataOutBase::Patch<2, 2>> patches;
+
+      void
+      write_piece()
+      {
+        if (!has_pieces)
+          DataOutBase::write_vtu_header(file, flags);
+        has_pieces = true;
+        DataOutBase::write_vtu_main(patches, names, {}, flags, file);
+        patches.clear();
+      }
+    };
+
+
+    void
+    write_slabs(ColumnReader &columns, PieceWriter &writer)
+    {
+      if (columns.next())
+        for (;;)
+          {
+            const double              time   = columns.time;
+            const std::vector<double> values = columns.values;
+            if (!columns.next())
+              break;
+            if (static_cast<float>(time) < static_cast<float>(columns.time))
+              writer.add_slab(time, values, columns.time, columns.values);
+          }
+      writer.finish();
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  SpaceTimeLayout::field_names() const
+  {
+    std::vector<std::string> names;
+    if (has_temperature)
+      names.emplace_back("temperature");
+    if (has_displacement)
+      names.insert(names.end(), {"displacement", "velocity", "stress"});
+    return names;
+  }
+
+
+
+  std::vector<double>
+  SpaceTimeLayout::head() const
+  {
+    std::vector<double> numbers = {static_cast<double>(x.size()),
+                                   static_cast<double>(places_per_cell),
+                                   has_temperature ? 1. : 0.,
+                                   has_displacement ? 1. : 0.};
+    numbers.insert(numbers.end(), x.begin(), x.end());
+    return numbers;
+  }
+
+
+
+  std::string
+  write_space_time_vtu(const std::string &columns_path,
+                       const std::string &vtu_path)
+  {
+    namespace fs = std::filesystem;
+    ColumnReader columns(columns_path);
+    if (!columns.is_good())
+      return columns_path + ": cannot be read";
+
+    const std::string part_path = vtu_path + part_suffix;
+    std::ofstream     file(part_path);
+    PieceWriter       writer(columns.layout, file);
+    try
+      {
+        write_slabs(columns, writer);
+      }
+    catch (const dealii::ExceptionBase &) // of a file that is bad
+      {
+        file.setstate(std::ios::badbit);
+      }
+    file.close();
+
+    std::error_code error;
+    if (file && writer.has_pieces)
+      fs::rename(part_path, vtu_path, error);
+    if (file && writer.has_pieces && !error)
+      return "";
+    const bool is_bad = !file || error;
+    fs::remove(part_path, error);
+    return is_bad ? vtu_path +
+                      ": cannot be written\n  remedy:  check free "
+                      "space and rights; the data are in " +
+                      columns_path :
+                    "";
+  }
+} // namespace ThermoContact

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/output/space_time_output.h>
+
+#include <filesystem>
+
+namespace ThermoContact
+{
+  template <int dim>
+  SpaceTimeOutput<dim>::SpaceTimeOutput(
+    const std::string         &directory,
+    const Parameters          &parameters,
+    const Discretization<dim> &discretization)
+    : directory(directory)
+    , columns_path(directory + "/space-time.columns")
+    , is_writer(
+        Utilities::MPI::this_mpi_process(discretization.communicator()) == 0)
+    , places(places_on_axis(discretization, parameters.mesh.width))
+    , point_values(discretization, parameters.model, places)
+  {
+    layout.places_per_cell  = discretization.degree() + 1;
+    layout.has_temperature  = parameters.model.has_temperature();
+    layout.has_displacement = parameters.model.has_displacement();
+    for (const Place<dim> &place : places)
+      layout.x.push_back(place.position[0]);
+  }
+
+
+
+  template <int dim>
+  void
+  SpaceTimeOutput<dim>::open(const std::uint64_t size)
+  {
+    if (!is_writer)
+      return;
+    if (size > 0)
+      return columns_file.reopen(columns_path, size);
+    columns_file.open(columns_path);
+    write_row(layout.head());
+  }
+
+
+
+  template <int dim>
+  void
+  SpaceTimeOutput<dim>::write(const State &state)
+  {
+    const std::vector<double> &values = point_values.evaluate(state);
+    if (!is_writer)
+      return;
+    const std::size_t n = places.size();
+    column.assign(1, state.time);
+    for (unsigned int field = 0; field < PointValues<dim>::n_fields; ++field)
+      if (field == PointValues<dim>::temperature ? layout.has_temperature :
+                                                   layout.has_displacement)
+        column.insert(column.end(),
+                      values.begin() + field * n,
+                      values.begin() + (field + 1) * n);
+    write_row(column);
+  }
+
+
+
+  template <int dim>
+  void
+  SpaceTimeOutput<dim>::write_row(const std::vector<double> &numbers)
+  {
+    columns_file.write_row(reinterpret_cast<const char *>(numbers.data()),
+                           numbers.size() * sizeof(double));
+  }
+
+
+
+  template <int dim>
+  std::string
+  SpaceTimeOutput<dim>::write_vtu(const bool is_done)
+  {
+    if (!is_writer)
+      return "";
+    if (const std::string fault = columns_file.flush(); !fault.empty())
+      return fault;
+    const std::string fault =
+      write_space_time_vtu(columns_path, directory + "/space-time.vtu");
+    std::error_code error;
+    if (is_done && fault.empty() &&
+        !std::filesystem::exists(directory + "/checkpoint.bin", error))
+      std::filesystem::remove(columns_path, error);
+    return fault;
+  }
+
+
+
+  template class SpaceTimeOutput<1>;
+  template class SpaceTimeOutput<2>;
+  template class SpaceTimeOutput<3>;
+} // namespace ThermoContact

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/text.h>
+#include <thermocontact/report/progress.h>
+
+#include <cstdio>
+#include <iomanip>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** 75 s as "1:15", two hours as "2:00:00". */
+    std::string
+    clock_time(const double seconds)
+    {
+      if (!(seconds < 3.6e6))
+        return "1000 h or more";
+      const auto whole = static_cast<unsigned int>(seconds + 0.5);
+      char       words[40];
+      if (whole < 3600)
+        std::snprintf(words, sizeof(words), "%u:%02u", whole / 60, whole % 60);
+      else
+        std::snprintf(words,
+                      sizeof(words),
+                      "%u:%02u:%02u",
+                      whole / 3600,
+                      whole / 60 % 60,
+                      whole % 60);
+      return words;
+    }
+
+
+
+    double
+    seconds_between(const std::chrono::steady_clock::time_point from,
+                    const std::chrono::steady_clock::time_point to)
+    {
+      return std::chrono::duration<double>(to - from).count();
+    }
+
+
+
+    /** The energy that the audit started from, by the audit. */
+    double
+    energy_at_first(const StepRecord &record)
+    {
+      return record.energy + record.dissipation + record.numerical_dissipation -
+             record.work;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Progress<dim>::Progress(const Simulation<dim> &simulation, Log &log)
+    : log(log)
+    , start(Clock::now())
+    , start_time(simulation.record().time)
+    , initial_energy_(energy_at_first(simulation.record()))
+    , last_update(start)
+    , last_step(simulation.record().step)
+    , steps_per_second(0.)
+    , step_seconds_(0.)
+  {}
+
+
+
+  template <int dim>
+  void
+  Progress<dim>::observe(const Simulation<dim> &simulation)
+  {
+    if (simulation.attempts().empty())
+      return; // the initial state
+    for (const StepAttempt &attempt : simulation.attempts())
+      step_seconds_ += attempt.wall_seconds;
+    report_tenth(simulation);
+    if (log.has_live_line())
+      update_live_line(simulation);
+  }
+
+
+
+  template <int dim>
+  void
+  Progress<dim>::report_tenth(const Simulation<dim> &simulation)
+  {
+    const StepRecord &record   = simulation.record();
+    const double      end_time = simulation.parameters().time.end_time;
+    const auto        tenths   = [end_time](const double time) {
+      return static_cast<unsigned int>(10. * time / end_time + 1e-9);
+    };
+    if (tenths(record.time) == tenths(record.time - record.step_size))
+      return;
+    std::string line = text("  ",
+                            std::setw(3),
+                            10 * tenths(record.time),
+                            " %   t = ",
+                            std::setw(10),
+                            std::left,
+                            record.time);
+    const auto  add  = [&line](const char *name, const double value) {
+      line += text("  ", name, " = ", std::setw(12), std::left, value);
+    };
+    const Parameters &parameters = simulation.parameters();
+    if (parameters.model.has_displacement())
+      add("u(1)", record.displacement_end);
+    if (parameters.contact_law().is_active)
+      {
+        add("gap", record.gap);
+        add("force", record.contact_force);
+      }
+    if (parameters.model.has_temperature())
+      add("theta(1)", record.temperature_end);
+    line.erase(line.find_last_not_of(' ') + 1);
+    if (log.has_live_line())
+      log.file_line(line);
+    else
+      log.line(line);
+  }
+
+
+
+  template <int dim>
+  void
+  Progress<dim>::update_live_line(const Simulation<dim> &simulation)
+  {
+    const auto   now     = Clock::now();
+    const double seconds = seconds_between(last_update, now);
+    if (seconds < 0.1)
+      return;
+    const StepRecord &record   = simulation.record();
+    const Parameters &p        = simulation.parameters();
+    const double      end_time = p.time.end_time;
+    const double      rate     = (record.step - last_step) / seconds;
+    steps_per_second =
+      steps_per_second == 0. ? rate : 0.7 * steps_per_second + 0.3 * rate;
+    last_update = now;
+    last_step   = record.step;
+
+    const double done = record.time - start_time;
+    const double left =
+      seconds_between(start, now) * (end_time - record.time) / done;
+    const auto field = [](const char *name, const double value) {
+      return text("  ", name, ' ', std::setw(12), std::left, value);
+    };
+    std::string line =
+      text("  ",
+           std::setw(3),
+           static_cast<unsigned int>(100. * record.time / end_time + 1e-9),
+           " %") +
+      field(" t", record.time) + field("dt", record.step_size);
+    if (p.contact_law().is_active)
+      line += record.in_contact ? field("force", record.contact_force) :
+                                  field("gap  ", record.gap);
+    else if (p.model.has_displacement())
+      line += field("u(1)", record.displacement_end);
+    else
+      line += field("theta(1)", record.temperature_end);
+    char speed[40];
+    std::snprintf(speed,
+                  sizeof(speed),
+                  steps_per_second < 10. ? "%8.2g" : "%8.0f",
+                  steps_per_second);
+    log.live_line(line + speed + " steps/s  " + clock_time(left) + " left");
+  }
+
+
+
+  template class Progress<1>;
+  template class Progress<2>;
+  template class Progress<3>;
+} // namespace ThermoContact

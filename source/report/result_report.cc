@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/text.h>
+#include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/report/result_report.h>
+#include <thermocontact/report/scene_report.h>
+#include <thermocontact/report/summary.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iomanip>
+#include <utility>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    template <int dim>
+    std::string
+    join_events(const Simulation<dim> &simulation)
+    {
+      const auto &events = simulation.events();
+      std::string line   = text(n_contact_begins(events), " times");
+      if (!events.empty())
+        line += text(", first at t = ", events.front().time);
+      return line + text(", peak force ",
+                         simulation.max_contact_force(),
+                         ", peak penetration ",
+                         simulation.max_penetration());
+    }
+
+
+
+    /** The state at the end, with the quantities of a state at rest. */
+    SteadyState
+    final_state(const StepRecord &record)
+    {
+      return {record.displacement_end,
+              record.contact_force,
+              record.temperature_end,
+              record.in_contact};
+    }
+
+
+
+    /** Where the scene tends to, and how far it is from there. */
+    std::string
+    compare_with_rest(const SteadyState &rest,
+                      const StepRecord  &record,
+                      const Parameters  &parameters)
+    {
+      std::string line = describe_steady_state(rest, parameters) + "; differs";
+      const auto  add =
+        [&line](const char *name, const double value, const double predicted) {
+          if (std::isfinite(predicted))
+            line += text(line.back() == 's' ? " in " : ", ",
+                         name,
+                         " by ",
+                         std::setprecision(2),
+                         value - predicted);
+        };
+      add("u(1)", record.displacement_end, rest.displacement_end);
+      add("theta(1)", record.temperature_end, rest.temperature_end);
+      if (parameters.contact_law().is_active)
+        add("force", record.contact_force, rest.contact_force);
+      return line;
+    }
+
+
+
+    /** The audit (M.22) of the whole run. */
+    std::string
+    describe_energy(const StepRecord &record, const double initial_energy)
+    {
+      const double defect = initial_energy + record.work - record.energy -
+                            record.dissipation - record.numerical_dissipation;
+      return text(initial_energy,
+                  " at first + work ",
+                  record.work,
+                  " = ",
+                  record.energy,
+                  " + dissipated ",
+                  record.dissipation,
+                  " + lost to the scheme ",
+                  record.numerical_dissipation,
+                  "; defect ",
+                  std::setprecision(2),
+                  defect);
+    }
+
+
+
+    /** A table of where the wall time went. */
+    void
+    report_times(const RunTimes       &times,
+                 const SolverCounters &counters,
+                 Log                  &log)
+    {
+      const double steps_rest =
+        times.steps - counters.solve_seconds - counters.contact_seconds;
+      const std::pair<const char *, double> sections[] = {
+        {"set-up", times.set_up},
+        {"steps: factorisations", counters.factorization_seconds},
+        {"steps: solves",
+         counters.solve_seconds - counters.factorization_seconds},
+        {"steps: contact", counters.contact_seconds},
+        {"steps: energy, errors, rest", steps_rest},
+        {"rows and screen", times.loop - times.steps},
+        {"fields and checkpoints", times.output},
+        {"whole run", times.wall}};
+      const char *title = "time";
+      for (const auto &[name, seconds] : sections)
+        {
+          char line[100];
+          std::snprintf(line,
+                        sizeof(line),
+                        "  %-10s%-29s%9.3f s %5.1f %%",
+                        title,
+                        name,
+                        std::max(0., seconds),
+                        100. * std::max(0., seconds) / times.wall);
+          log.line(line);
+          title = "";
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  report_result(const Simulation<dim> &simulation,
+                const RunTimes        &times,
+                const double           initial_energy,
+                Log                   &log)
+  {
+    const Parameters    &parameters = simulation.parameters();
+    const StepRecord    &record     = simulation.record();
+    const SolverCounters counters   = simulation.counters();
+    if (parameters.contact_law().is_active)
+      log.line("  contact   " + join_events(simulation) +
+               text(", impulse ", record.contact_impulse));
+    log.line("  final     " +
+             describe_steady_state(final_state(record), parameters));
+    if (const auto rest = steady_state(parameters).state)
+      log.line("  at rest   " + compare_with_rest(*rest, record, parameters));
+    log.line("  energy    " + describe_energy(record, initial_energy));
+    log.line(text("  cost      ",
+                  record.step,
+                  " steps, ",
+                  simulation.n_rejected_steps(),
+                  " rejected, ",
+                  counters.factorizations,
+                  " factorisations, ",
+                  counters.solves,
+                  " solves; ",
+                  std::setprecision(3),
+                  record.step == 0 ? 0. : 1e6 * times.loop / record.step,
+                  " us per step"));
+    report_times(times, counters, log);
+  }
+
+
+
+#define INSTANTIATE(dim)                                    \
+  template void report_result<dim>(const Simulation<dim> &, \
+                                   const RunTimes &,        \
+                                   const double,            \
+                                   Log &)
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace ThermoContact

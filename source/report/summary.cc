@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/atomic_file.h>
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/version.h>
+#include <thermocontact/forecast/first_impact.h>
+#include <thermocontact/forecast/forecast.h>
+#include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/output/output_directory.h>
+#include <thermocontact/report/summary.h>
+#include <thermocontact/scene/scene_terms.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /**
+     * What was known before the run, beside what came out; null where nothing
+     * was.
+     */
+    template <int dim>
+    nlohmann::ordered_json
+    predictions(const Simulation<dim> &simulation)
+    {
+      constexpr double  nan        = std::numeric_limits<double>::quiet_NaN();
+      const Parameters &parameters = simulation.parameters();
+      const StepRecord &record     = simulation.record();
+      const SteadyState none{nan, nan, nan, false};
+      const auto        forecast = steady_state(parameters);
+      const SteadyState rest     = forecast.state.value_or(none);
+      const auto        impact   = first_impact(parameters);
+      const auto        cost =
+        expected_cost(parameters, simulation.discretization().n_active_cells());
+
+      nlohmann::ordered_json entries = {
+        {"final_contact_force", record.contact_force},
+        {"final_temperature_end", record.temperature_end},
+        {"final_in_contact", record.in_contact},
+        {"predicted_displacement_end", rest.displacement_end},
+        {"predicted_contact_force", rest.contact_force},
+        {"predicted_temperature_end", rest.temperature_end},
+        {"predicted_in_contact", nullptr},
+        {"predicted_remark", forecast.remark},
+        {"difference_displacement_end",
+         record.displacement_end - rest.displacement_end},
+        {"difference_contact_force", record.contact_force - rest.contact_force},
+        {"difference_temperature_end",
+         record.temperature_end - rest.temperature_end},
+        {"predicted_first_contact_time", impact ? impact->time : nan},
+        {"predicted_first_penetration",
+         impact && impact->penetration > 0. ? impact->penetration : nan},
+        {"predicted_critical_step_size",
+         critical_step_size(parameters).value_or(nan)},
+        {"predicted_steps", cost ? cost->steps : nan}};
+      if (forecast.state)
+        entries["predicted_in_contact"] = rest.in_contact;
+      return entries;
+    }
+  } // namespace
+
+
+
+  unsigned int
+  n_contact_begins(const std::vector<ContactEvent> &events)
+  {
+    unsigned int n = 0;
+    for (const ContactEvent &event : events)
+      n += event.kind == ContactEvent::begin;
+    return n;
+  }
+
+
+
+  template <int dim>
+  void
+  write_summary(const std::string     &file_name,
+                const std::string     &status,
+                const Simulation<dim> &simulation,
+                const RunTimes        &times)
+  {
+    const Parameters    &parameters = simulation.parameters();
+    const StepRecord    &record     = simulation.record();
+    const SolverCounters counters   = simulation.counters();
+    const auto          &space      = simulation.discretization();
+    const auto          &events     = simulation.events();
+
+    Utilities::System::MemoryStats memory;
+    Utilities::System::get_memory_stats(memory);
+    const double peak_memory =
+      Utilities::MPI::sum(memory.VmHWM / 1024., space.communicator());
+
+    nlohmann::ordered_json summary = {
+      {"title", parameters.title},
+      {"status", status},
+      {"version", version()},
+      {"dimension", dim},
+      {"ranks", Utilities::MPI::n_mpi_processes(space.communicator())},
+      {"fields", scene_fields(parameters.model)},
+      {"terms", scene_terms(parameters)},
+      {"dofs", space.n_temperature_dofs() + space.n_displacement_dofs()},
+      {"factorized_unknowns", simulation.n_factorized_unknowns()},
+      {"scheme", parameters.time.scheme},
+      {"steps", record.step},
+      {"rejected_steps", simulation.n_rejected_steps()},
+      {"factorizations", counters.factorizations},
+      {"responses", counters.responses},
+      {"solves", counters.solves},
+      {"contact_begins", n_contact_begins(events)},
+      {"first_contact_time", nullptr},
+      {"max_penetration", simulation.max_penetration()},
+      {"max_contact_force", simulation.max_contact_force()},
+      {"final_time", record.time},
+      {"final_displacement_end", record.displacement_end},
+      {"final_energy", record.energy},
+      {"max_energy_increase", simulation.max_energy_increase()},
+      {"set_up_seconds", times.set_up},
+      {"loop_seconds", times.loop},
+      {"step_seconds", times.steps},
+      {"factorization_seconds", counters.factorization_seconds},
+      {"solve_seconds", counters.solve_seconds},
+      {"contact_seconds", counters.contact_seconds},
+      {"output_seconds", times.output},
+      {"wall_seconds", times.wall},
+      {"peak_memory_mb", peak_memory},
+      {"warnings", simulation.warnings()}};
+    if (!events.empty())
+      summary["first_contact_time"] = events.front().time;
+
+    summary.update(predictions(simulation));
+
+    std::string fault;
+    if (Utilities::MPI::this_mpi_process(space.communicator()) == 0)
+      {
+        fault = write_atomically(
+          file_name,
+          summary.dump(
+            2, ' ', false, nlohmann::json::error_handler_t::replace) +
+            '\n');
+      }
+    throw_everywhere<ComputationError>(fault, space.communicator());
+  }
+
+
+
+#define INSTANTIATE(dim)                                    \
+  template void write_summary<dim>(const std::string &,     \
+                                   const std::string &,     \
+                                   const Simulation<dim> &, \
+                                   const RunTimes &)
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace ThermoContact

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/simulation/error_norm.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  ErrorNorm::ErrorNorm(const double temperature_energy)
+    : temperature_energy(temperature_energy)
+    , max_thermal(0.)
+    , max_mechanical(0.)
+  {}
+
+
+
+  void
+  ErrorNorm::add(const EnergyTerms &energy)
+  {
+    max_thermal    = std::max(max_thermal, energy.thermal);
+    max_mechanical = std::max({max_mechanical, energy.elastic, energy.kinetic});
+  }
+
+
+
+  double
+  ErrorNorm::operator()(const EnergyTerms &error, const EnergyTerms &energy)
+  {
+    // Without a scale of its own the error of a load that starts like a power
+    // of t has the same relative size for every step.
+    if (max_thermal == 0. && std::isfinite(energy.thermal))
+      max_thermal = energy.thermal;
+    if (max_mechanical == 0. && std::isfinite(energy.elastic + energy.kinetic))
+      max_mechanical = std::max(energy.elastic, energy.kinetic);
+    const auto ratio = [](const double part, const double whole) {
+      return part == 0. ? 0. : part / whole;
+    };
+    const double rounding = 1e-14;
+    const double thermal  = std::max(max_thermal, energy.thermal);
+    const double thermal_error =
+      error.thermal <= rounding * rounding * (temperature_energy + thermal) ?
+        0. :
+        error.thermal;
+    return std::sqrt(
+      ratio(thermal_error, thermal) +
+      ratio(error.elastic + error.kinetic + error.obstacle,
+            std::max({max_mechanical, energy.elastic, energy.kinetic})));
+  }
+} // namespace ThermoContact

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/space/direct_solver.h>
+
+#include <string>
+
+namespace ThermoContact
+{
+  DirectSolver::DirectSolver(SparseMatrix &&matrix)
+    : matrix(std::move(matrix))
+    , control(1, 0., false, false) // its log costs as much as the solve
+    , solver(control)
+  {
+    try
+      {
+        solver.initialize(this->matrix);
+      }
+    catch (const ExceptionBase &)
+      {
+        throw ComputationError(
+          "the sparse factorisation (KLU) of a matrix of size " +
+          std::to_string(this->matrix.m()) +
+          " failed: it is singular in floating point\n  remedy:  check the "
+          "coefficients of section Model, the mesh and Time/Step size for "
+          "extreme values");
+      }
+  }
+
+
+
+  void
+  DirectSolver::solve(Vector &x, const Vector &b)
+  {
+    try
+      {
+        solver.solve(x, b);
+      }
+    catch (const ExceptionBase &)
+      {
+        throw ComputationError(
+          "a back-substitution (KLU) with a matrix of size " +
+          std::to_string(matrix.m()) +
+          " failed\n  remedy:  check the coefficients of section Model, the "
+          "mesh and Time/Step size for extreme values");
+      }
+  }
+} // namespace ThermoContact

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/space/field_matrices.h>
+#include <thermocontact/space/massless_contact.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <deal.II/lac/block_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/trilinos_block_sparse_matrix.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Field matrices know nothing of the fixed end. */
+    AffineConstraints<double>
+    no_constraints()
+    {
+      AffineConstraints<double> constraints;
+      constraints.close();
+      return constraints;
+    }
+
+
+
+    /** What the products need of a basis function at a point. */
+    template <int dim>
+    struct CellBasis
+    {
+      double                  theta = 0.;
+      Tensor<1, dim>          grad_theta;
+      SymmetricTensor<2, dim> strain;
+      double                  divergence = 0.;
+    };
+
+
+
+    /** All basis functions of a cell; those of absent fields do not exist. */
+    template <int dim>
+    void
+    evaluate_basis(const Discretization<dim>   &discretization,
+                   const FEValues<dim>         &fe_values,
+                   const unsigned int           q,
+                   std::vector<CellBasis<dim>> &basis)
+    {
+      if (discretization.has_field(0))
+        {
+          const auto &theta = fe_values[discretization.temperature_extractor()];
+          for (const unsigned int i : fe_values.dof_indices())
+            {
+              basis[i].theta      = theta.value(i, q);
+              basis[i].grad_theta = theta.gradient(i, q);
+            }
+        }
+      if (discretization.has_field(1))
+        {
+          const auto &u = fe_values[discretization.displacement_extractor()];
+          for (const unsigned int i : fe_values.dof_indices())
+            {
+              basis[i].strain     = u.symmetric_gradient(i, q);
+              basis[i].divergence = u.divergence(i, q);
+            }
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  FieldMatrices<dim>::FieldMatrices(const Discretization<dim> &discretization,
+                                    const Parameters          &parameters)
+    : discretization(discretization)
+    , model(parameters.model)
+    , heat_exchange(parameters.boundary.heat_exchange)
+    , is_lumped(parameters.mesh.is_lumped())
+    , has_massless_contact(parameters.has_massless_contact())
+    , has_own_viscous_stiffness(parameters.time.is_energy_conserving() &&
+                                has_massless_contact &&
+                                parameters.model.viscosity > 0.)
+  {
+    setup_matrix(false, mass);
+    setup_matrix(false, stiffness);
+    if (model.thermal_stress() != 0.)
+      setup_matrix(true, coupling);
+    if (has_own_viscous_stiffness)
+      setup_matrix(false, viscous_stiffness);
+    assemble_mass();
+    assemble_stiffness();
+    if (model.has_temperature())
+      assemble_contact_end();
+  }
+
+
+
+  template <int dim>
+  void
+  FieldMatrices<dim>::setup_matrix(const bool         couples_fields,
+                                   BlockSparseMatrix &matrix) const
+  {
+    const unsigned int           n = discretization.n_components();
+    Table<2, DoFTools::Coupling> couplings(n, n);
+    const bool                   has_temperature = discretization.has_field(0);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          const bool is_same_field = !has_temperature || (i == 0) == (j == 0);
+          couplings(i, j) =
+            is_same_field != couples_fields ? DoFTools::always : DoFTools::none;
+        }
+    std::vector<IndexSet> owned, relevant;
+    for (unsigned int block = 0; block < 2; ++block)
+      if (discretization.has_field(block))
+        {
+          owned.push_back(discretization.owned_by_block()[block]);
+          relevant.push_back(discretization.relevant_by_block()[block]);
+        }
+    TrilinosWrappers::BlockSparsityPattern pattern(
+      owned, owned, relevant, discretization.communicator());
+    DoFTools::make_sparsity_pattern(discretization.dof_handler(),
+                                    couplings,
+                                    pattern,
+                                    AffineConstraints<double>(),
+                                    true,
+                                    Utilities::MPI::this_mpi_process(
+                                      discretization.communicator()));
+    pattern.compress();
+    matrix.reinit(pattern);
+  }
+
+
+
+  template <int dim>
+  void
+  FieldMatrices<dim>::assemble_mass()
+  {
+    const FiniteElement<dim>       &fe = discretization.finite_element();
+    FEValues<dim>                   fe_values(discretization.mapping(),
+                            fe,
+                            mass_quadrature<dim>(fe.degree, is_lumped),
+                            update_values | update_JxW_values);
+    FEValues<dim>                   massless_values(discretization.mapping(),
+                                  fe,
+                                  massless_quadrature<dim>(fe.degree,
+                                                           is_lumped),
+                                  update_values | update_JxW_values);
+    const AffineConstraints<double> unconstrained = no_constraints();
+
+    const unsigned int                   n = fe.dofs_per_cell;
+    FullMatrix<double>                   cell_mass(n, n);
+    std::vector<types::global_dof_index> dofs(n);
+    const unsigned int                   axial = model.has_displacement() ?
+                                                   discretization.first_component(1) :
+                                                   numbers::invalid_unsigned_int;
+
+    const auto integrate = [&](const FEValues<dim> &values,
+                               const auto          &is_wanted) {
+      for (const unsigned int i : values.dof_indices())
+        for (const unsigned int j : values.dof_indices())
+          {
+            const unsigned int c = fe.system_to_component_index(i).first;
+            if (c == fe.system_to_component_index(j).first && is_wanted(c))
+              for (const unsigned int q : values.quadrature_point_indices())
+                cell_mass(i, j) += values.shape_value(i, q) *
+                                   values.shape_value(j, q) * values.JxW(q);
+          }
+    };
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const bool is_massless =
+            has_massless_contact && is_at_contact_end<dim>(cell);
+          cell_mass = 0.;
+          fe_values.reinit(cell);
+          integrate(fe_values, [&](const unsigned int c) {
+            return !(is_massless && c == axial);
+          });
+          if (is_massless)
+            {
+              massless_values.reinit(cell);
+              integrate(massless_values,
+                        [&](const unsigned int c) { return c == axial; });
+            }
+          cell->get_dof_indices(dofs);
+          unconstrained.distribute_local_to_global(cell_mass, dofs, mass);
+        }
+    mass.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  FieldMatrices<dim>::assemble_stiffness()
+  {
+    const FiniteElement<dim>       &fe = discretization.finite_element();
+    FEValues<dim>                   fe_values(discretization.mapping(),
+                            fe,
+                            QGauss<dim>(fe.degree + 1),
+                            update_values | update_gradients |
+                              update_JxW_values);
+    const AffineConstraints<double> unconstrained = no_constraints();
+
+    const unsigned int                   n = fe.dofs_per_cell;
+    FullMatrix<double>                   cell_stiffness(n, n);
+    FullMatrix<double>                   cell_coupling(n, n);
+    std::vector<types::global_dof_index> dofs(n);
+    std::vector<CellBasis<dim>>          basis(n);
+    const bool               has_coupling = model.thermal_stress() != 0.;
+    const FullMatrix<double> extension =
+      has_own_viscous_stiffness ? extension_to_contact_nodes(discretization) :
+                                  FullMatrix<double>();
+
+    // Elasticity scaled to unit P-wave modulus, doc/model.md (M.6).
+    const double nu     = model.poisson_ratio;
+    const double lambda = nu / (1. - nu);
+    const double two_mu = (1. - 2. * nu) / (1. - nu);
+
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          fe_values.reinit(cell);
+          cell_stiffness = 0.;
+          cell_coupling  = 0.;
+          for (const unsigned int q : fe_values.quadrature_point_indices())
+            {
+              evaluate_basis(discretization, fe_values, q, basis);
+              const double JxW = fe_values.JxW(q);
+              for (unsigned int i = 0; i < n; ++i)
+                for (unsigned int j = 0; j < n; ++j)
+                  {
+                    const CellBasis<dim> &f = basis[i], &g = basis[j];
+                    cell_stiffness(i, j) +=
+                      (f.grad_theta * g.grad_theta +
+                       lambda * f.divergence * g.divergence +
+                       two_mu * (f.strain * g.strain)) *
+                      JxW;
+                    cell_coupling(i, j) +=
+                      (f.theta * g.divergence + f.divergence * g.theta) * JxW;
+                  }
+            }
+          cell->get_dof_indices(dofs);
+          unconstrained.distribute_local_to_global(cell_stiffness,
+                                                   dofs,
+                                                   stiffness);
+          if (has_coupling)
+            unconstrained.distribute_local_to_global(cell_coupling,
+                                                     dofs,
+                                                     coupling);
+          if (!has_own_viscous_stiffness)
+            continue;
+          FullMatrix<double> cell_viscous(n, n);
+          if (is_at_contact_end<dim>(cell))
+            cell_viscous.triple_product(cell_stiffness,
+                                        extension,
+                                        extension,
+                                        true);
+          else
+            cell_viscous = cell_stiffness;
+          unconstrained.distribute_local_to_global(cell_viscous,
+                                                   dofs,
+                                                   viscous_stiffness);
+        }
+    stiffness.compress(VectorOperation::add);
+    if (has_coupling)
+      coupling.compress(VectorOperation::add);
+    if (has_own_viscous_stiffness)
+      viscous_stiffness.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  FieldMatrices<dim>::assemble_contact_end()
+  {
+    const FiniteElement<dim>       &fe = discretization.finite_element();
+    FEFaceValues<dim>               face_values(discretization.mapping(),
+                                  fe,
+                                  QGauss<dim - 1>(fe.degree + 1),
+                                  update_values | update_JxW_values);
+    const AffineConstraints<double> unconstrained = no_constraints();
+
+    FullMatrix<double> cell_matrix(fe.dofs_per_cell, fe.dofs_per_cell);
+    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
+    const auto &theta = face_values[discretization.temperature_extractor()];
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() &&
+              cell->face(f)->boundary_id() == contact_boundary_id)
+            {
+              face_values.reinit(cell, f);
+              cell_matrix = 0.;
+              for (const unsigned int q :
+                   face_values.quadrature_point_indices())
+                for (const unsigned int i : face_values.dof_indices())
+                  for (const unsigned int j : face_values.dof_indices())
+                    cell_matrix(i, j) += heat_exchange * theta.value(i, q) *
+                                         theta.value(j, q) * face_values.JxW(q);
+              cell->get_dof_indices(dofs);
+              unconstrained.distribute_local_to_global(cell_matrix,
+                                                       dofs,
+                                                       stiffness);
+            }
+    stiffness.compress(VectorOperation::add);
+  }
+
+
+
+  template class FieldMatrices<1>;
+  template class FieldMatrices<2>;
+  template class FieldMatrices<3>;
+} // namespace ThermoContact

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/space/h1_projection.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <deal.II/numerics/vector_tools_interpolate.h>
+
+namespace ThermoContact
+{
+  template <int dim>
+  H1Projection<dim>::H1Projection(const Discretization<dim> &discretization)
+    : discretization(discretization)
+  {
+    assemble_laplace_matrix();
+  }
+
+
+
+  template <int dim>
+  void
+  H1Projection<dim>::assemble_laplace_matrix()
+  {
+    const FiniteElement<dim> &fe          = discretization.finite_element();
+    const auto               &constraints = discretization.constraints();
+
+    const unsigned int           n_components = discretization.n_components();
+    Table<2, DoFTools::Coupling> coupling(n_components, n_components);
+    coupling.fill(DoFTools::none);
+    for (unsigned int c = 0; c < n_components; ++c)
+      coupling(c, c) = DoFTools::always;
+    TrilinosWrappers::SparsityPattern pattern(discretization.owned(),
+                                              discretization.owned(),
+                                              discretization.relevant(),
+                                              discretization.communicator());
+    DoFTools::make_sparsity_pattern(discretization.dof_handler(),
+                                    coupling,
+                                    pattern,
+                                    constraints,
+                                    false,
+                                    Utilities::MPI::this_mpi_process(
+                                      discretization.communicator()));
+    pattern.compress();
+    SparseMatrix matrix;
+    matrix.reinit(pattern);
+
+    FEValues<dim>      fe_values(discretization.mapping(),
+                            fe,
+                            QGauss<dim>(fe.degree + 1),
+                            update_gradients | update_JxW_values);
+    FullMatrix<double> cell_matrix(fe.dofs_per_cell, fe.dofs_per_cell);
+    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          fe_values.reinit(cell);
+          cell_matrix = 0.;
+          for (const unsigned int i : fe_values.dof_indices())
+            for (const unsigned int j : fe_values.dof_indices())
+              if (fe.system_to_component_index(i).first ==
+                  fe.system_to_component_index(j).first)
+                for (const unsigned int q :
+                     fe_values.quadrature_point_indices())
+                  cell_matrix(i, j) += fe_values.shape_grad(i, q) *
+                                       fe_values.shape_grad(j, q) *
+                                       fe_values.JxW(q);
+          cell->get_dof_indices(dofs);
+          constraints.distribute_local_to_global(cell_matrix, dofs, matrix);
+        }
+    matrix.compress(VectorOperation::add);
+    laplace_solver = std::make_unique<DirectSolver>(std::move(matrix));
+  }
+
+
+
+  template <int dim>
+  Vector
+  H1Projection<dim>::correction_rhs(const Function<dim> &function,
+                                    const Vector        &interpolant) const
+  {
+    const FiniteElement<dim> &fe = discretization.finite_element();
+    // The data are no polynomials: more points than the products need.
+    const unsigned int n_points = fe.degree + 3;
+    FEValues<dim>      fe_values(discretization.mapping(),
+                            fe,
+                            QGauss<dim>(n_points),
+                            update_values | update_hessians |
+                              update_quadrature_points | update_JxW_values);
+    FEFaceValues<dim>  face_values(discretization.mapping(),
+                                  fe,
+                                  QGauss<dim - 1>(n_points),
+                                  update_values | update_gradients |
+                                    update_normal_vectors |
+                                    update_quadrature_points |
+                                    update_JxW_values);
+
+    Vector ghosted(discretization.owned(),
+                   discretization.relevant(),
+                   discretization.communicator());
+    ghosted    = interpolant;
+    Vector rhs = discretization.make_system_vector();
+
+    dealii::Vector<double>               cell_rhs(fe.dofs_per_cell);
+    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
+
+    // adds factor (w - interpolant, test) over a cell or a face
+    const auto integrate = [&](const auto &values, const auto &test) {
+      std::vector<dealii::Vector<double>> interpolated(
+        values.n_quadrature_points,
+        dealii::Vector<double>(discretization.n_components()));
+      values.get_function_values(ghosted, interpolated);
+      for (const unsigned int q : values.quadrature_point_indices())
+        for (const unsigned int i : values.dof_indices())
+          {
+            const unsigned int c = fe.system_to_component_index(i).first;
+            const double       difference =
+              function.value(values.quadrature_point(q), c) -
+              interpolated[q](c);
+            cell_rhs(i) += difference * test(i, q) * values.JxW(q);
+          }
+    };
+
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell_rhs = 0.;
+          fe_values.reinit(cell);
+          integrate(fe_values, [&](const unsigned int i, const unsigned int q) {
+            return -trace(fe_values.shape_hessian(i, q));
+          });
+          for (const unsigned int f : cell->face_indices())
+            {
+              face_values.reinit(cell, f);
+              integrate(face_values,
+                        [&](const unsigned int i, const unsigned int q) {
+                          return face_values.shape_grad(i, q) *
+                                 face_values.normal_vector(q);
+                        });
+            }
+          cell->get_dof_indices(dofs);
+          discretization.constraints().distribute_local_to_global(cell_rhs,
+                                                                  dofs,
+                                                                  rhs);
+        }
+    rhs.compress(VectorOperation::add);
+    return rhs;
+  }
+
+
+
+  template <int dim>
+  void
+  H1Projection<dim>::project(const Function<dim> &function,
+                             Vector              &temperature,
+                             Vector              &displacement)
+  {
+    Vector projection = discretization.make_system_vector();
+    VectorTools::interpolate(discretization.mapping(),
+                             discretization.dof_handler(),
+                             function,
+                             projection);
+    const Vector rhs = correction_rhs(function, projection);
+    Vector       correction(rhs);
+    laplace_solver->solve(correction, rhs);
+    projection += correction;
+    discretization.split(projection, temperature, displacement);
+  }
+
+
+
+  template class H1Projection<1>;
+  template class H1Projection<2>;
+  template class H1Projection<3>;
+} // namespace ThermoContact

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/space/loads.h>
+
+#include <deal.II/base/function.h>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Sources are no polynomials: more points than the products need. */
+    template <int dim>
+    unsigned int
+    n_points(const Discretization<dim> &discretization)
+    {
+      return discretization.degree() + 3;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Loads<dim>::Loads(const Discretization<dim> &discretization,
+                    const Parameters          &parameters,
+                    ProblemData<dim>          &data)
+    : discretization(discretization)
+    , data(data)
+    , fe_values(discretization.mapping(),
+                discretization.finite_element(),
+                QGauss<dim>(n_points(discretization)),
+                update_values | update_quadrature_points | update_JxW_values)
+    , face_values(discretization.mapping(),
+                  discretization.finite_element(),
+                  QGauss<dim - 1>(n_points(discretization)),
+                  update_values | update_quadrature_points | update_JxW_values)
+    , sources(discretization.owned_by_block(), discretization.communicator())
+    , cell_load(discretization.finite_element().dofs_per_cell)
+    , obstacle_heat_(discretization.make_vector(0))
+  {
+    unconstrained.close();
+    if (!parameters.model.has_temperature())
+      return;
+    const BoundaryParameters &boundary = parameters.boundary;
+    integrate_end_flux(Functions::ConstantFunction<dim>(
+      boundary.heat_exchange * boundary.obstacle_temperature));
+    sources.compress(VectorOperation::add);
+    obstacle_heat_ += sources.block(0);
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::assemble(const double time, Vector &heat, Vector &momentum)
+  {
+    heat     = obstacle_heat_;
+    momentum = 0.;
+    if (!data.has_sources())
+      return;
+
+    data.set_time(time);
+    if (data.heat_source() != nullptr || data.body_force() != nullptr ||
+        data.end_heat_flux() != nullptr)
+      {
+        sources = 0.;
+        if (data.end_heat_flux() != nullptr)
+          integrate_end_flux(*data.end_heat_flux());
+        if (data.heat_source() != nullptr || data.body_force() != nullptr)
+          integrate_volume();
+        sources.compress(VectorOperation::add);
+        heat += sources.block(0);
+        momentum += sources.block(1);
+      }
+    if (data.end_traction() != nullptr)
+      for (const auto &[node, entry] : discretization.contact_entries(1))
+        {
+          const ContactNode<dim> &n = discretization.contact_nodes()[node];
+          momentum.begin()[entry] +=
+            n.weight * data.end_traction()->value(n.position);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::add_scalar(const FEValuesBase<dim> &values,
+                         const Function<dim>     &function)
+  {
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const double f_JxW =
+          function.value(values.quadrature_point(q)) * values.JxW(q);
+        for (const unsigned int i : values.dof_indices())
+          cell_load(i) +=
+            f_JxW * values[discretization.temperature_extractor()].value(i, q);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::add_vector(const FEValuesBase<dim> &values,
+                         const Function<dim>     &function)
+  {
+    for (const unsigned int q : values.quadrature_point_indices())
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const double f_JxW =
+            function.value(values.quadrature_point(q), c) * values.JxW(q);
+          for (const unsigned int i : values.dof_indices())
+            cell_load(i) +=
+              f_JxW *
+              values[discretization.displacement_extractor()].value(i, q)[c];
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::integrate_end_flux(const Function<dim> &flux)
+  {
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && cell->at_boundary())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() &&
+              cell->face(f)->boundary_id() == contact_boundary_id)
+            {
+              cell_load = 0.;
+              face_values.reinit(cell, f);
+              add_scalar(face_values, flux);
+              distribute(cell);
+            }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::integrate_volume()
+  {
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell_load = 0.;
+          fe_values.reinit(cell);
+          if (data.heat_source() != nullptr)
+            add_scalar(fe_values, *data.heat_source());
+          if (data.body_force() != nullptr)
+            add_vector(fe_values, *data.body_force());
+          distribute(cell);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::distribute(
+    const typename DoFHandler<dim>::active_cell_iterator &cell)
+  {
+    std::vector<types::global_dof_index> dofs(cell_load.size());
+    cell->get_dof_indices(dofs);
+    unconstrained.distribute_local_to_global(cell_load, dofs, sources);
+  }
+
+
+
+  template class Loads<1>;
+  template class Loads<2>;
+  template class Loads<3>;
+} // namespace ThermoContact

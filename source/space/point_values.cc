@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/space/point_values.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/geometry_info.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    // A point this close to a cell, in parts of its size, is on its boundary;
+    // a shape function this close to 0 or 1 is at one of its nodes.
+    constexpr double cell_tolerance  = 1e-10;
+    constexpr double shape_tolerance = 1e-13;
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<Place<dim>>
+  places_on_axis(const Discretization<dim> &discretization, const double width)
+  {
+    const auto on_axis = [width](const double x) {
+      Point<dim> point;
+      point[0] = x;
+      for (unsigned int d = 1; d < dim; ++d)
+        point[d] = 0.5 * width;
+      return point;
+    };
+
+    std::vector<std::pair<double, double>> intervals;
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        if (const auto box = cell->bounding_box();
+            box.point_inside(on_axis(box.center()[0]), cell_tolerance))
+          intervals.emplace_back(box.lower_bound(0), box.upper_bound(0));
+    std::vector<std::pair<double, double>> all;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(discretization.communicator(), intervals))
+      all.insert(all.end(), of_rank.begin(), of_rank.end());
+    std::sort(all.begin(), all.end());
+
+    std::vector<Place<dim>> places;
+    const unsigned int      p        = discretization.degree();
+    double                  last_mid = 0.;
+    for (const auto &[left, right] : all)
+      if (left >= last_mid) // else the same interval, on the other side
+        {
+          // cells on different sides may round the place where they meet
+          const double begin =
+            places.empty() ? left : places.back().position[0];
+          last_mid = 0.5 * (left + right);
+          for (unsigned int i = 0; i <= p; ++i)
+            places.push_back(
+              {on_axis(i == p ? right : begin + (right - begin) * i / p),
+               on_axis(last_mid)});
+        }
+    return places;
+  }
+
+
+
+  template <int dim>
+  PointValues<dim>::PointValues(const Discretization<dim>     &discretization,
+                                const ModelParameters         &model,
+                                const std::vector<Place<dim>> &places)
+    : discretization(discretization)
+    , model(model)
+    , n_places(places.size())
+    , values(n_fields * places.size())
+  {
+    const auto all_shares =
+      Utilities::MPI::all_gather(discretization.communicator(),
+                                 local_shares(places));
+
+    // a share of form n_forms counts the cells of a place
+    std::vector<double> n_cells(n_places, 0.);
+    for (const auto &of_rank : all_shares)
+      for (const Share &share : of_rank)
+        if (share.form == n_forms)
+          n_cells[share.place] += share.weight;
+    Assert(std::count(n_cells.begin(), n_cells.end(), 0.) == 0,
+           ExcMessage("a place is not in the body"));
+
+    using Key = std::tuple<unsigned int, unsigned int, unsigned int>;
+    std::map<Key, double> weights;
+    for (const auto &of_rank : all_shares)
+      for (const Share &share : of_rank)
+        if (share.form != n_forms)
+          {
+            const unsigned int block = share.form == temperature_form ? 0 : 1;
+            const IndexSet    &owned = discretization.owned_by_block()[block];
+            if (owned.is_element(share.dof))
+              weights[{
+                share.form, share.place, owned.index_within_set(share.dof)}] +=
+                share.weight / n_cells[share.place];
+          }
+    for (const auto &[key, weight] : weights)
+      terms[std::get<0>(key)].push_back(
+        {std::get<1>(key), std::get<2>(key), weight});
+  }
+
+
+
+  template <int dim>
+  std::vector<typename PointValues<dim>::Share>
+  PointValues<dim>::local_shares(const std::vector<Place<dim>> &places) const
+  {
+    // by x, so that the places of a cell are found among many
+    std::vector<unsigned int> order(places.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto x_of = [&places](const unsigned int place) {
+      return places[place].cell_point[0];
+    };
+    std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+      return x_of(a) < x_of(b);
+    });
+
+    std::vector<Share> shares;
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const auto   box   = cell->bounding_box();
+          const double slack = 2. * cell_tolerance * box.side_length(0);
+          for (auto place = std::lower_bound(order.begin(),
+                                             order.end(),
+                                             box.lower_bound(0) - slack,
+                                             [&](const auto a, const double x) {
+                                               return x_of(a) < x;
+                                             });
+               place != order.end() &&
+               x_of(*place) <= box.upper_bound(0) + slack;
+               ++place)
+            if (box.point_inside(places[*place].cell_point, cell_tolerance))
+              add_shares(cell, places[*place].position, *place, shares);
+        }
+    return shares;
+  }
+
+
+
+  template <int dim>
+  void
+  PointValues<dim>::add_shares(
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const Point<dim>                                     &position,
+    const unsigned int                                    place,
+    std::vector<Share>                                   &shares) const
+  {
+    // the cells of the body are boxes along the axes
+    const auto       box = cell->bounding_box();
+    const Point<dim> unit_point =
+      GeometryInfo<dim>::project_to_unit_cell(box.real_to_unit(position));
+    const double nu     = model.poisson_ratio;
+    const double lambda = nu / (1. - nu);
+    const double two_mu = (1. - 2. * nu) / (1. - nu);
+
+    const FiniteElement<dim>            &fe   = discretization.finite_element();
+    const FiniteElement<dim>            &base = fe.base_element(0);
+    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
+    cell->get_dof_indices(dofs);
+    const types::global_dof_index offset = discretization.n_temperature_dofs();
+    const unsigned int            first  = discretization.first_component(1);
+    const auto                    add = [&](const Form                    form,
+                         const types::global_dof_index dof,
+                         const double                  weight) {
+      if (weight != 0.)
+        shares.push_back({form, place, dof, weight});
+    };
+    const auto rounded = [](const double value) {
+      const double node_value = std::round(value);
+      return std::abs(value - node_value) < shape_tolerance ? node_value :
+                                                              value;
+    };
+
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      {
+        const auto [component, shape] = fe.system_to_component_index(i);
+        if (discretization.has_field(0) && component == 0)
+          {
+            add(temperature_form,
+                dofs[i],
+                rounded(base.shape_value(shape, unit_point)));
+            continue;
+          }
+        const unsigned int d = component - first;
+        if (d == 0)
+          add(displacement_form,
+              dofs[i] - offset,
+              rounded(base.shape_value(shape, unit_point)));
+        const double derivative = base.shape_grad(shape, unit_point)[d];
+        if (std::abs(derivative) > shape_tolerance)
+          add(strain_form,
+              dofs[i] - offset,
+              (d == 0 ? two_mu + lambda : lambda) * derivative /
+                box.side_length(d));
+      }
+    shares.push_back({n_forms, place, 0, 1.});
+  }
+
+
+
+  template <int dim>
+  void
+  PointValues<dim>::add_values(const Form    form,
+                               const Vector &vector,
+                               const double  factor,
+                               const Field   field)
+  {
+    const double *const local  = vector.begin();
+    double *const       result = values.data() + field * n_places;
+    for (const Term &term : terms[form])
+      result[term.place] += factor * term.weight * local[term.entry];
+  }
+
+
+
+  template <int dim>
+  const std::vector<double> &
+  PointValues<dim>::evaluate(const State &state)
+  {
+    std::fill(values.begin(), values.end(), 0.);
+    add_values(temperature_form, state.temperature, 1., temperature);
+    add_values(displacement_form, state.displacement, 1., displacement);
+    add_values(displacement_form, state.velocity, 1., velocity);
+    add_values(strain_form, state.displacement, 1., stress);
+    if (model.viscosity != 0.)
+      add_values(strain_form, state.velocity, model.viscosity, stress);
+    if (model.thermal_stress() != 0.)
+      add_values(temperature_form,
+                 state.temperature,
+                 -model.thermal_stress(),
+                 stress);
+    if (Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
+      Utilities::MPI::sum(values, discretization.communicator(), values);
+
+    const auto set_absent = [this](const Field field) {
+      std::fill_n(values.begin() + field * n_places,
+                  n_places,
+                  std::numeric_limits<double>::quiet_NaN());
+    };
+    if (!model.has_temperature())
+      set_absent(temperature);
+    for (const Field field : {displacement, velocity, stress})
+      if (!model.has_displacement())
+        set_absent(field);
+    if (model.is_static() && state.time == 0.)
+      set_absent(velocity);
+    return values;
+  }
+
+
+
+  template class PointValues<1>;
+  template class PointValues<2>;
+  template class PointValues<3>;
+
+  template std::vector<Place<1>>
+  places_on_axis(const Discretization<1> &, const double);
+  template std::vector<Place<2>>
+  places_on_axis(const Discretization<2> &, const double);
+  template std::vector<Place<3>>
+  places_on_axis(const Discretization<3> &, const double);
+} // namespace ThermoContact

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/space/thermoviscoelastic_operator.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <Epetra_CrsMatrix.h>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /**
+     * Adds @p factor times @p block to @p target at the offsets of the block
+     * in the whole system. Rows in @p skipped are left out; columns of
+     * constrained degrees of freedom stay, since they meet vanishing rates.
+     */
+    void
+    add_block(const SparseMatrix           &block,
+              const double                  factor,
+              const types::global_dof_index row_offset,
+              const types::global_dof_index column_offset,
+              const IndexSet               &skipped,
+              SparseMatrix                 &target)
+    {
+      // deal.II's iterators set up arrays of the whole width at each row.
+      const Epetra_CrsMatrix              &source = block.trilinos_matrix();
+      std::vector<types::global_dof_index> columns;
+      std::vector<double>                  values;
+      for (int local_row = 0; local_row < source.NumMyRows(); ++local_row)
+        {
+          const types::global_dof_index row = source.RowMap().GID64(local_row);
+          if (skipped.is_element(row))
+            continue;
+          int     n_entries   = 0;
+          double *row_values  = nullptr;
+          int    *row_columns = nullptr;
+          source.ExtractMyRowView(local_row,
+                                  n_entries,
+                                  row_values,
+                                  row_columns);
+          columns.clear();
+          values.clear();
+          // On several ranks Trilinos adds zero entries of its own to the
+          // pattern of a block, which the whole matrix does not have.
+          for (int i = 0; i < n_entries; ++i)
+            if (row_values[i] != 0.)
+              {
+                columns.push_back(source.ColMap().GID64(row_columns[i]) +
+                                  column_offset);
+                values.push_back(factor * row_values[i]);
+              }
+          target.add(row + row_offset,
+                     columns.size(),
+                     columns.data(),
+                     values.data(),
+                     false);
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ThermoviscoelasticOperator<dim>::ThermoviscoelasticOperator(
+    const Discretization<dim> &discretization,
+    const Parameters          &parameters)
+    : discretization(discretization)
+    , model(parameters.model)
+    , matrices(discretization, parameters)
+    , heat_scratch(discretization.make_vector(0))
+    , momentum_scratch(discretization.make_vector(1))
+  {}
+
+
+
+  template <int dim>
+  SparseMatrix
+  ThermoviscoelasticOperator<dim>::heat_stage_matrix(const double tau) const
+  {
+    return combine(heat_mass(), 1., conduction(), tau, 0);
+  }
+
+
+
+  template <int dim>
+  SparseMatrix
+  ThermoviscoelasticOperator<dim>::momentum_stage_matrix(const double tau) const
+  {
+    if (&viscous_stiffness() == &stiffness())
+      return combine(momentum_mass(),
+                     model.inertia,
+                     stiffness(),
+                     tau * model.viscosity + tau * tau,
+                     1);
+    SparseMatrix viscous_and_elastic;
+    viscous_and_elastic.copy_from(stiffness());
+    viscous_and_elastic *= tau * tau;
+    viscous_and_elastic.add(tau * model.viscosity, viscous_stiffness());
+    return combine(momentum_mass(), model.inertia, viscous_and_elastic, 1., 1);
+  }
+
+
+
+  template <int dim>
+  SparseMatrix
+  ThermoviscoelasticOperator<dim>::combine(const SparseMatrix &first,
+                                           const double        first_factor,
+                                           const SparseMatrix &second,
+                                           const double        second_factor,
+                                           const unsigned int  block) const
+  {
+    SparseMatrix matrix;
+    matrix.copy_from(first);
+    matrix *= first_factor;
+    matrix.add(second_factor, second);
+
+    std::vector<types::global_dof_index> rows;
+    discretization.constrained(block).fill_index_vector(rows);
+    matrix.clear_rows(rows, 1.);
+    return matrix;
+  }
+
+
+
+  template <int dim>
+  SparseMatrix
+  ThermoviscoelasticOperator<dim>::stage_matrix(const double tau) const
+  {
+    Assert(model.thermal_stress() != 0., ExcInternalError());
+    TrilinosWrappers::SparsityPattern pattern(discretization.owned(),
+                                              discretization.owned(),
+                                              discretization.relevant(),
+                                              discretization.communicator());
+    DoFTools::make_sparsity_pattern(discretization.dof_handler(),
+                                    pattern,
+                                    AffineConstraints<double>(),
+                                    true,
+                                    Utilities::MPI::this_mpi_process(
+                                      discretization.communicator()));
+    pattern.compress();
+    SparseMatrix matrix;
+    matrix.reinit(pattern);
+
+    const types::global_dof_index n = discretization.n_temperature_dofs();
+    const IndexSet                none_of_heat(n);
+    const IndexSet none_of_momentum(discretization.n_displacement_dofs());
+    add_block(heat_stage_matrix(tau), 1., 0, 0, none_of_heat, matrix);
+    add_block(divergence(),
+              tau * model.thermoelastic_heating(),
+              0,
+              n,
+              discretization.constrained(0),
+              matrix);
+    add_block(thermal_stress(),
+              -tau * model.thermal_stress(),
+              n,
+              0,
+              discretization.constrained(1),
+              matrix);
+    add_block(momentum_stage_matrix(tau), 1., n, n, none_of_momentum, matrix);
+    matrix.compress(VectorOperation::add);
+    return matrix;
+  }
+
+
+
+  template <int dim>
+  void
+  ThermoviscoelasticOperator<dim>::stage_rhs(const State  &known,
+                                             const double  tau,
+                                             const Vector &heat_load,
+                                             const Vector &momentum_load,
+                                             Vector       &heat,
+                                             Vector       &momentum) const
+  {
+    if (model.has_temperature())
+      {
+        conduction().vmult(heat, known.temperature);
+        heat.sadd(-1., heat_load);
+        zero_constrained(0, heat);
+      }
+    if (!model.has_displacement())
+      return;
+    stiffness().vmult(momentum_scratch, known.displacement);
+    momentum.equ(tau, momentum_load);
+    momentum.add(-tau, momentum_scratch);
+    if (model.thermal_stress() != 0.)
+      {
+        thermal_stress().vmult(momentum_scratch, known.temperature);
+        momentum.add(tau * model.thermal_stress(), momentum_scratch);
+      }
+    if (model.inertia > 0.)
+      {
+        momentum_mass().vmult(momentum_scratch, known.velocity);
+        momentum.add(model.inertia, momentum_scratch);
+      }
+    zero_constrained(1, momentum);
+  }
+
+
+
+  template <int dim>
+  void
+  ThermoviscoelasticOperator<dim>::subtract_heating(const Vector &velocity,
+                                                    Vector       &heat) const
+  {
+    if (model.thermoelastic_heating() == 0.)
+      return;
+    divergence().vmult(heat_scratch, velocity);
+    heat.add(-model.thermoelastic_heating(), heat_scratch);
+    zero_constrained(0, heat);
+  }
+
+
+
+  template <int dim>
+  void
+  ThermoviscoelasticOperator<dim>::add_thermal_stress(const Vector &temperature,
+                                                      const double  factor,
+                                                      Vector &momentum) const
+  {
+    if (model.thermal_stress() == 0.)
+      return;
+    thermal_stress().vmult(momentum_scratch, temperature);
+    momentum.add(factor * model.thermal_stress(), momentum_scratch);
+    zero_constrained(1, momentum);
+  }
+
+
+
+  template <int dim>
+  void
+  ThermoviscoelasticOperator<dim>::subtract_pressure(
+    const std::vector<double> &pressure,
+    const double               factor,
+    Vector                    &momentum) const
+  {
+    for (const auto &[node, entry] : discretization.contact_entries(1))
+      momentum.begin()[entry] -=
+        factor * discretization.contact_nodes()[node].weight * pressure[node];
+  }
+
+
+
+  template <int dim>
+  void
+  ThermoviscoelasticOperator<dim>::zero_constrained(const unsigned int block,
+                                                    Vector &vector) const
+  {
+    for (const unsigned int entry : discretization.constrained_entries(block))
+      vector.begin()[entry] = 0.;
+  }
+
+
+
+  template class ThermoviscoelasticOperator<1>;
+  template class ThermoviscoelasticOperator<2>;
+  template class ThermoviscoelasticOperator<3>;
+} // namespace ThermoContact

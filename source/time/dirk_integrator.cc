@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/space/direct_solver.h>
+#include <thermocontact/time/dirk_integrator.h>
+
+namespace ThermoContact
+{
+  template <int dim>
+  DirkIntegrator<dim>::DirkIntegrator(
+    const Discretization<dim>             &discretization,
+    const ThermoviscoelasticOperator<dim> &stage_operator,
+    const Energy<dim>                     &energy,
+    const ContactLaw                      &law,
+    const ButcherTableau                  &tableau,
+    Loads<dim>                            &loads,
+    StepSolver                            &step_solver)
+    : discretization(discretization)
+    , stage_operator(stage_operator)
+    , energy(energy)
+    , law(law)
+    , tableau(tableau)
+    , loads(loads)
+    , step_solver(step_solver)
+    , stages(tableau.n_stages())
+    , accelerations(tableau.n_stages(), discretization.make_vector(1))
+    , known(discretization.make_state())
+    , difference(known)
+    , heat_load(discretization.make_vector(0))
+    , momentum_load(discretization.make_vector(1))
+  {
+    for (StageRates &stage : stages)
+      {
+        stage.temperature_rate = heat_load;
+        stage.velocity         = momentum_load;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::set_known_values(const State       &state,
+                                        const double       step_size,
+                                        const unsigned int i)
+  {
+    known = state;
+    for (unsigned int j = 0; j < i; ++j)
+      {
+        const double factor = step_size * tableau.a[i][j];
+        known.temperature.add(factor, stages[j].temperature_rate);
+        known.displacement.add(factor, stages[j].velocity);
+        known.velocity.add(factor, accelerations[j]);
+      }
+    if (i > 0)
+      known.contact_pressure = stages[i - 1].pressure;
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::step(const State      &state,
+                            const double      old_energy,
+                            const TimeStep   &time_step,
+                            const ContactMode mode,
+                            StepResult       &result)
+  {
+    const double tau = tableau.gamma() * time_step.size;
+
+    result.work = result.dissipation = result.impulse = 0.;
+    result.n_iterations                               = 0;
+    result.is_prescribed                              = false;
+    for (unsigned int i = 0; i < tableau.n_stages(); ++i)
+      {
+        const bool   is_last = i + 1 == tableau.n_stages();
+        const double time =
+          is_last ? time_step.end : state.time + tableau.c[i] * time_step.size;
+        StageRates &stage = stages[i];
+
+        set_known_values(state, time_step.size, i);
+        loads.assemble(time, heat_load, momentum_load);
+        step_solver.solve(known, tau, heat_load, momentum_load, mode, stage);
+        result.failure = stage.failure;
+        result.n_iterations += stage.n_iterations;
+        if (!result.failure.empty())
+          return;
+
+        if (!is_last || tableau.has_error_estimate())
+          {
+            accelerations[i] = stage.velocity;
+            accelerations[i].add(-1., known.velocity);
+            accelerations[i] /= tau;
+          }
+        known.time             = time;
+        known.velocity         = stage.velocity;
+        known.contact_pressure = stage.pressure;
+        known.temperature.add(tau, stage.temperature_rate);
+        known.displacement.add(tau, stage.velocity);
+        book(known, tableau.b()[i] * time_step.size, result);
+      }
+    result.state  = known;
+    result.energy = energy.energy(result.state);
+    if (tableau.has_error_estimate())
+      estimate_error(time_step.size, result);
+    result.numerical_dissipation =
+      tableau.n_stages() == 1 ?
+        energy.numerical_dissipation(state, result.state) :
+        old_energy - result.energy.sum() + result.work - result.dissipation;
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::estimate_error(const double step_size,
+                                      StepResult  &result)
+  {
+    difference.temperature  = 0.;
+    difference.displacement = 0.;
+    difference.velocity     = 0.;
+    for (unsigned int i = 0; i < tableau.n_stages(); ++i)
+      {
+        const double factor =
+          step_size * (tableau.b()[i] - tableau.embedded_b[i]);
+        if (factor == 0.)
+          continue;
+        difference.temperature.add(factor, stages[i].temperature_rate);
+        difference.displacement.add(factor, stages[i].velocity);
+        difference.velocity.add(factor, accelerations[i]);
+      }
+    result.error =
+      energy.difference_energy(difference, result.state.contact_pressure);
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::prescribed_step(const State    &state,
+                                       const TimeStep &time_step,
+                                       StepResult     &result)
+  {
+    const double tau   = time_step.size;
+    StageRates  &stage = stages[0];
+    loads.assemble(time_step.end, heat_load, momentum_load);
+    if (discretization.has_field(0))
+      {
+        DirectSolver heat_solver(stage_operator.heat_stage_matrix(tau));
+        ++counters_.factorizations;
+        Vector heat_rhs(heat_load), momentum_rhs(momentum_load);
+        stage_operator.stage_rhs(
+          state, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
+        stage_operator.subtract_heating(state.velocity, heat_rhs);
+        heat_solver.solve(stage.temperature_rate, heat_rhs);
+        ++counters_.solves;
+      }
+
+    result.failure.clear();
+    result.n_iterations  = 0;
+    result.is_prescribed = true;
+    result.state         = state;
+    result.state.time    = time_step.end;
+    result.state.temperature.add(tau, stage.temperature_rate);
+    result.state.displacement.add(tau, state.velocity);
+
+    std::vector<double> end_displacement;
+    discretization.contact_values(1,
+                                  result.state.displacement,
+                                  end_displacement);
+    if (law.compliance > 0.)
+      for (unsigned int i = 0; i < end_displacement.size(); ++i)
+        result.state.contact_pressure[i] =
+          law.pressure(end_displacement[i], 0.);
+
+    result.work = result.dissipation = result.impulse = 0.;
+    book(result.state, tau, result);
+    result.energy                = energy.energy(result.state);
+    result.numerical_dissipation = energy.energy(state).sum() -
+                                   result.energy.sum() + result.work -
+                                   result.dissipation;
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::book(const State &stage_state,
+                            const double weight,
+                            StepResult  &result)
+  {
+    result.dissipation += weight * energy.dissipation_rate(stage_state);
+    result.impulse +=
+      weight * discretization.contact_mean(stage_state.contact_pressure);
+    if (energy.has_work())
+      result.work +=
+        weight * energy.work_rate(heat_load, momentum_load, stage_state);
+  }
+
+
+
+  template class DirkIntegrator<1>;
+  template class DirkIntegrator<2>;
+  template class DirkIntegrator<3>;
+} // namespace ThermoContact

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/stop_watch.h>
+#include <thermocontact/time/fixed_point_solver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace ThermoContact
+{
+  template <int dim>
+  FixedPointSolver<dim>::FixedPointSolver(
+    const Discretization<dim>             &discretization,
+    const ThermoviscoelasticOperator<dim> &stage_operator,
+    const ContactLaw                      &law,
+    const Parameters                      &parameters)
+    : discretization(discretization)
+    , stage_operator(stage_operator)
+    , law(law)
+    , model(parameters.model)
+    , tolerance(parameters.solver.fixed_point_tolerance)
+    , max_iterations(parameters.solver.fixed_point_iterations)
+    , factorized_tau(0.)
+    , heat_rhs(discretization.make_vector(0))
+    , momentum_rhs(discretization.make_vector(1))
+    , rhs(heat_rhs)
+    , momentum_stage_rhs(momentum_rhs)
+    , last_velocity(momentum_rhs)
+  {}
+
+
+
+  template <int dim>
+  types::global_dof_index
+  FixedPointSolver<dim>::n_factorized_unknowns() const
+  {
+    return std::max(discretization.n_temperature_dofs(),
+                    discretization.n_displacement_dofs());
+  }
+
+
+
+  template <int dim>
+  void
+  FixedPointSolver<dim>::factorize(const double tau)
+  {
+    const StopWatch watch(counters_.factorization_seconds);
+    heat_solver =
+      std::make_unique<DirectSolver>(stage_operator.heat_stage_matrix(tau));
+    momentum_solver =
+      std::make_unique<DirectSolver>(stage_operator.momentum_stage_matrix(tau));
+    counters_.factorizations += 2;
+    factorized_tau = tau;
+  }
+
+
+
+  template <int dim>
+  SolverMemory
+  FixedPointSolver<dim>::memory() const
+  {
+    SolverMemory memory;
+    memory.counters = counters_;
+    if (heat_solver)
+      {
+        memory.taus         = {factorized_tau};
+        memory.has_response = {false};
+      }
+    return memory;
+  }
+
+
+
+  template <int dim>
+  void
+  FixedPointSolver<dim>::restore(const SolverMemory &memory)
+  {
+    if (!memory.taus.empty())
+      factorize(memory.taus.front());
+    counters_ = memory.counters;
+  }
+
+
+
+  template <int dim>
+  void
+  FixedPointSolver<dim>::update_pressure(const double tau, StageRates &rates)
+  {
+    discretization.contact_values(1, rates.velocity, contact_velocity);
+    rates.pressure.resize(contact_velocity.size());
+    for (unsigned int i = 0; i < rates.pressure.size(); ++i)
+      rates.pressure[i] =
+        law.pressure(known_displacement[i] + tau * contact_velocity[i], 0.);
+  }
+
+
+
+  template <int dim>
+  void
+  FixedPointSolver<dim>::solve(const State      &known,
+                               const double      tau,
+                               const Vector     &heat_load,
+                               const Vector     &momentum_load,
+                               const ContactMode mode,
+                               StageRates       &rates)
+  {
+    Assert(mode == ContactMode::unilateral, ExcNotImplemented());
+    (void)mode;
+    const StopWatch watch(counters_.solve_seconds);
+    if (tau != factorized_tau)
+      factorize(tau);
+    stage_operator.stage_rhs(
+      known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
+    discretization.contact_values(1, known.displacement, known_displacement);
+
+    // the gap may be far beyond reach; it counts only if nothing moves
+    const double reach =
+      known.displacement.linfty_norm() + tau * known.velocity.linfty_norm();
+    const double known_scale =
+      reach > 0. ? reach : (law.is_active ? std::abs(law.gap) : 0.);
+
+    rates.velocity = 0.; // the paper's start: the last displacement
+    rates.failure.clear();
+    update_pressure(tau, rates);
+
+    double change = 0., last_change = 0.;
+    for (unsigned int iteration = 1; iteration <= max_iterations; ++iteration)
+      {
+        last_velocity = rates.velocity;
+
+        rhs = heat_rhs;
+        stage_operator.subtract_heating(last_velocity, rhs);
+        heat_solver->solve(rates.temperature_rate, rhs);
+
+        momentum_stage_rhs = momentum_rhs;
+        stage_operator.add_thermal_stress(rates.temperature_rate,
+                                          tau * tau,
+                                          momentum_stage_rhs);
+        stage_operator.subtract_pressure(rates.pressure,
+                                         tau,
+                                         momentum_stage_rhs);
+        momentum_solver->solve(rates.velocity, momentum_stage_rhs);
+        ++counters_.solves;
+        update_pressure(tau, rates);
+
+        last_velocity -= rates.velocity;
+        last_change        = change;
+        change             = tau * last_velocity.linfty_norm();
+        rates.n_iterations = iteration;
+        const double scale =
+          std::max(known_scale, tau * rates.velocity.linfty_norm());
+        if (change <= tolerance * scale)
+          return;
+        if (!std::isfinite(change))
+          break;
+      }
+    rates.failure =
+      describe_failure(tau, rates.n_iterations, change / last_change);
+  }
+
+
+
+  template <int dim>
+  double
+  FixedPointSolver<dim>::contraction_factor(const double tau)
+  {
+    if (!law.is_active)
+      return 0.;
+    if (tau != factorized_tau)
+      factorize(tau);
+
+    // Power iteration for the largest eigenvalue of W, whose eigenvalues are
+    // positive. One step is exact for one node. The start has a part in all
+    // modes of a symmetric body.
+    const unsigned int  n = discretization.contact_nodes().size();
+    std::vector<double> pressure(n), response;
+    for (unsigned int i = 0; i < n; ++i)
+      pressure[i] = 1. + 1. / (i + 1.);
+    Vector velocity(momentum_rhs);
+    double eigenvalue = 0.;
+    for (unsigned int iteration = 0; iteration < 200; ++iteration)
+      {
+        momentum_stage_rhs = 0.;
+        stage_operator.subtract_pressure(pressure, -tau, momentum_stage_rhs);
+        momentum_solver->solve(velocity, momentum_stage_rhs);
+        ++counters_.responses;
+        discretization.contact_values(1, velocity, response);
+
+        double norm = 0., response_norm = 0.;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            norm          = std::max(norm, std::abs(pressure[i]));
+            response_norm = std::max(response_norm, std::abs(response[i]));
+          }
+        const double last_eigenvalue = eigenvalue;
+        eigenvalue                   = tau * response_norm / norm;
+        if (n == 1 ||
+            std::abs(eigenvalue - last_eigenvalue) <= 1e-6 * eigenvalue)
+          break;
+        for (unsigned int i = 0; i < n; ++i)
+          pressure[i] = response[i] / response_norm;
+      }
+    return eigenvalue / law.compliance;
+  }
+
+
+
+  template <int dim>
+  std::string
+  FixedPointSolver<dim>::describe_failure(const double       tau,
+                                          const unsigned int n_iterations,
+                                          const double       observed_factor)
+  {
+    const double       rho = contraction_factor(tau);
+    std::ostringstream message;
+    message << "the fixed point iteration "
+            << (std::isfinite(observed_factor) ? "did not converge" :
+                                                 "diverged")
+            << " in " << n_iterations << " iterations";
+    if (law.is_active)
+      message << "\n  contraction factor rho = " << rho
+              << " of the contact (chi / epsilon; it must be below 1)";
+    if (std::isfinite(observed_factor) && n_iterations > 1)
+      message << "\n  the last change was " << observed_factor
+              << " times the one before";
+    message << "\n  remedy:  ";
+    if (rho >= 1.)
+      message << "Time/Step size below "
+              << critical_step_size(model.inertia,
+                                    model.viscosity,
+                                    law.compliance)
+              << ", or ";
+    else
+      message << "more Solver/Fixed point iterations, a smaller Time/Step size "
+                 "if the thermal coupling a = "
+              << model.coupling << " is strong, or ";
+    message << "Solver/Step solver = monolithic, which has no such limit";
+    return message.str();
+  }
+
+
+
+  double
+  critical_step_size(const double inertia,
+                     const double viscosity,
+                     const double compliance)
+  {
+    // The only positive root of a convex-concave cubic: the iteration
+    // dt <- (b eps^2 (dt + zeta))^(1/3) is a monotone contraction from above.
+    const double factor = inertia * compliance * compliance;
+    double       dt     = std::cbrt(factor * viscosity) + std::sqrt(factor);
+    for (unsigned int i = 0; i < 200; ++i)
+      dt = std::cbrt(factor * (dt + viscosity));
+    return dt;
+  }
+
+
+
+  template class FixedPointSolver<1>;
+  template class FixedPointSolver<2>;
+  template class FixedPointSolver<3>;
+} // namespace ThermoContact

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/time/step_controller.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    const double infinity = std::numeric_limits<double>::infinity();
+
+    // Times this close to a multiple, in parts of the interval, are on it.
+    const double slack = 1e-6;
+
+    /** The multiple of @p interval that follows @p time. */
+    double
+    next_multiple(const double interval, const double time)
+    {
+      return (std::floor(time / interval + slack) + 1.) * interval;
+    }
+  } // namespace
+
+
+
+  const char *
+  name_of(const TimeStep::Target target)
+  {
+    switch (target)
+      {
+        case TimeStep::event:
+          return "event";
+        case TimeStep::output:
+          return "output";
+        case TimeStep::finish:
+          return "end";
+        default:
+          return "ok";
+      }
+  }
+
+
+
+  std::string
+  describe_exhaustion(const StepAttempt &attempt, const std::string &failure)
+  {
+    std::ostringstream message;
+    message << "no step is accepted, the last one tried had size "
+            << attempt.size << ": ";
+    if (failure.empty())
+      message
+        << "its error is " << attempt.error
+        << " times the tolerance (1 is allowed, 0.2 after an event)"
+           "\n  remedy:  a larger Time/Tolerance, loads without jumps, or "
+           "a smaller Time/Minimum step size if one is given";
+    else
+      message << failure;
+    return message.str();
+  }
+
+
+
+  StepController::StepController(const Parameters  &parameters,
+                                 const unsigned int order)
+    : has_error_control(parameters.time.has_error_control())
+    , fixed_size(parameters.time.step_size.value_or(0.))
+    , end_time(parameters.time.end_time)
+    , minimum_size(parameters.time.minimum_step_size)
+    , maximum_size(parameters.time.maximum_step_size)
+    , order(order)
+    , size(fixed_size)
+    , last_error(1.)
+    , was_rejected(false)
+    , is_restarting(false)
+  {
+    if (parameters.output.land_on_times)
+      for (const double interval : {parameters.output.fields_interval,
+                                    parameters.output.contact_interval,
+                                    parameters.output.space_time_interval})
+        if (interval > 0.)
+          landing_intervals.push_back(interval);
+    if (!has_error_control)
+      return;
+    // A guess in the time unit of the heat equation; the error estimate of
+    // the first step corrects it.
+    const double guess = 0.05 * std::pow(parameters.time.tolerance, 1. / order);
+    size = std::min(parameters.time.first_step_size.value_or(rung_below(guess)),
+                    maximum_size);
+  }
+
+
+
+  double
+  StepController::rung_below(const double value)
+  {
+    if (!(value > 0.) || value == infinity)
+      return value;
+    int          exponent = 0;
+    const double mantissa = std::frexp(value, &exponent); // in [1/2, 1)
+    double       rung     = 0.5;
+    for (unsigned int i = 1; i < 4; ++i)
+      if (const double next = 0.5 * std::pow(2., i / 4.); next <= mantissa)
+        rung = next;
+    return std::ldexp(rung, exponent);
+  }
+
+
+
+  void
+  StepController::set_size(const double value)
+  {
+    // closer to the nearest than to the next one below: sizes that settle stay
+    size =
+      std::max(std::min(rung_below(1.1 * value), maximum_size), minimum_size);
+  }
+
+
+
+  TimeStep
+  StepController::propose(const double time) const
+  {
+    TimeStep step{size, time + size, TimeStep::none};
+    if (!has_error_control)
+      {
+        // between multiples the size, and with it the factorisation, is kept
+        const double number = std::floor(time / fixed_size + slack);
+        step.end            = (number + 1.) * fixed_size;
+        if (time != number * fixed_size)
+          step.size = step.end - time;
+      }
+    const double margin = slack * step.size;
+    const auto   end_at = [&](const double end, const TimeStep::Target target) {
+      const double remainder = end - time;
+      if (has_error_control || std::abs(end - step.end) > margin)
+        step.size = remainder;
+      step.end    = end;
+      step.target = target;
+    };
+
+    if (step.end >= end_time - margin)
+      end_at(end_time, TimeStep::finish);
+    for (const double interval : landing_intervals)
+      if (const double end = next_multiple(interval, time);
+          end < step.end - margin)
+        end_at(end, TimeStep::output);
+    if (event_time && *event_time < step.end)
+      end_at(*event_time, TimeStep::event);
+    return step;
+  }
+
+
+
+  void
+  StepController::aim_at(const double time)
+  {
+    event_time = time;
+  }
+
+
+
+  void
+  StepController::reject(const TimeStep &step, const double error)
+  {
+    event_time.reset();
+    was_rejected = true;
+    const double factor =
+      std::isfinite(error) ?
+        0.9 * std::pow(error / largest_error(), -1. / order) :
+        0.;
+    set_size(step.size *
+             std::min(std::max(factor, is_restarting ? 0.05 : 0.2), 0.8));
+  }
+
+
+
+  void
+  StepController::accept(const TimeStep &step, const double error)
+  {
+    event_time.reset();
+    if (!has_error_control)
+      return;
+
+    const double e = std::max(error, 1e-10); // an error of zero says nothing
+    double       factor =
+      0.9 * std::pow(e, -0.8 / order) * std::pow(last_error, 0.3 / order);
+    factor = std::min(std::max(factor, 0.2), was_rejected ? 1. : 4.);
+    // A shortened step says that the next may be longer or must be shorter
+    // than itself; it does not make a size smaller that it did not try.
+    if (step.target == TimeStep::none || factor < 1. ||
+        factor * step.size > size)
+      set_size(factor * step.size);
+    last_error    = e;
+    was_rejected  = false;
+    is_restarting = false;
+  }
+
+
+
+  bool
+  StepController::retry_smaller(const TimeStep &step)
+  {
+    event_time.reset();
+    was_rejected = true;
+    if (has_error_control)
+      set_size(0.25 * step.size);
+    return has_error_control;
+  }
+
+
+
+  void
+  StepController::restart(const bool contact_begins)
+  {
+    event_time.reset();
+    is_restarting = true;
+    if (has_error_control)
+      set_size((contact_begins ? 0.25 : 0.5) * size);
+  }
+
+
+
+  bool
+  StepController::is_exhausted(const TimeStep &step, const double time) const
+  {
+    return has_error_control &&
+           (step.size <= minimum_size ||
+            size < 4. * std::numeric_limits<double>::epsilon() * time ||
+            size < std::numeric_limits<double>::min());
+  }
+} // namespace ThermoContact

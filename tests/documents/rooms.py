@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# usage: rooms.py PROJECT [PROGRAM]
+#
+# The order of the rooms stands once, in the table of doc/architecture.md: a
+# file may include what is in its own room and in the rooms above it. Fails on
+# an include that goes down the table, on a folder that the table does not name
+# and the reverse, and on a header of another room whose path is not spelled
+# out. Begins with a test of itself, on a tree with a wrong include.
+
+import pathlib
+import re
+import sys
+import tempfile
+
+TOP = "(top)"
+
+
+def read_order(page):
+    """The rooms, from the top of the table to its end."""
+    rows = re.findall(r"^\| `([a-z]+)` \|", page, re.M)
+    return rows + [TOP]
+
+
+def room_of(path, root):
+    parts = path.relative_to(root).parts
+    return parts[0] if len(parts) > 1 else TOP
+
+
+def faults_of(project):
+    faults = []
+    order = read_order((project / "doc/architecture.md").read_text())
+    if len(order) < 3:
+        return ["doc/architecture.md: no table of rooms"]
+    headers = project / "include/thermocontact"
+    sources = project / "source"
+    folders = {p.name for root in (headers, sources) for p in root.iterdir()
+               if p.is_dir()}
+    for name in sorted(folders.symmetric_difference(order[:-1])):
+        faults.append(f"{name}: " + ("a folder that the table of "
+                      "doc/architecture.md does not name" if name in folders
+                      else "a room of the table without a folder"))
+    n_arrows = 0
+    for root in (headers, sources):
+        for path in sorted(root.rglob("*.[ch]*")):
+            here = room_of(path, root)
+            for name in re.findall(r'^#include "(.*)"', path.read_text(), re.M):
+                faults.append(f'{path.relative_to(project)}: "{name}", say '
+                              "<thermocontact/room/file.h>")
+            for name in re.findall(r"^#include <thermocontact/(.*)>",
+                                   path.read_text(), re.M):
+                n_arrows += 1
+                if not (headers / name).is_file():
+                    faults.append(f"{path.relative_to(project)}: no {name}")
+                    continue
+                there = room_of(headers / name, headers)
+                if (here in order and there in order and
+                        order.index(there) > order.index(here)):
+                    faults.append(
+                        f"{path.relative_to(project)} includes {name}: "
+                        f"the room {here} must not know {there}, which is "
+                        "below it in doc/architecture.md")
+    if n_arrows == 0:
+        faults.append("no include was found")
+    return faults
+
+
+def check_self():
+    """A tree with one include that goes down, and the same without it."""
+    for include, n_faults in (("low/a.h", 1), ("high/b.h", 0)):
+        with tempfile.TemporaryDirectory() as folder:
+            project = pathlib.Path(folder)
+            for name, text in (
+                    ("doc/architecture.md", "| `high` | x |\n| `low` | x |\n"),
+                    ("include/thermocontact/low/a.h", ""),
+                    ("include/thermocontact/high/b.h", ""),
+                    ("source/low/a.cc", "#include <thermocontact/low/a.h>\n"),
+                    ("source/high/b.cc",
+                     f"#include <thermocontact/{include}>\n")):
+                (project / name).parent.mkdir(parents=True, exist_ok=True)
+                (project / name).write_text(text)
+            if len(faults_of(project)) != n_faults:
+                return [f"rooms.py: {include} in room high is not judged "
+                        f"right: {faults_of(project)}"]
+    return []
+
+
+faults = check_self() + faults_of(pathlib.Path(sys.argv[1]))
+for fault in faults:
+    print(fault)
+sys.exit(1 if faults else 0)
