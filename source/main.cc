@@ -9,6 +9,7 @@
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/units.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/scene_run.h>
 #include <thermocontact/study/study.h>
 #include <thermocontact/study/study_report.h>
@@ -52,7 +53,7 @@ namespace ThermoContact
       const DirectoryLock lock(directory, false, communicator);
       prepare_output_directory(directory, communicator);
       write_used_parameters(directory,
-                            unused_entries(parameters),
+                            omitted_entries(parameters),
                             prm,
                             communicator);
       throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt"),
@@ -198,7 +199,7 @@ namespace ThermoContact
           if (parameters.study.is_active())
             return run_study(parameters, prm, assignments, command, log);
           check_unused_entries(parameters, prm);
-          parameters.check();
+          check_scene(parameters);
           run_dimension(parameters, prm, command, since_start, log);
         }
       catch (const InputError &error)

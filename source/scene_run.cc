@@ -12,6 +12,7 @@
 #include <thermocontact/report/result_report.h>
 #include <thermocontact/report/scene_report.h>
 #include <thermocontact/report/summary.h>
+#include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/scene_run.h>
 #include <thermocontact/simulation/simulation.h>
 
@@ -143,16 +144,8 @@ namespace ThermoContact
         simulation.parameters().output.checkpoint_interval,
         output,
         simulation.discretization().communicator());
-      simulation.add_observer(
-        [&](const Simulation<dim> &s) { output.observe(s); });
       Progress<dim> progress(simulation, log);
-      unsigned int  n_reported = simulation.warnings().size();
-      simulation.add_observer([&](const Simulation<dim> &s) {
-        n_reported = report_warnings(s.warnings(), n_reported, log);
-        progress.observe(s);
-      });
-      simulation.add_observer(
-        [&](const Simulation<dim> &s) { checkpointer.observe(s); });
+      unsigned int  n_reported = simulation.history().warnings.size();
 
       RunTimes times;
       times.set_up            = since_start.wall_time();
@@ -165,7 +158,14 @@ namespace ThermoContact
       const std::string summary = directory + "/summary.json";
       try
         {
-          simulation.run();
+          simulation.run(
+            {[&](const Simulation<dim> &s) { output.observe(s); },
+             [&](const Simulation<dim> &s) {
+               n_reported =
+                 report_warnings(s.history().warnings, n_reported, log);
+               progress.observe(s);
+             },
+             [&](const Simulation<dim> &s) { checkpointer.observe(s); }});
           output.finish();
         }
       catch (const ComputationError &error)
@@ -194,11 +194,11 @@ namespace ThermoContact
 
 
   std::set<std::string>
-  unused_entries(const Parameters &parameters)
+  omitted_entries(const Parameters &parameters)
   {
     std::set<std::string> paths;
     if (!parameters.study.is_active())
-      for (const auto &entry : parameters.unused_entries())
+      for (const UnusedEntry &entry : unused_entries(parameters))
         paths.insert(entry.path);
     return paths;
   }
@@ -247,7 +247,7 @@ namespace ThermoContact
     else if (Utilities::MPI::this_mpi_process(communicator) == 0)
       keep_as_newest(directory, *checkpoint);
     write_used_parameters(directory,
-                          unused_entries(parameters),
+                          omitted_entries(parameters),
                           prm,
                           communicator);
     throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",

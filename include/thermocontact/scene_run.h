@@ -20,9 +20,12 @@ namespace ThermoContact
   std::string
   output_directory(const Parameters &parameters, const CommandLine &command);
 
-  /** Entries that the scene cannot use; runs of a study may use them. */
+  /**
+   * What used.prm leaves out: entries that the scene cannot use. Runs of a
+   * study may use them.
+   */
   std::set<std::string>
-  unused_entries(const Parameters &parameters);
+  omitted_entries(const Parameters &parameters);
 
   /**
    * Sets up one scene, or goes on from a checkpoint, and runs it with all its

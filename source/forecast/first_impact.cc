@@ -2,6 +2,7 @@
 
 #include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/method/bracketed_root.h>
 #include <thermocontact/space/problem_data.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -35,31 +36,27 @@ namespace ThermoContact
       constexpr unsigned int n_instants = 500;
       for (unsigned int i = 1; i <= n_instants; ++i)
         if (motion.end_values(horizon * i / n_instants).first >= gap)
-          {
-            double before = horizon * (i - 1) / n_instants;
-            double after  = horizon * i / n_instants;
-            for (unsigned int j = 0; j < 50; ++j)
-              {
-                const double middle = 0.5 * (before + after);
-                (motion.end_values(middle).first >= gap ? after : before) =
-                  middle;
-              }
-            return after;
-          }
+          return bracketed_root(
+                   [&](const double time) {
+                     return motion.end_values(time).first - gap;
+                   },
+                   horizon * (i - 1) / n_instants,
+                   horizon * i / n_instants)
+            .second;
       return std::numeric_limits<double>::quiet_NaN();
     }
   } // namespace
 
 
 
-  FreeMotion::FreeMotion(const Parameters &parameters)
+  FreeMotion::FreeMotion(const Scene &scene)
     : modes(n_modes)
     , initial_expansion_(0.)
   {
-    const ModelParameters &model = parameters.model;
-    const ProblemData<1>   data(parameters);
-    const unsigned int     axial = model.has_temperature() ? 1 : 0;
-    const double           a     = model.thermal_stress();
+    const Material      &material = scene.material;
+    const ProblemData<1> data(scene);
+    const unsigned int   axial = scene.fields.has_temperature ? 1 : 0;
+    const double         a     = material.thermal_stress;
 
     std::array<double, n_modes> displacement{}, velocity{};
     const QIterated<1>          quadrature(QGauss<1>(4), 2 * n_modes);
@@ -67,10 +64,11 @@ namespace ThermoContact
       {
         const Point<1> &x      = quadrature.point(q);
         const double    weight = quadrature.weight(q);
-        const double    strain =
-          a == 0. ? 0. : a * data.initial_fields().value(x, 0);
-        const double u = data.initial_fields().value(x, axial);
-        const double v = data.initial_velocity().value(x, axial);
+        const double    strain = material.has_thermal_stress() ?
+                                   a * data.initial_fields().value(x, 0) :
+                                   0.;
+        const double    u      = data.initial_fields().value(x, axial);
+        const double    v      = data.initial_velocity().value(x, axial);
         initial_expansion_ += weight * strain;
         for (unsigned int n = 0; n < n_modes; ++n)
           {
@@ -83,12 +81,12 @@ namespace ThermoContact
           }
       }
 
-    const double b    = model.inertia;
+    const double b    = material.inertia;
     double       sign = 1., sum = 0.;
     for (unsigned int n = 0; n < n_modes; ++n, sign = -sign)
       {
         const double         k       = (n + 0.5) * numbers::PI;
-        const double         damping = model.viscosity * k * k / (2. * b);
+        const double         damping = material.viscosity * k * k / (2. * b);
         std::complex<double> root =
           std::sqrt(std::complex<double>(damping * damping - k * k / b));
         if (std::abs(root) < 1e-7 * k / std::sqrt(b))
@@ -125,9 +123,9 @@ namespace ThermoContact
 
 
   double
-  rod_response(const ModelParameters &model, const double tau)
+  rod_response(const Material &material, const double tau)
   {
-    const double b = model.inertia, damped = tau + model.viscosity;
+    const double b = material.inertia, damped = tau + material.viscosity;
     return tau * std::sqrt(tau / (b * damped)) *
            std::tanh(std::sqrt(b / (tau * damped)));
   }
@@ -135,22 +133,23 @@ namespace ThermoContact
 
 
   std::optional<FirstImpact>
-  first_impact(const Parameters &parameters)
+  first_impact(const Scene &scene)
   {
-    const ModelParameters &model = parameters.model;
-    const ContactLaw       law   = parameters.contact_law();
-    if (!law.is_active || model.inertia == 0. || parameters.dimension > 1 ||
-        has_sources(parameters))
+    const Material   &material = scene.material;
+    const ContactLaw &law      = *scene.contact.law;
+    const double      gap      = scene.contact.gap;
+    if (!law.is_active() || !material.has_inertia() ||
+        scene.parameters.dimension > 1 || scene.sources.any())
       return {};
-    const FreeMotion motion(parameters);
+    const FreeMotion motion(scene);
     // a wave has run four times through the rod, or the rod has crept
     const double horizon =
-      std::min(parameters.time.end_time,
-               4. * (std::sqrt(model.inertia) + model.viscosity));
-    if (!(horizon > 0.) || motion.end_values(0.).first >= law.gap)
+      std::min(scene.parameters.time.end_time,
+               4. * (std::sqrt(material.inertia) + material.viscosity));
+    if (!(horizon > 0.) || motion.end_values(0.).first >= gap)
       return {};
     FirstImpact impact;
-    impact.time = arrival(motion, law.gap, horizon);
+    impact.time = arrival(motion, gap, horizon);
     if (!std::isfinite(impact.time))
       return {};
     impact.velocity = motion.end_values(impact.time).second;
@@ -162,22 +161,22 @@ namespace ThermoContact
       {
         const double tau =
           horizon * std::pow(1e-6, 1. - static_cast<double>(i) / n_stages);
-        const double beyond =
-          motion.end_values(impact.time + tau).first - law.gap;
-        stroke = std::max(stroke, beyond);
-        if (law.compliance > 0.)
-          impact.penetration =
-            std::max(impact.penetration,
-                     stage_factor * beyond * law.compliance /
-                       (law.compliance + rod_response(model, tau)));
+        const double beyond = motion.end_values(impact.time + tau).first - gap;
+        stroke              = std::max(stroke, beyond);
+        if (!law.is_rigid())
+          impact.force =
+            std::max(impact.force,
+                     law.local_pressure(stage_factor * beyond,
+                                        rod_response(material, tau)));
       }
+    impact.penetration = law.penetration(impact.force);
 
     // The series keeps the initial temperature. By the time of the impact,
     // heat has made the part 1 - exp(-pi^2/4 t) of its way at least.
     const double heat_shift =
-      model.thermal_stress() == 0. ?
+      !material.has_thermal_stress() ?
         0. :
-        std::abs(free_expansion(parameters) - motion.initial_expansion()) *
+        std::abs(free_expansion(scene) - motion.initial_expansion()) *
           -std::expm1(-0.25 * numbers::PI * numbers::PI * impact.time);
     if (!(impact.velocity > 0.) || !(stroke > 2. * heat_shift))
       return {};

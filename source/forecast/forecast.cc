@@ -2,7 +2,7 @@
 
 #include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/forecast/forecast.h>
-#include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/method/bracketed_root.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,31 +12,32 @@ namespace ThermoContact
   namespace
   {
     /**
-     * Error-controlled steps of sdirk4, in units of tolerance^(-1/4): a fit to
-     * 60 runs, doc/accuracy.md. Heat conduction, and the start and the contacts
-     * of a rod, take a number of their own; each run of a wave through the rod
-     * until viscosity has damped it takes another, more the less the viscosity
-     * damps what is short.
+     * Error-controlled steps, in units of tolerance^(-e) with the exponent e of
+     * the scheme: a fit to 60 runs, doc/accuracy.md. Heat conduction, and the
+     * start and the contacts of a rod, take a number of their own; each run of
+     * a wave through the rod until viscosity has damped it takes another, more
+     * the less the viscosity damps what is short.
      */
     double
-    scaled_steps(const Parameters &parameters)
+    scaled_steps(const Scene &scene)
     {
-      const ModelParameters &model = parameters.model;
-      const double           T     = parameters.time.end_time;
-      double                 sum   = 0.;
-      if (model.has_temperature())
+      const Material &material = scene.material;
+      const double    T        = scene.parameters.time.end_time;
+      double          sum      = 0.;
+      if (scene.fields.has_temperature)
         sum += 3.4 * std::min(1., std::sqrt(T));
-      if (model.has_displacement())
+      if (scene.fields.has_displacement)
         sum += 2. * std::min(1., std::sqrt(T));
-      if (model.has_displacement() && model.inertia > 0.)
+      if (scene.fields.has_displacement && material.has_inertia())
         {
-          const double wave = std::sqrt(model.inertia);
+          const double wave = std::sqrt(material.inertia);
           const double n_runs =
-            model.viscosity > 0. ?
-              std::min(T, model.inertia / model.viscosity) / wave :
+            material.has_viscosity() ?
+              std::min(T, material.inertia / material.viscosity) / wave :
               T / wave;
-          const double damped = 0.05 * wave / (model.viscosity + 3e-4 * wave);
-          sum += (parameters.contact_law().is_active ? 1.2 : 0.6) * n_runs *
+          const double damped =
+            0.05 * wave / (material.viscosity + 3e-4 * wave);
+          sum += (scene.contact.law->is_active() ? 1.2 : 0.6) * n_runs *
                  (1. + std::pow(damped, 0.4));
         }
       return sum;
@@ -57,73 +58,77 @@ namespace ThermoContact
 
 
   std::vector<std::pair<std::string, double>>
-  time_scales(const Parameters &parameters)
+  time_scales(const Scene &scene)
   {
     std::vector<std::pair<std::string, double>> scales;
-    const ModelParameters                      &model = parameters.model;
-    const ContactLaw                            law  = parameters.contact_law();
-    const double                                wave = std::sqrt(model.inertia);
-    if (model.has_temperature())
+    const Material                             &material = scene.material;
+    const ContactLaw                           &law      = *scene.contact.law;
+    const double wave = std::sqrt(material.inertia);
+    if (scene.fields.has_temperature)
       scales.emplace_back("heat", 1.);
-    if (!model.has_displacement())
+    if (!scene.fields.has_displacement)
       return scales;
-    if (model.inertia > 0.)
+    if (material.has_inertia())
       scales.emplace_back("wave", wave);
-    if (model.viscosity > 0.)
-      scales.emplace_back("viscous", model.viscosity);
-    if (law.is_active && law.compliance > 0. && model.inertia > 0.)
-      scales.emplace_back("contact",
-                          std::max(std::cbrt(
-                                     std::pow(law.compliance * wave, 2) *
-                                     model.viscosity),
-                                   law.compliance * wave));
+    if (material.has_viscosity())
+      scales.emplace_back("viscous", material.viscosity);
+    if (law.is_active() && !law.is_rigid() && material.has_inertia())
+      {
+        const double impedance = law.tangent(1.) * wave;
+        scales.emplace_back("contact",
+                            std::max(std::cbrt(impedance * impedance *
+                                               material.viscosity),
+                                     impedance));
+      }
     return scales;
   }
 
 
 
   std::optional<double>
-  critical_step_size(const Parameters &parameters)
+  critical_step_size(const Scene &scene)
   {
-    const ContactLaw law = parameters.contact_law();
-    if (!law.is_active || law.compliance == 0. || law.compliance >= 1. ||
-        parameters.model.inertia == 0. || parameters.dimension > 1)
+    const ContactLaw &law        = *scene.contact.law;
+    const double      compliance = law.tangent(0.);
+    if (!law.is_active() || law.is_rigid() || !law.is_linear() ||
+        compliance >= 1. || !scene.material.has_inertia() ||
+        scene.parameters.dimension > 1)
       return {};
     // chi grows from 0 to 1 with the length of the stage
-    double lower = 1e-100, upper = 1e100;
-    for (unsigned int i = 0; i < 500 && upper > lower * (1. + 1e-12); ++i)
-      {
-        const double middle = std::sqrt(lower) * std::sqrt(upper);
-        (rod_response(parameters.model, middle) < law.compliance ? lower :
-                                                                   upper) =
-          middle;
-      }
-    return lower;
+    const double log_size =
+      bracketed_root(
+        [&](const double log_tau) {
+          return rod_response(scene.material, std::exp(log_tau)) - compliance;
+        },
+        std::log(1e-100),
+        std::log(1e100))
+        .first;
+    return std::exp(log_size);
   }
 
 
 
   std::optional<ExpectedCost>
-  expected_cost(const Parameters &parameters, const double n_cells)
+  expected_cost(const Scene &scene, const double n_cells)
   {
-    const TimeParameters   &time   = parameters.time;
-    const OutputParameters &output = parameters.output;
-    const double            T      = time.end_time;
+    const Parameters       &parameters = scene.parameters;
+    const TimeParameters   &time       = parameters.time;
+    const OutputParameters &output     = parameters.output;
+    const double            T          = time.end_time;
     ExpectedCost            cost;
     if (time.has_error_control())
       {
-        if (has_sources(parameters))
+        if (scene.sources.any())
           return {};
         cost.steps = std::ceil(
-          std::max(scaled_steps(parameters) / std::pow(time.tolerance, 0.25),
+          std::max(scaled_steps(scene) /
+                     std::pow(time.tolerance, scene.scheme.step_exponent),
                    T / time.maximum_step_size));
       }
     else
       {
-        cost.steps = time.n_steps();
-        cost.is_exact =
-          !output.land_on_times && (!time.locates_contact_events() ||
-                                    !parameters.contact_law().is_active);
+        cost.steps    = time.n_steps();
+        cost.is_exact = !output.land_on_times && !scene.contact.locates_events;
       }
     if (output.land_on_times)
       for (const double interval : {output.contact_interval,
@@ -132,8 +137,8 @@ namespace ThermoContact
         if (interval > 0.)
           cost.steps += T / interval;
 
-    const bool has_heat = parameters.model.has_temperature();
-    const bool moves    = parameters.model.has_displacement();
+    const bool has_heat = scene.fields.has_temperature;
+    const bool moves    = scene.fields.has_displacement;
     cost.rows           = output.contact_interval > 0. ?
                             n_outputs(output.contact_interval, T, cost.steps) :
                             cost.steps + 1.;

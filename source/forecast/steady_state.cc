@@ -2,7 +2,6 @@
 
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/steady_state.h>
-#include <thermocontact/input/parameter_file.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -14,100 +13,80 @@ namespace ThermoContact
 {
   namespace
   {
-    /** $c$ of (M.7), the part of the way to the obstacle's temperature. */
-    double
-    temperature_drop(const BoundaryParameters &boundary)
+    /** Why a scene without sources has no steady state in closed form. */
+    std::string
+    obstruction(const Scene &scene)
     {
-      const double k = boundary.heat_exchange;
-      return k / (k + 1.);
+      if (scene.sources.any())
+        return "no closed form with sources";
+      if (!scene.fields.has_displacement)
+        return "";
+      const Material &material = scene.material;
+      if (scene.parameters.dimension > 1 && !scene.has_rollers &&
+          (material.has_thermal_stress() || scene.contact.law->is_active()))
+        return "no closed form with free lateral faces";
+      if (material.has_inertia() && !material.has_viscosity() &&
+          !material.has_heating())
+        return "none: nothing damps the motion, which goes on for ever";
+      return "";
     }
 
 
 
-    /** Why a scene without sources has no steady state in closed form. */
-    std::string
-    obstruction(const Parameters &parameters)
+    /**
+     * Pressure under which an obstacle and a body of stiffness 1 meet, which
+     * without it would overlap by @p penetration.
+     */
+    double
+    pressure_at_rest(const ContactLaw &law, const double penetration)
     {
-      const ModelParameters &model = parameters.model;
-      if (has_sources(parameters))
-        return "no closed form with sources";
-      if (!model.has_displacement())
-        return "";
-      if (parameters.dimension > 1 &&
-          parameters.boundary.lateral_support == "free" &&
-          (model.thermal_stress() != 0. || parameters.contact_law().is_active))
-        return "no closed form with free lateral faces";
-      if (model.inertia > 0. && model.viscosity == 0. &&
-          model.thermoelastic_heating() == 0.)
-        return "none: nothing damps the motion, which goes on for ever";
-      return "";
+      return law.local_pressure(penetration, 1.);
     }
   } // namespace
 
 
 
-  bool
-  has_sources(const Parameters &parameters)
-  {
-    const auto acts = [](const bool has_field, const std::string &expression) {
-      return has_field && !equal_values(expression, "0");
-    };
-    const SourceParameters &sources = parameters.sources;
-    const bool              heat    = parameters.model.has_temperature();
-    const bool              motion  = parameters.model.has_displacement();
-    return acts(heat, sources.heat_source) ||
-           acts(heat, sources.end_heat_flux) ||
-           acts(motion, sources.body_force) ||
-           acts(motion, sources.end_traction);
-  }
-
-
-
   double
-  free_expansion(const Parameters &parameters)
+  free_expansion(const Scene &scene)
   {
-    const BoundaryParameters &boundary = parameters.boundary;
-    return parameters.model.thermal_stress() *
-           (boundary.fixed_end_temperature -
-            0.5 * temperature_drop(boundary) *
-              (boundary.fixed_end_temperature - boundary.obstacle_temperature));
+    const HeatExchange &heat = scene.heat;
+    return scene.material.thermal_stress *
+           (heat.fixed_end_temperature -
+            0.5 * heat.steady_drop() *
+              (heat.fixed_end_temperature - heat.obstacle_temperature));
   }
 
 
 
   SteadyForecast
-  steady_state(const Parameters &parameters)
+  steady_state(const Scene &scene)
   {
-    SteadyForecast         forecast;
-    const ModelParameters &model = parameters.model;
-    forecast.remark              = obstruction(parameters);
+    SteadyForecast forecast;
+    forecast.remark = obstruction(scene);
     if (!forecast.remark.empty())
       return forecast;
 
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     SteadyState      state{nan, nan, nan, false};
-    if (model.has_displacement())
+    const Material  &material = scene.material;
+    if (scene.fields.has_displacement)
       {
-        const ContactLaw law       = parameters.contact_law();
-        const double     expansion = free_expansion(parameters);
-        state.in_contact           = law.is_active && expansion > law.gap;
+        const double expansion = free_expansion(scene);
         state.contact_force =
-          state.in_contact ? (expansion - law.gap) / (1. + law.compliance) : 0.;
+          pressure_at_rest(*scene.contact.law, expansion - scene.contact.gap);
+        state.in_contact       = state.contact_force > 0.;
         state.displacement_end = expansion - state.contact_force;
       }
-    if (model.has_temperature())
-      {
-        const double theta_A = parameters.boundary.fixed_end_temperature;
-        state.temperature_end =
-          theta_A - temperature_drop(parameters.boundary) *
-                      (theta_A - parameters.boundary.obstacle_temperature);
-      }
+    if (scene.fields.has_temperature)
+      state.temperature_end = scene.heat.steady_temperature(1.);
     forecast.state = state;
-    if (model.has_displacement() && model.inertia > 0. && model.viscosity == 0.)
+    if (scene.fields.has_displacement && material.has_inertia() &&
+        !material.has_viscosity())
       forecast.remark =
         text("damped by heat conduction alone, over times of the order of ",
              std::setprecision(1),
-             2. * (model.inertia + 0.4) / std::pow(model.thermal_stress(), 2));
+             2. * (material.inertia + 0.4) /
+               std::pow(material.thermal_stress, 2));
     return forecast;
   }
 } // namespace ThermoContact

@@ -156,22 +156,6 @@ namespace ThermoContact
 
 
   void
-  check_unused_entries(const Parameters &parameters, ParameterHandler &prm)
-  {
-    const std::vector<DeclaredEntry> entries = declared_entries(prm);
-    for (const Parameters::UnusedEntry &unused : parameters.unused_entries())
-      for (const DeclaredEntry &entry : entries)
-        if (entry.path == unused.path &&
-            !equal_values(entry.value, entry.default_value))
-          throw InputError(entry.path + " = " + quote(entry.value) +
-                           " has no effect, since " + unused.reason +
-                           "\n  remedy:  remove the entry or change " +
-                           unused.reason.substr(0, unused.reason.find(" =")));
-  }
-
-
-
-  void
   write_entries(const ParameterHandler      &prm,
                 const std::set<std::string> &omit,
                 std::ostream                &output)

@@ -2,7 +2,6 @@
 
 #include <thermocontact/input/number_or_word.h>
 #include <thermocontact/input/parameters.h>
-#include <thermocontact/method/butcher_tableau.h>
 
 #include <deal.II/base/patterns.h>
 
@@ -20,6 +19,35 @@ namespace ThermoContact
     const Double duration(0., 1e15);
     const Double any_number(-std::numeric_limits<double>::max(),
                             std::numeric_limits<double>::max());
+
+
+
+    /** The names of all kinds, separated by '|'. */
+    template <typename Kind>
+    std::string
+    names_of(const std::vector<Kind> &kinds)
+    {
+      std::string names;
+      for (const Kind &kind : kinds)
+        names += (names.empty() ? "" : "|") + kind.name;
+      return names;
+    }
+
+
+
+    /** The names of all kinds with what is to be said of each. */
+    template <typename Kind, typename Say>
+    std::string
+    in_words(const std::vector<Kind> &kinds, const Say &say)
+    {
+      std::string words;
+      for (unsigned int i = 0; i < kinds.size(); ++i)
+        words += (i == 0                ? "" :
+                  i + 1 == kinds.size() ? " or " :
+                                          ", ") +
+                 kinds[i].name + say(kinds[i]);
+      return words;
+    }
   } // namespace
 
 
@@ -95,9 +123,13 @@ namespace ThermoContact
     prm.enter_subsection("Contact");
     prm.add_parameter("Condition",
                       condition,
-                      "Contact end x = 1: normal compliance (elastic "
-                      "obstacle), rigid (Signorini) or none (free end).",
-                      Selection("normal compliance|rigid|none"));
+                      "Contact end x = 1: " +
+                        in_words(contact_laws(),
+                                 [](const auto &law) {
+                                   return " (" + law.text + ")";
+                                 }) +
+                        ".",
+                      Selection(names_of(contact_laws())));
     prm.add_parameter("Compliance",
                       compliance,
                       "Compliance epsilon > 0 of an elastic obstacle: pressure "
@@ -219,14 +251,17 @@ namespace ThermoContact
   TimeParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Time");
-    prm.add_parameter(
-      "Scheme",
-      scheme,
-      "Time integrator: backward euler (order 1, the paper's), "
-      "the L-stable schemes sdirk2, sdirk3, sdirk4 of orders "
-      "2, 3, 4 with 2, 3, 5 solves per step, or energy conserving "
-      "(order 2, for impacts of elastic bodies).",
-      Selection(scheme_names() + "|" + energy_conserving_scheme));
+    prm.add_parameter("Scheme",
+                      scheme,
+                      "Time integrator: " +
+                        in_words(schemes(),
+                                 [](const auto &scheme) {
+                                   return " (order " +
+                                          std::to_string(scheme.order) + ", " +
+                                          scheme.text + ")";
+                                 }) +
+                        ".",
+                      Selection(names_of(schemes())));
     prm.add_parameter("Start",
                       start,
                       "First step: paper (the end of the step is u_0 + dt u_1, "

@@ -175,8 +175,6 @@ namespace ThermoContact
       parameters.add_parameters(prm);
       std::istringstream stream(text);
       assign_entries(read_assignments(stream, "scene of " + file_name), prm);
-      check_unused_entries(parameters, prm);
-      parameters.check();
     }
   } // namespace
 

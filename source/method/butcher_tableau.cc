@@ -88,17 +88,6 @@ namespace ThermoContact
 
 
 
-  std::string
-  scheme_names()
-  {
-    std::string names;
-    for (const ButcherTableau &tableau : butcher_tableaus())
-      names += (names.empty() ? "" : "|") + tableau.name;
-    return names;
-  }
-
-
-
   const ButcherTableau &
   butcher_tableau(const std::string &name)
   {

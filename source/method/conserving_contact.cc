@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -45,9 +46,28 @@ namespace ThermoContact
 
 
 
+    /** Newton's step for $p-\bar p(A-2Bp)=0$. */
+    void
+    newton_update(const dealii::FullMatrix<double> &derivative,
+                  const dealii::FullMatrix<double> &receptance,
+                  const dealii::Vector<double>     &residual,
+                  dealii::Vector<double>           &update)
+    {
+      const unsigned int         n = residual.size();
+      dealii::FullMatrix<double> jacobian(n, n);
+      derivative.mmult(jacobian, receptance);
+      jacobian *= 2.;
+      for (unsigned int i = 0; i < n; ++i)
+        jacobian(i, i) += 1.;
+      jacobian.gauss_jordan();
+      jacobian.vmult(update, residual);
+    }
+
+
+
     /** Size of the terms that positions at the end of a step are made of. */
     double
-    position_scale(const double                      gap,
+    position_scale(const double                      displacement_scale,
                    const std::vector<double>        &start,
                    const std::vector<double>        &free_end,
                    const dealii::FullMatrix<double> &receptance,
@@ -57,7 +77,7 @@ namespace ThermoContact
       for (unsigned int i = 0; i < start.size(); ++i)
         {
           double sum =
-            std::abs(gap) + std::abs(start[i]) + std::abs(free_end[i]);
+            displacement_scale + std::abs(start[i]) + std::abs(free_end[i]);
           for (unsigned int j = 0; j < start.size(); ++j)
             sum += 2. * std::abs(receptance(i, j) * pressure[j]);
           scale = std::max(scale, sum);
@@ -94,7 +114,7 @@ namespace ThermoContact
   {
     // p(d) = [d]_+ / e, V(d) = [d]_+^2 / (2e); free_end > end if there is
     // pressure.
-    const double e = law.compliance + static_receptance(0, 0);
+    const double e = law.tangent(0.) + static_receptance(0, 0);
     const double r = std::max(receptance, 0.); // its rounding may be negative
     if (start <= 0.)
       {
@@ -119,6 +139,36 @@ namespace ThermoContact
 
 
 
+  double
+  ConservingContact::distance_to_change(const std::vector<bool>      &is_active,
+                                        const dealii::Vector<double> &begin,
+                                        const dealii::Vector<double> &slope,
+                                        const dealii::Vector<double> &p,
+                                        const dealii::Vector<double> &change,
+                                        const double peep) const
+  {
+    double distance = std::numeric_limits<double>::infinity();
+    for (unsigned int i = 0; i < is_active.size(); ++i)
+      {
+        double value = p(i), rate = change(i);
+        if (!is_active[i])
+          {
+            value = -begin(i);
+            rate  = -slope(i);
+            for (unsigned int j = 0; j < is_active.size(); ++j)
+              {
+                value += static_receptance(i, j) * p(j);
+                rate += static_receptance(i, j) * change(j);
+              }
+          }
+        if (rate < 0.)
+          distance = std::min(distance, std::max(-value / rate, peep));
+      }
+    return distance;
+  }
+
+
+
   void
   ConservingContact::mean_pressure(const std::vector<double>  &start,
                                    const std::vector<double>  &end,
@@ -130,7 +180,7 @@ namespace ThermoContact
     derivative.reinit(n, n);
     dealii::FullMatrix<double> matrix(static_receptance);
     for (unsigned int i = 0; i < n; ++i)
-      matrix(i, i) += law.compliance;
+      matrix(i, i) += law.tangent(0.);
 
     // Where nodes change together, the set that follows is that of a point a
     // little further on; what is wrong up to there is of second order in it.
@@ -152,30 +202,15 @@ namespace ThermoContact
 
         for (unsigned int i = 0; i < n; ++i)
           {
-            begin(i) = start[i] + xi * (end[i] - start[i]) - law.gap;
+            begin(i) = start[i] + xi * (end[i] - start[i]);
             slope(i) = end[i] - start[i];
           }
         inverse.vmult(p, begin);
         inverse.vmult(change, slope);
 
-        // to where a pressure, or the margin s = g - u of (M.18), vanishes
-        double next = 1.;
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            double value = p(i), rate = change(i);
-            if (!is_active[i])
-              {
-                value = -begin(i);
-                rate  = -slope(i);
-                for (unsigned int j = 0; j < n; ++j)
-                  {
-                    value += static_receptance(i, j) * p(j);
-                    rate += static_receptance(i, j) * change(j);
-                  }
-              }
-            if (rate < 0.)
-              next = std::min(next, std::max(xi - value / rate, xi + peep));
-          }
+        const double next = std::min(
+          1.,
+          xi + distance_to_change(is_active, begin, slope, p, change, peep));
         const double length = next - xi;
         for (unsigned int i = 0; i < n; ++i)
           mean[i] += length * (p(i) + 0.5 * length * change(i));
@@ -191,19 +226,19 @@ namespace ThermoContact
   ConservingContact::step_pressure(const std::vector<double>        &start,
                                    const std::vector<double>        &free_end,
                                    const dealii::FullMatrix<double> &receptance,
+                                   const double         displacement_scale,
                                    std::vector<double> &pressure) const
   {
     const unsigned int n = start.size();
     if (n == 1)
       {
-        pressure[0] = step_pressure_of_node(start[0] - law.gap,
-                                            free_end[0] - law.gap,
-                                            receptance(0, 0));
+        pressure[0] =
+          step_pressure_of_node(start[0], free_end[0], receptance(0, 0));
         return 1;
       }
 
     std::vector<double>        end(n), mean;
-    dealii::FullMatrix<double> derivative, jacobian(n, n);
+    dealii::FullMatrix<double> derivative;
     dealii::Vector<double>     residual(n), update(n);
     const auto                 evaluate = [&](const std::vector<double> &p) {
       for (unsigned int i = 0; i < n; ++i)
@@ -223,13 +258,7 @@ namespace ThermoContact
         if (norm <=
             1e-14 * std::max(largest_entry(pressure), largest_entry(mean)))
           return iteration;
-        derivative.mmult(jacobian, receptance);
-        jacobian *= 2.;
-        for (unsigned int i = 0; i < n; ++i)
-          jacobian(i, i) += 1.;
-        jacobian.gauss_jordan();
-        jacobian.vmult(update, residual);
-
+        newton_update(derivative, receptance, residual, update);
         const std::vector<double> old_pressure = pressure;
         const double              old_norm     = norm;
         double                    factor       = 1.;
@@ -243,11 +272,13 @@ namespace ThermoContact
           }
         // at the rounding of the displacements no step is an improvement
         if (norm >= old_norm &&
-            old_norm <=
-              1e-14 * (derivative.linfty_norm() *
-                         position_scale(
-                           law.gap, start, free_end, receptance, old_pressure) +
-                       largest_entry(old_pressure)))
+            old_norm <= 1e-14 * (derivative.linfty_norm() *
+                                   position_scale(displacement_scale,
+                                                  start,
+                                                  free_end,
+                                                  receptance,
+                                                  old_pressure) +
+                                 largest_entry(old_pressure)))
           {
             pressure = old_pressure;
             return iteration;

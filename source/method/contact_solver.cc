@@ -10,6 +10,34 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /** Loss of displacement of node @p i under all pressures. */
+    double
+    loss(const dealii::FullMatrix<double> &response,
+         const std::vector<double>        &pressure,
+         const unsigned int                i)
+    {
+      double sum = 0.;
+      for (unsigned int j = 0; j < pressure.size(); ++j)
+        sum += response(i, j) * pressure[j];
+      return sum;
+    }
+
+
+
+    double
+    largest_size(const std::vector<double> &values)
+    {
+      double largest = 0.;
+      for (const double value : values)
+        largest = std::max(largest, std::abs(value));
+      return largest;
+    }
+  } // namespace
+
+
+
   ContactSolver::ContactSolver(const ContactLaw &law)
     : law(law)
   {}
@@ -19,7 +47,7 @@ namespace ThermoContact
   void
   ContactSolver::solve_on_active_set(
     const dealii::FullMatrix<double> &response,
-    const std::vector<double>        &free_displacement,
+    const std::vector<double>        &free_penetration,
     const std::vector<bool>          &is_active,
     std::vector<double>              &pressure) const
   {
@@ -27,7 +55,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < is_active.size(); ++i)
       if (is_active[i])
         active.push_back(i);
-
+    const std::vector<double> old_pressure(pressure);
     std::fill(pressure.begin(), pressure.end(), 0.);
     if (active.empty())
       return;
@@ -39,8 +67,13 @@ namespace ThermoContact
       {
         for (unsigned int j = 0; j < n; ++j)
           matrix(i, j) = response(active[i], active[j]);
-        matrix(i, i) += law.compliance;
-        rhs(i) = free_displacement[active[i]] - law.gap;
+        const double p       = old_pressure[active[i]];
+        const double tangent = law.tangent(p);
+        matrix(i, i) += tangent;
+        // s(p) = s'(p) p + offset; a linear law has none
+        const double offset =
+          law.is_linear() ? 0. : law.penetration(p) - tangent * p;
+        rhs(i) = free_penetration[active[i]] - offset;
       }
     matrix.gauss_jordan();
     matrix.vmult(solution, rhs);
@@ -50,39 +83,88 @@ namespace ThermoContact
 
 
 
-  void
+  bool
+  ContactSolver::update_active_set(const dealii::FullMatrix<double> &response,
+                                   const std::vector<double> &free_penetration,
+                                   const std::vector<double> &pressure,
+                                   const bool                 only_the_first,
+                                   std::vector<bool>         &is_active) const
+  {
+    // A node that touches without pressure must not flip for ever.
+    const double rounding = 1e-14 * largest_size(free_penetration);
+    bool         changed  = false;
+    for (unsigned int i = 0;
+         i < pressure.size() && !(changed && only_the_first);
+         ++i)
+      {
+        const double p          = pressure[i];
+        const double receptance = response(i, i) + law.tangent(p);
+        const double reach = free_penetration[i] - loss(response, pressure, i);
+        const bool   is_wrong =
+          is_active[i] ? p * receptance < -rounding : reach > rounding;
+        if (is_wrong)
+          is_active[i] = !is_active[i];
+        // Newton's method goes on until the law is met
+        const bool is_inexact =
+          !law.is_linear() && is_active[i] &&
+          std::abs(reach - law.penetration(p)) > 10. * rounding;
+        changed |= is_wrong || is_inexact;
+      }
+    return changed;
+  }
+
+
+
+  unsigned int
   ContactSolver::solve_closed(const dealii::FullMatrix<double> &response,
-                              const std::vector<double> &free_displacement,
+                              const std::vector<double> &free_penetration,
                               std::vector<double>       &pressure) const
   {
-    const unsigned int n = free_displacement.size();
-    pressure.resize(n);
+    const unsigned int n = free_penetration.size();
+    pressure.resize(n, 0.);
     if (n == 1)
-      pressure[0] =
-        (free_displacement[0] - law.gap) / (law.compliance + response(0, 0));
-    else
-      solve_on_active_set(response,
-                          free_displacement,
-                          std::vector<bool>(n, true),
-                          pressure);
+      {
+        pressure[0] =
+          law.local_closed_pressure(free_penetration[0], response(0, 0));
+        return 1;
+      }
+    const std::vector<bool> all(n, true);
+    const double            rounding = 1e-13 * largest_size(free_penetration);
+    for (unsigned int iteration = 1; iteration <= 50; ++iteration)
+      {
+        solve_on_active_set(response, free_penetration, all, pressure);
+        if (law.is_linear())
+          return iteration;
+        double residual = 0.;
+        for (unsigned int i = 0; i < n; ++i)
+          residual = std::max(residual,
+                              std::abs(free_penetration[i] -
+                                       loss(response, pressure, i) -
+                                       law.penetration(pressure[i])));
+        if (residual <= rounding)
+          return iteration;
+      }
+    throw ComputationError("the pressures of " + std::to_string(n) +
+                           " contact nodes that are held closed were not "
+                           "found\n  remedy:  a smaller Time/Step size");
   }
 
 
 
   unsigned int
   ContactSolver::solve(const dealii::FullMatrix<double> &response,
-                       const std::vector<double>        &free_displacement,
+                       const std::vector<double>        &free_penetration,
                        std::vector<double>              &pressure) const
   {
-    const unsigned int n = free_displacement.size();
-    if (!law.is_active)
+    const unsigned int n = free_penetration.size();
+    if (!law.is_active())
       {
         std::fill(pressure.begin(), pressure.end(), 0.);
         return 0;
       }
     if (n == 1)
       {
-        pressure[0] = law.pressure(free_displacement[0], response(0, 0));
+        pressure[0] = law.local_pressure(free_penetration[0], response(0, 0));
         return 1;
       }
 
@@ -91,40 +173,19 @@ namespace ThermoContact
     const unsigned int max_block_iterations  = 20;
     const unsigned int max_single_iterations = 100 * n;
 
-    // A node that touches without pressure must not flip for ever.
-    double largest = std::abs(law.gap);
-    for (const double u : free_displacement)
-      largest = std::max(largest, std::abs(u));
-    const double rounding = 1e-14 * largest;
-
     std::vector<bool> is_active(n);
     for (unsigned int i = 0; i < n; ++i)
       is_active[i] = pressure[i] > 0.;
-
     for (unsigned int iteration = 1;
          iteration <= max_block_iterations + max_single_iterations;
          ++iteration)
       {
-        solve_on_active_set(response, free_displacement, is_active, pressure);
-
-        const bool only_the_first = iteration > max_block_iterations;
-        bool       changed        = false;
-        for (unsigned int i = 0; i < n && !(changed && only_the_first); ++i)
-          {
-            double reach = free_displacement[i];
-            for (unsigned int j = 0; j < n; ++j)
-              reach -= response(i, j) * pressure[j];
-            const double receptance = response(i, i) + law.compliance;
-            const bool   is_wrong   = is_active[i] ?
-                                        pressure[i] * receptance < -rounding :
-                                        reach - law.gap > rounding;
-            if (is_wrong)
-              {
-                is_active[i] = !is_active[i];
-                changed      = true;
-              }
-          }
-        if (!changed)
+        solve_on_active_set(response, free_penetration, is_active, pressure);
+        if (!update_active_set(response,
+                               free_penetration,
+                               pressure,
+                               iteration > max_block_iterations,
+                               is_active))
           {
             for (double &p : pressure)
               p = std::max(p, 0.);

@@ -3,7 +3,6 @@
 #include <thermocontact/method/event_locator.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,8 +10,6 @@ namespace ThermoContact
 {
   namespace
   {
-    const double infinity = std::numeric_limits<double>::infinity();
-
     bool
     any_in_contact(const ContactValues &values)
     {
@@ -35,6 +32,18 @@ namespace ThermoContact
 
 
 
+  void
+  EventLocator::Scales::add(const ContactValues &values)
+  {
+    for (unsigned int i = 0; i < values.displacement.size(); ++i)
+      {
+        displacement = std::max(displacement, std::abs(values.displacement[i]));
+        pressure     = std::max(pressure, values.pressure[i]);
+      }
+  }
+
+
+
   EventLocator::EventLocator(const ContactLaw  &law,
                              const bool         is_active,
                              const ContactNodes nodes,
@@ -45,9 +54,6 @@ namespace ThermoContact
     , tolerance(tolerance)
     , mode_(ContactMode::unilateral)
     , is_in_contact(false)
-    , was_switched(false)
-    , max_displacement(0.)
-    , max_pressure(0.)
   {}
 
 
@@ -72,16 +78,16 @@ namespace ThermoContact
     present       = initial;
     mode_         = mode_of(initial);
     is_in_contact = false;
-    was_switched  = false;
+    waiting.reset();
     events.clear();
-    max_displacement = max_pressure = 0.;
-    add_to_scales(initial);
+    largest = Scales();
+    largest.add(initial);
     if (any_in_contact(initial))
-      add_event(initial.time,
-                true,
-                nodes == ContactNodes::of_static_body ?
-                  std::numeric_limits<double>::quiet_NaN() :
-                  initial.velocity[foremost(initial)],
+      add_event({initial.time,
+                 ContactEvent::begin,
+                 nodes == ContactNodes::of_static_body ?
+                   std::numeric_limits<double>::quiet_NaN() :
+                   initial.velocity[foremost(initial)]},
                 events);
   }
 
@@ -90,27 +96,27 @@ namespace ThermoContact
   CubicHermite
   EventLocator::margin(const ContactValues &next, const unsigned int node) const
   {
-    if (mode_ == ContactMode::closed && law.compliance == 0.)
+    if (is_margin_pressure())
       {
         const double p0 = present.pressure[node], p1 = next.pressure[node];
         return CubicHermite(p0, p1 - p0, p1, p1 - p0);
       }
-    const double sign = mode_ == ContactMode::closed ? -1. : 1.;
+    const double sign = mode_ == ContactMode::closed ? 1. : -1.;
     const double size = next.time - present.time;
-    double       s0   = sign * (law.gap - present.displacement[node]);
-    double       s1   = sign * (law.gap - next.displacement[node]);
+    double       s0   = sign * present.penetration[node];
+    double       s1   = sign * next.penetration[node];
     if (mode_ == ContactMode::closed && nodes != ContactNodes::with_mass)
       {
         // the same with the digits that a stiff obstacle needs
-        s0 = law.compliance * present.pressure[node];
-        s1 = law.compliance * next.pressure[node];
+        s0 = law.penetration(present.pressure[node]);
+        s1 = law.penetration(next.pressure[node]);
       }
     if (nodes == ContactNodes::of_static_body)
       return CubicHermite(s0, s1 - s0, s1, s1 - s0);
     return CubicHermite(s0,
-                        -sign * size * present.velocity[node],
+                        sign * size * present.velocity[node],
                         s1,
-                        -sign * size * next.velocity[node]);
+                        sign * size * next.velocity[node]);
   }
 
 
@@ -118,43 +124,36 @@ namespace ThermoContact
   bool
   EventLocator::is_near(const double      s,
                         const double      rate,
+                        const Scales     &sizes,
                         const BodyScales &scales) const
   {
-    if (mode_ == ContactMode::closed && law.compliance == 0.)
-      return std::abs(s) <= 0.1 * tolerance * max_pressure;
+    if (is_margin_pressure())
+      return std::abs(s) <= 0.1 * tolerance * sizes.pressure;
     // what the floating-point numbers of displacement and time can tell apart
     const bool   has_mass = nodes == ContactNodes::with_mass;
-    const double largest  = mode_ == ContactMode::closed && !has_mass ?
-                              law.compliance * max_pressure :
-                              max_displacement;
-    const double rounding = 4e-15 * (largest + std::abs(present.time * rate));
-    // A miss of an elastic obstacle by s costs the energy s^2 / (2 epsilon); a
-    // node without mass that lets the pressure s / epsilon go at once costs
-    // s^2 / (2 epsilon^2) at most.
-    const double compliance =
-      has_mass ? law.compliance : law.compliance * std::min(law.compliance, 1.);
-    const double smallest_scale =
-      law.compliance > 0. ?
-        std::min(max_displacement, std::sqrt(2. * compliance * scales.energy)) :
-        max_displacement;
+    const double size     = mode_ == ContactMode::closed && !has_mass ?
+                              law.penetration(sizes.pressure) :
+                              sizes.displacement;
+    const double rounding = 4e-15 * (size + std::abs(present.time * rate));
+    // A miss by s costs the energy that the obstacle stores at s; a node
+    // without mass that lets its pressure go at once costs half its square at
+    // most.
+    double smallest_scale = sizes.displacement;
+    if (!law.is_rigid())
+      {
+        smallest_scale =
+          std::min(smallest_scale, law.penetration_of_energy(scales.energy));
+        if (!has_mass)
+          smallest_scale =
+            std::min(smallest_scale,
+                     law.penetration(std::sqrt(2. * scales.energy)));
+      }
     const bool has_small_impulse =
-      has_mass && s * s <= 0.2 * law.compliance * std::abs(rate) * tolerance *
-                             scales.momentum;
+      has_mass && !law.is_rigid() &&
+      law.energy(law.pressure(std::abs(s))) <=
+        0.1 * std::abs(rate) * tolerance * scales.momentum;
     return has_small_impulse ||
            std::abs(s) <= 0.01 * tolerance * smallest_scale + rounding;
-  }
-
-
-
-  void
-  EventLocator::add_to_scales(const ContactValues &values)
-  {
-    for (unsigned int i = 0; i < values.displacement.size(); ++i)
-      {
-        max_displacement =
-          std::max(max_displacement, std::abs(values.displacement[i]));
-        max_pressure = std::max(max_pressure, values.pressure[i]);
-      }
   }
 
 
@@ -162,9 +161,11 @@ namespace ThermoContact
   EventLocator::Finding
   EventLocator::examine(const ContactValues &next,
                         const bool           is_aimed,
-                        const BodyScales    &scales)
+                        const BodyScales    &scales) const
   {
-    add_to_scales(next);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Scales           sizes(largest);
+    sizes.add(next);
     const double size         = next.time - present.time;
     double       zero         = infinity;
     unsigned int node         = 0;    // that changes first or is nearest to it
@@ -174,27 +175,27 @@ namespace ThermoContact
     bool         starts_near  = false;
     bool         all_start    = true;
     const double resolution   = 4e-15 * present.time / size;
+    const double dip =
+      is_margin_pressure() ? 0. : 0.01 * tolerance * sizes.displacement;
     for (unsigned int i = 0; i < next.displacement.size(); ++i)
       {
-        const CubicHermite s  = margin(next, i);
-        const double       s1 = s.value(1.);
-        const double       dip =
-          mode_ == ContactMode::closed && law.compliance == 0. ?
-                  0. :
-                  0.01 * tolerance * max_displacement;
-        double node_zero = s.first_zero(dip);
+        const CubicHermite s         = margin(next, i);
+        const double       s1        = s.value(1.);
+        double             node_zero = s.first_zero(dip);
         if (node_zero <= resolution || (s.value(0.) == 0. && node_zero < 1e-9))
           node_zero = 0.;
         const bool starts_here =
-          node_zero == 0. || (node_zero < 0.1 && s.slope(0.) < 0. &&
-                              is_near(s.value(0.), s.slope(0.) / size, scales));
+          node_zero == 0. ||
+          (node_zero < 0.1 && s.slope(0.) < 0. &&
+           is_near(s.value(0.), s.slope(0.) / size, sizes, scales));
         starts_near |= starts_here;
         all_start &= starts_here;
         if (node_zero < zero ||
             (zero == infinity && s1 < margin(next, node).value(1.)))
           node = i;
-        zero                    = std::min(zero, node_zero);
-        const bool is_node_near = is_near(s1, s.slope(1.) / size, scales);
+        zero = std::min(zero, node_zero);
+        const bool is_node_near =
+          is_near(s1, s.slope(1.) / size, sizes, scales);
         ends_near &= s1 >= 0. || is_node_near;
         is_near_zero |= is_node_near;
         all_change &= s1 < 0. || is_node_near;
@@ -217,16 +218,13 @@ namespace ThermoContact
 
 
   void
-  EventLocator::add_event(const double               time,
-                          const bool                 begins,
-                          const double               velocity,
+  EventLocator::add_event(const ContactEvent        &event,
                           std::vector<ContactEvent> &events)
   {
     const double earliest = events.empty() ? 0. : events.back().time;
-    events.push_back({std::max(time, earliest),
-                      begins ? ContactEvent::begin : ContactEvent::end,
-                      velocity});
-    is_in_contact = begins;
+    events.push_back(event);
+    events.back().time = std::max(event.time, earliest);
+    is_in_contact      = event.kind == ContactEvent::begin;
   }
 
 
@@ -239,21 +237,47 @@ namespace ThermoContact
 
 
 
-  void
-  EventLocator::switch_at_start(const double               time,
-                                std::vector<ContactEvent> &events)
+  bool
+  EventLocator::switch_at_start(const double time)
   {
-    if (was_switched)
+    if (waiting)
       {
-        events.pop_back();
-        is_in_contact = !is_in_contact;
+        waiting.reset();
         hold_nothing();
-        return;
+        return false;
       }
     const bool begins = mode_ == ContactMode::open;
-    add_event(time, begins, present.velocity[foremost(present)], events);
-    mode_        = begins ? ContactMode::closed : ContactMode::open;
-    was_switched = true;
+    waiting           = {time,
+               begins ? ContactEvent::begin : ContactEvent::end,
+                         present.velocity[foremost(present)]};
+    mode_             = begins ? ContactMode::closed : ContactMode::open;
+    return true;
+  }
+
+
+
+  void
+  EventLocator::accept_unilateral(const ContactValues       &next,
+                                  std::vector<ContactEvent> &events)
+  {
+    const bool touches = any_in_contact(next);
+    if (is_in_contact != touches)
+      {
+        // A closed rigid obstacle holds the gap at zero, up to rounding, so
+        // that the root is an end of the step. Contact changes the velocity
+        // within it: that of the free side counts.
+        const unsigned int old_node = foremost(present);
+        const unsigned int node     = foremost(next);
+        const double       gap0     = -present.penetration[old_node];
+        const double       gap1     = -next.penetration[node];
+        const double       fraction = gap0 == gap1 ? 1. : gap0 / (gap0 - gap1);
+        add_event({present.time + std::min(std::max(fraction, 0.), 1.) *
+                                    (next.time - present.time),
+                   touches ? ContactEvent::begin : ContactEvent::end,
+                   touches ? present.velocity[old_node] : next.velocity[node]},
+                  events);
+      }
+    mode_ = mode_of(next);
   }
 
 
@@ -263,130 +287,26 @@ namespace ThermoContact
                        const Finding             &finding,
                        std::vector<ContactEvent> &events)
   {
+    if (waiting)
+      add_event(*waiting, events);
+    waiting.reset();
     if (mode_ == ContactMode::unilateral)
-      {
-        const bool touches = any_in_contact(next);
-        if (is_in_contact != touches)
-          {
-            // A closed rigid obstacle holds the gap at zero, up to rounding,
-            // so that the root is an end of the step. Contact changes the
-            // velocity within it: that of the free side counts.
-            const unsigned int old_node = foremost(present);
-            const double       gap0 = law.gap - present.displacement[old_node];
-            const unsigned int node = foremost(next);
-            const double       gap1 = law.gap - next.displacement[node];
-            const double fraction   = gap0 == gap1 ? 1. : gap0 / (gap0 - gap1);
-            add_event(present.time + std::min(std::max(fraction, 0.), 1.) *
-                                       (next.time - present.time),
-                      touches,
-                      touches ? present.velocity[old_node] :
-                                next.velocity[node],
-                      events);
-          }
-        mode_ = mode_of(next);
-      }
+      accept_unilateral(next, events);
     else if (finding.kind == Finding::at_end)
       {
         const bool   begins = mode_ == ContactMode::open;
         const double zero   = margin(next, finding.node).zero_near_end();
         // contact begins with the first node and ends with the last
         if (begins || finding.is_of_all_nodes)
-          add_event(present.time + zero * (next.time - present.time),
-                    begins,
-                    next.velocity[finding.node],
+          add_event({present.time + zero * (next.time - present.time),
+                     begins ? ContactEvent::begin : ContactEvent::end,
+                     next.velocity[finding.node]},
                     events);
         mode_ = !finding.is_of_all_nodes ? ContactMode::unilateral :
                 begins                   ? ContactMode::closed :
                                            ContactMode::open;
       }
-    was_switched = false;
-    present      = next;
-  }
-
-
-
-  CubicHermite::CubicHermite(const double s0,
-                             const double slope0,
-                             const double s1,
-                             const double slope1)
-    : s0(s0)
-    , slope0(slope0)
-    , s1(s1)
-    , quadratic(3. * (s1 - s0) - 2. * slope0 - slope1)
-    , cubic(2. * (s0 - s1) + slope0 + slope1)
-  {}
-
-
-
-  double
-  CubicHermite::value(const double x) const
-  {
-    return x == 1. ? s1 : s0 + x * (slope0 + x * (quadratic + x * cubic));
-  }
-
-
-
-  double
-  CubicHermite::slope(const double x) const
-  {
-    return slope0 + x * (2. * quadratic + x * 3. * cubic);
-  }
-
-
-
-  double
-  CubicHermite::zero_near_end() const
-  {
-    double x = 1.;
-    for (unsigned int i = 0; i < 10; ++i)
-      if (const double rate = slope(x); rate != 0.)
-        x -= value(x) / rate;
-    return std::abs(x - 1.) <= 0.5 ? x : 1.;
-  }
-
-
-
-  double
-  CubicHermite::first_zero(const double tolerable_dip) const
-  {
-    // the extrema divide the interval into pieces where s is monotone
-    std::array<double, 4> points = {{0., 1., 1., 1.}};
-    unsigned int          n      = 1;
-    const double discriminant    = quadratic * quadratic - 3. * cubic * slope0;
-    if (discriminant > 0.)
-      {
-        const double q =
-          -(quadratic + std::copysign(std::sqrt(discriminant), quadratic));
-        double x1 = cubic != 0. ? q / (3. * cubic) : infinity;
-        double x2 = q != 0. ? slope0 / q : infinity;
-        if (x1 > x2)
-          std::swap(x1, x2);
-        for (const double x : {x1, x2})
-          if (x > 0. && x < 1.)
-            points[n++] = x;
-      }
-
-    bool is_positive = s0 >= 0.;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        double       low    = points[i];
-        const double end    = i + 1 < n ? points[i + 1] : 1.;
-        double       high   = end;
-        const double s_high = value(high);
-        if (!is_positive)
-          {
-            is_positive = s_high > 0.;
-            continue; // rising: no zero that counts
-          }
-        if (s_high >= 0. || (high < 1. && s_high >= -tolerable_dip))
-          continue;
-        for (unsigned int j = 0; j < 60; ++j)
-          {
-            const double middle               = 0.5 * (low + high);
-            (value(middle) < 0. ? high : low) = middle;
-          }
-        return high;
-      }
-    return is_positive ? infinity : 0.;
+    present = next;
+    largest.add(next);
   }
 } // namespace ThermoContact

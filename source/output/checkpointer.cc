@@ -90,7 +90,7 @@ namespace ThermoContact
     checkpoint.version     = version();
     checkpoint.parameters  = parameters;
     checkpoint.output      = output.sync();
-    const std::string part = simulation.memory();
+    const std::string part = simulation.save();
     std::string       fault;
     // MPI counts bytes with an int
     if (Utilities::MPI::sum(static_cast<double>(part.size()), communicator) >

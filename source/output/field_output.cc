@@ -81,11 +81,10 @@ namespace ThermoContact
     class StressPostprocessor : public DataPostprocessor<dim>
     {
     public:
-      explicit StressPostprocessor(const ModelParameters &model)
-        : lambda(model.poisson_ratio / (1. - model.poisson_ratio))
-        , mu(0.5 * (1. - 2. * model.poisson_ratio) / (1. - model.poisson_ratio))
-        , coupling(model.thermal_stress())
-        , first(model.has_temperature() ? 1 : 0)
+      /** @param body borrowed */
+      explicit StressPostprocessor(const Body<dim> &body)
+        : body(body)
+        , first(body.discretization.first_component(Field::displacement))
       {}
 
       std::vector<std::string>
@@ -106,7 +105,7 @@ namespace ThermoContact
       UpdateFlags
       get_needed_update_flags() const override
       {
-        return update_values | update_gradients;
+        return update_values | update_gradients | update_quadrature_points;
       }
 
       void
@@ -116,17 +115,25 @@ namespace ThermoContact
       {
         for (unsigned int q = 0; q < computed.size(); ++q)
           {
-            const auto  &gradients = inputs.solution_gradients[q];
-            const double thermal =
-              coupling == 0. ? 0. : coupling * inputs.solution_values[q](0);
-            double divergence = 0.;
+            Tensor<1, dim> value;
+            Tensor<2, dim> gradient;
             for (unsigned int d = 0; d < dim; ++d)
-              divergence += gradients[first + d][d];
+              {
+                value[d]    = inputs.solution_values[q](first + d);
+                gradient[d] = inputs.solution_gradients[q][first + d];
+              }
+            const Strain<dim> strain = body.discretization.geometry().strain(
+              gradient, value, inputs.evaluation_points[q]);
+            const Material &material = body.scene.material;
+            const double    thermal =
+              material.has_thermal_stress() ?
+                   material.thermal_stress * inputs.solution_values[q](0) :
+                   0.;
             for (unsigned int d = 0; d < dim; ++d)
               for (unsigned int e = 0; e < dim; ++e)
                 computed[q](d * dim + e) =
-                  mu * (gradients[first + d][e] + gradients[first + e][d]) +
-                  (d == e ? lambda * divergence - thermal : 0.);
+                  elastic_stress(material, strain, d, e) -
+                  (d == e ? thermal : 0.);
           }
       }
 
@@ -140,9 +147,7 @@ namespace ThermoContact
       }
 
     private:
-      const double lambda;
-      const double mu;
-      const double coupling;
+      const Body<dim> &body;
 
       /** Component of the axial displacement. */
       const unsigned int first;
@@ -190,12 +195,11 @@ namespace ThermoContact
 
 
   template <int dim>
-  FieldOutput<dim>::FieldOutput(const std::string         &directory,
-                                const Parameters          &parameters,
-                                const Discretization<dim> &discretization)
+  FieldOutput<dim>::FieldOutput(const std::string &directory,
+                                const Body<dim>   &body)
     : directory(directory)
-    , model(parameters.model)
-    , discretization(discretization)
+    , body(body)
+    , discretization(body.discretization)
   {}
 
 
@@ -207,14 +211,14 @@ namespace ThermoContact
   {
     // several ranks cannot exchange the ghosts of an empty block
     std::vector<IndexSet> owned;
-    for (unsigned int block = 0; block < 2; ++block)
-      if (discretization.has_field(block))
-        owned.push_back(discretization.owned_by_block()[block]);
+    for (const Field::Block field : all_fields)
+      if (discretization.has_field(field))
+        owned.push_back(discretization.owned_by_block()[field]);
     TrilinosWrappers::MPI::BlockVector result(owned,
                                               discretization.communicator());
-    if (discretization.has_field(0))
+    if (discretization.has_field(Field::temperature))
       result.block(0) = temperature;
-    if (discretization.has_field(1))
+    if (discretization.has_field(Field::displacement))
       result.block(result.n_blocks() - 1) = displacement;
     return result;
   }
@@ -227,13 +231,13 @@ namespace ThermoContact
   {
     std::vector<std::string>    names;
     std::vector<Interpretation> interpretation;
-    if (model.has_temperature())
+    if (body.scene.fields.has_temperature)
       {
         names.emplace_back("temperature");
         interpretation.push_back(
           DataComponentInterpretation::component_is_scalar);
       }
-    if (model.has_displacement())
+    if (body.scene.fields.has_displacement)
       for (unsigned int d = 0; d < dim; ++d)
         {
           names.emplace_back("displacement");
@@ -242,10 +246,10 @@ namespace ThermoContact
         }
 
     const VelocityPostprocessor<dim> velocity_postprocessor(
-      discretization.first_component(1));
-    const StressPostprocessor<dim> stress_postprocessor(model);
+      discretization.first_component(Field::displacement));
+    const StressPostprocessor<dim> stress_postprocessor(body);
     Vector                         viscous_displacement = state.displacement;
-    viscous_displacement.add(model.viscosity, state.velocity);
+    viscous_displacement.add(body.scene.material.viscosity, state.velocity);
 
     const auto fields   = joined(state.temperature, state.displacement);
     const auto velocity = joined(state.temperature, state.velocity);
@@ -257,7 +261,7 @@ namespace ThermoContact
                              names,
                              DataOut<dim>::type_dof_data,
                              interpretation);
-    if (model.has_displacement())
+    if (body.scene.fields.has_displacement)
       {
         data_out.add_data_vector(velocity, velocity_postprocessor);
         data_out.add_data_vector(strain, stress_postprocessor);

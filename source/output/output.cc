@@ -52,9 +52,7 @@ namespace ThermoContact
     , end_time(simulation.parameters().time.end_time)
     , communicator(simulation.discretization().communicator())
     , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
-    , field_output(directory,
-                   simulation.parameters(),
-                   simulation.discretization())
+    , field_output(directory, simulation.body())
     , has_attempts(simulation.parameters().time.has_error_control() ||
                    simulation.parameters().time.locates_contact_events())
     , n_written_events(0)
@@ -107,18 +105,17 @@ namespace ThermoContact
   Output<dim>::open_optional(const OutputMemory    &sizes,
                              const Simulation<dim> &simulation)
   {
-    const Parameters          &scene = simulation.parameters();
-    const Discretization<dim> &space = simulation.discretization();
+    const Body<dim> &body = simulation.body();
     if (!Utilities::trim(parameters.probes).empty())
       {
-        probe_output =
-          std::make_unique<ProbeOutput<dim>>(directory, scene, space);
-        probe_output->open(head_comments(scene.title), sizes.probes_size);
+        probe_output = std::make_unique<ProbeOutput<dim>>(directory, body);
+        probe_output->open(head_comments(simulation.parameters().title),
+                           sizes.probes_size);
       }
     if (parameters.space_time_interval > 0.)
       {
         space_time_output =
-          std::make_unique<SpaceTimeOutput<dim>>(directory, scene, space);
+          std::make_unique<SpaceTimeOutput<dim>>(directory, body);
         space_time_output->open(sizes.space_time_size);
       }
     else
@@ -195,7 +192,7 @@ namespace ThermoContact
           probe_output->write(simulation.state());
       }
     write_events(simulation.events());
-    write_attempts(simulation.attempts());
+    write_attempts(simulation.history().attempts);
     if (space_time_output &&
         is_due(parameters.space_time_interval, record.time, next_space_time))
       space_time_output->write(simulation.state());
@@ -250,9 +247,9 @@ namespace ThermoContact
   Output<dim>::observe_failure(const Simulation<dim> &simulation)
   {
     // those of a step that was accepted have been written
-    if (!simulation.attempts().empty() &&
-        !simulation.attempts().back().is_accepted)
-      write_attempts(simulation.attempts());
+    if (!simulation.history().attempts.empty() &&
+        !simulation.history().attempts.back().is_accepted)
+      write_attempts(simulation.history().attempts);
     for (TableFile *file : tables())
       file->flush();
     if (space_time_output)

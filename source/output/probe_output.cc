@@ -39,14 +39,13 @@ namespace ThermoContact
 
 
   template <int dim>
-  ProbeOutput<dim>::ProbeOutput(const std::string         &directory,
-                                const Parameters          &parameters,
-                                const Discretization<dim> &discretization)
+  ProbeOutput<dim>::ProbeOutput(const std::string &directory,
+                                const Body<dim>   &body)
     : path(directory + "/probes.csv")
-    , is_writer(
-        Utilities::MPI::this_mpi_process(discretization.communicator()) == 0)
-    , places(places_of<dim>(parameters))
-    , point_values(discretization, parameters.model, places)
+    , is_writer(Utilities::MPI::this_mpi_process(
+                  body.discretization.communicator()) == 0)
+    , places(places_of<dim>(body.scene.parameters))
+    , point_values(body.scene, body.discretization, places)
   {}
 
 
@@ -93,7 +92,8 @@ namespace ThermoContact
     row.clear();
     append(row, "%.17g", state.time);
     for (unsigned int i = 0; i < places.size(); ++i)
-      for (unsigned int field = 0; field < PointValues<dim>::n_fields; ++field)
+      for (unsigned int field = 0; field < PointValues<dim>::n_quantities;
+           ++field)
         append(row, ",%.17g", values[field * places.size() + i]);
     row += '\n';
     table_file.write_row(row);

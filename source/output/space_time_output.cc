@@ -7,20 +7,18 @@
 namespace ThermoContact
 {
   template <int dim>
-  SpaceTimeOutput<dim>::SpaceTimeOutput(
-    const std::string         &directory,
-    const Parameters          &parameters,
-    const Discretization<dim> &discretization)
+  SpaceTimeOutput<dim>::SpaceTimeOutput(const std::string &directory,
+                                        const Body<dim>   &body)
     : directory(directory)
     , columns_path(directory + "/space-time.columns")
-    , is_writer(
-        Utilities::MPI::this_mpi_process(discretization.communicator()) == 0)
-    , places(places_on_axis(discretization, parameters.mesh.width))
-    , point_values(discretization, parameters.model, places)
+    , is_writer(Utilities::MPI::this_mpi_process(
+                  body.discretization.communicator()) == 0)
+    , places(places_on_axis(body.discretization))
+    , point_values(body.scene, body.discretization, places)
   {
-    layout.places_per_cell  = discretization.degree() + 1;
-    layout.has_temperature  = parameters.model.has_temperature();
-    layout.has_displacement = parameters.model.has_displacement();
+    layout.places_per_cell  = body.discretization.degree() + 1;
+    layout.has_temperature  = body.scene.fields.has_temperature;
+    layout.has_displacement = body.scene.fields.has_displacement;
     for (const Place<dim> &place : places)
       layout.x.push_back(place.position[0]);
   }
@@ -50,12 +48,12 @@ namespace ThermoContact
       return;
     const std::size_t n = places.size();
     column.assign(1, state.time);
-    for (unsigned int field = 0; field < PointValues<dim>::n_fields; ++field)
-      if (field == PointValues<dim>::temperature ? layout.has_temperature :
-                                                   layout.has_displacement)
+    for (unsigned int i = 0; i < PointValues<dim>::n_quantities; ++i)
+      if (i == PointValues<dim>::temperature ? layout.has_temperature :
+                                               layout.has_displacement)
         column.insert(column.end(),
-                      values.begin() + field * n,
-                      values.begin() + (field + 1) * n);
+                      values.begin() + i * n,
+                      values.begin() + (i + 1) * n);
     write_row(column);
   }
 

@@ -70,9 +70,9 @@ namespace ThermoContact
   void
   Progress<dim>::observe(const Simulation<dim> &simulation)
   {
-    if (simulation.attempts().empty())
+    if (simulation.history().attempts.empty())
       return; // the initial state
-    for (const StepAttempt &attempt : simulation.attempts())
+    for (const StepAttempt &attempt : simulation.history().attempts)
       step_seconds_ += attempt.wall_seconds;
     report_tenth(simulation);
     if (log.has_live_line())
@@ -102,15 +102,15 @@ namespace ThermoContact
     const auto  add  = [&line](const char *name, const double value) {
       line += text("  ", name, " = ", std::setw(12), std::left, value);
     };
-    const Parameters &parameters = simulation.parameters();
-    if (parameters.model.has_displacement())
+    const Scene &scene = simulation.scene();
+    if (scene.fields.has_displacement)
       add("u(1)", record.displacement_end);
-    if (parameters.contact_law().is_active)
+    if (scene.contact.law->is_active())
       {
         add("gap", record.gap);
         add("force", record.contact_force);
       }
-    if (parameters.model.has_temperature())
+    if (scene.fields.has_temperature)
       add("theta(1)", record.temperature_end);
     line.erase(line.find_last_not_of(' ') + 1);
     if (log.has_live_line())
@@ -130,8 +130,8 @@ namespace ThermoContact
     if (seconds < 0.1)
       return;
     const StepRecord &record   = simulation.record();
-    const Parameters &p        = simulation.parameters();
-    const double      end_time = p.time.end_time;
+    const Scene      &scene    = simulation.scene();
+    const double      end_time = scene.parameters.time.end_time;
     const double      rate     = (record.step - last_step) / seconds;
     steps_per_second =
       steps_per_second == 0. ? rate : 0.7 * steps_per_second + 0.3 * rate;
@@ -150,10 +150,10 @@ namespace ThermoContact
            static_cast<unsigned int>(100. * record.time / end_time + 1e-9),
            " %") +
       field(" t", record.time) + field("dt", record.step_size);
-    if (p.contact_law().is_active)
+    if (scene.contact.law->is_active())
       line += record.in_contact ? field("force", record.contact_force) :
                                   field("gap  ", record.gap);
-    else if (p.model.has_displacement())
+    else if (scene.fields.has_displacement)
       line += field("u(1)", record.displacement_end);
     else
       line += field("theta(1)", record.temperature_end);

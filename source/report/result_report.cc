@@ -25,9 +25,9 @@ namespace ThermoContact
       if (!events.empty())
         line += text(", first at t = ", events.front().time);
       return line + text(", peak force ",
-                         simulation.max_contact_force(),
+                         simulation.history().max_contact_force,
                          ", peak penetration ",
-                         simulation.max_penetration());
+                         simulation.history().max_penetration);
     }
 
 
@@ -48,9 +48,9 @@ namespace ThermoContact
     std::string
     compare_with_rest(const SteadyState &rest,
                       const StepRecord  &record,
-                      const Parameters  &parameters)
+                      const Scene       &scene)
     {
-      std::string line = describe_steady_state(rest, parameters) + "; differs";
+      std::string line = describe_steady_state(rest, scene) + "; differs";
       const auto  add =
         [&line](const char *name, const double value, const double predicted) {
           if (std::isfinite(predicted))
@@ -62,7 +62,7 @@ namespace ThermoContact
         };
       add("u(1)", record.displacement_end, rest.displacement_end);
       add("theta(1)", record.temperature_end, rest.temperature_end);
-      if (parameters.contact_law().is_active)
+      if (scene.contact.law->is_active())
         add("force", record.contact_force, rest.contact_force);
       return line;
     }
@@ -135,21 +135,21 @@ namespace ThermoContact
                 const double           initial_energy,
                 Log                   &log)
   {
-    const Parameters    &parameters = simulation.parameters();
-    const StepRecord    &record     = simulation.record();
-    const SolverCounters counters   = simulation.counters();
-    if (parameters.contact_law().is_active)
+    const Scene         &scene    = simulation.scene();
+    const StepRecord    &record   = simulation.record();
+    const SolverCounters counters = simulation.counters();
+    if (scene.contact.law->is_active())
       log.line("  contact   " + join_events(simulation) +
                text(", impulse ", record.contact_impulse));
     log.line("  final     " +
-             describe_steady_state(final_state(record), parameters));
-    if (const auto rest = steady_state(parameters).state)
-      log.line("  at rest   " + compare_with_rest(*rest, record, parameters));
+             describe_steady_state(final_state(record), scene));
+    if (const auto rest = steady_state(scene).state)
+      log.line("  at rest   " + compare_with_rest(*rest, record, scene));
     log.line("  energy    " + describe_energy(record, initial_energy));
     log.line(text("  cost      ",
                   record.step,
                   " steps, ",
-                  simulation.n_rejected_steps(),
+                  simulation.history().n_rejected_steps,
                   " rejected, ",
                   counters.factorizations,
                   " factorisations, ",

@@ -54,9 +54,9 @@ namespace ThermoContact
     {
       const auto &space = simulation.discretization();
       std::string line;
-      if (space.has_field(0))
+      if (space.has_field(Field::temperature))
         line = text(space.n_temperature_dofs(), " temperature");
-      if (space.has_field(1))
+      if (space.has_field(Field::displacement))
         line += text(line.empty() ? "" : " + ",
                      space.n_displacement_dofs(),
                      " displacement");
@@ -67,28 +67,28 @@ namespace ThermoContact
 
 
     std::string
-    describe_contact(const Parameters &parameters)
+    describe_contact(const Scene &scene)
     {
-      const ContactLaw law = parameters.contact_law();
-      if (!law.is_active)
+      const SceneContact &contact = scene.contact;
+      if (!contact.law->is_active())
         return "none: free end";
       const std::string nodes =
-        parameters.has_massless_contact() ? ", massless contact nodes" : "";
-      if (law.compliance == 0.)
-        return text("rigid obstacle, g = ", law.gap, nodes);
+        contact.has_massless_nodes ? ", massless contact nodes" : "";
+      if (contact.law->is_rigid())
+        return text("rigid obstacle, g = ", contact.gap, nodes);
       return text("elastic obstacle, epsilon = ",
-                  law.compliance,
+                  scene.parameters.contact.compliance,
                   ", g = ",
-                  law.gap,
+                  contact.gap,
                   nodes);
     }
 
 
 
     std::string
-    describe_time(const Parameters &parameters)
+    describe_time(const Scene &scene)
     {
-      const TimeParameters &time = parameters.time;
+      const TimeParameters &time = scene.parameters.time;
       const std::string     steps =
         time.has_error_control() ?
               text("error-controlled steps, tolerance ", time.tolerance) :
@@ -98,25 +98,23 @@ namespace ThermoContact
                   steps,
                   ", T = ",
                   time.end_time,
-                  time.locates_contact_events() &&
-                      parameters.contact_law().is_active ?
-                    ", contact events located" :
-                    "",
+                  scene.contact.locates_events ? ", contact events located" :
+                                                 "",
                   ", ",
-                  parameters.has_prescribed_start() ? "start of the paper" :
-                                                      "consistent start",
+                  scene.has_prescribed_start ? "start of the paper" :
+                                               "consistent start",
                   ", ",
-                  parameters.solver.step_solver,
+                  scene.parameters.solver.step_solver,
                   " solver");
     }
 
 
 
     std::string
-    describe_scales(const Parameters &parameters)
+    describe_scales(const Scene &scene)
     {
       std::vector<std::string> words;
-      for (const auto &[name, value] : time_scales(parameters))
+      for (const auto &[name, value] : time_scales(scene))
         words.push_back(text(name, ' ', value));
       return join_words(words);
     }
@@ -124,12 +122,12 @@ namespace ThermoContact
 
 
     std::string
-    describe_rest(const Parameters &parameters)
+    describe_rest(const Scene &scene)
     {
-      const SteadyForecast forecast = steady_state(parameters);
+      const SteadyForecast forecast = steady_state(scene);
       if (!forecast.state)
         return forecast.remark;
-      return describe_steady_state(*forecast.state, parameters) +
+      return describe_steady_state(*forecast.state, scene) +
              (forecast.remark.empty() ? "" : "; " + forecast.remark);
     }
 
@@ -147,31 +145,29 @@ namespace ThermoContact
 
 
     std::string
-    describe_impact(const FirstImpact &impact, const double compliance)
+    describe_impact(const FirstImpact &impact)
     {
       std::string line = "about t = " + about(impact.time) + ", velocity " +
                          about(impact.velocity);
       if (impact.penetration > 0.)
         line += ", peak penetration " + about(impact.penetration) +
-                ", peak force " + about(impact.penetration / compliance);
+                ", peak force " + about(impact.force);
       return line;
     }
 
 
 
     std::string
-    describe_critical_step(const double critical, const Parameters &parameters)
+    describe_critical_step(const double critical, const Scene &scene)
     {
-      const TimeParameters &time  = parameters.time;
-      const bool            fails = parameters.solver.is_fixed_point() &&
-                         !time.has_error_control() &&
+      const TimeParameters &time = scene.parameters.time;
+      const bool fails = scene.is_fixed_point && !time.has_error_control() &&
                          *time.step_size > critical;
       return text("the paper's iteration fails in contact for dt > ",
                   critical,
                   fails ? text(", as the ", *time.step_size, " of this run") :
-                  parameters.solver.is_fixed_point() ?
-                          "" :
-                          "; monolithic has no such limit");
+                  scene.is_fixed_point ? "" :
+                                         "; monolithic has no such limit");
     }
 
 
@@ -210,19 +206,15 @@ namespace ThermoContact
 
     /** What can be said of a run before it is made. */
     void
-    report_forecast(const Parameters &parameters,
-                    const double      n_cells,
-                    Log              &log)
+    report_forecast(const Scene &scene, const double n_cells, Log &log)
     {
-      log.line("  scales    " + describe_scales(parameters));
-      log.line("  at rest   " + describe_rest(parameters));
-      if (const auto impact = first_impact(parameters))
-        log.line("  impact    " +
-                 describe_impact(*impact, parameters.contact_law().compliance));
-      if (const auto critical = critical_step_size(parameters))
-        log.line("  limit     " +
-                 describe_critical_step(*critical, parameters));
-      if (const auto cost = expected_cost(parameters, n_cells))
+      log.line("  scales    " + describe_scales(scene));
+      log.line("  at rest   " + describe_rest(scene));
+      if (const auto impact = first_impact(scene))
+        log.line("  impact    " + describe_impact(*impact));
+      if (const auto critical = critical_step_size(scene))
+        log.line("  limit     " + describe_critical_step(*critical, scene));
+      if (const auto cost = expected_cost(scene, n_cells))
         log.line("  expected  " + describe_cost(*cost));
     }
   } // namespace
@@ -230,17 +222,17 @@ namespace ThermoContact
 
 
   std::string
-  describe_steady_state(const SteadyState &state, const Parameters &parameters)
+  describe_steady_state(const SteadyState &state, const Scene &scene)
   {
     std::string line;
     const auto  add = [&line](const std::string &part) {
       line += (line.empty() ? "" : ", ") + part;
     };
-    if (parameters.model.has_displacement())
+    if (scene.fields.has_displacement)
       add(text("u(1) = ", state.displacement_end));
-    if (parameters.model.has_temperature())
+    if (scene.fields.has_temperature)
       add(text("theta(1) = ", state.temperature_end));
-    if (parameters.contact_law().is_active)
+    if (scene.contact.law->is_active())
       add(text("force ",
                state.contact_force,
                state.in_contact ? ", in contact" : ", open"));
@@ -265,38 +257,37 @@ namespace ThermoContact
   void
   report_scene(const Simulation<dim> &simulation, Log &log)
   {
-    const Parameters &parameters = simulation.parameters();
-    const auto       &model      = parameters.model;
-    const auto       &boundary   = parameters.boundary;
-
-    if (!parameters.title.empty())
-      log.line(parameters.title);
+    const Scene    &scene    = simulation.scene();
+    const Material &material = scene.material;
+    if (!scene.parameters.title.empty())
+      log.line(scene.parameters.title);
     log.line("  body      " + describe_body(simulation));
     log.line("  unknowns  " + describe_unknowns(simulation));
-    log.line("  terms     " + join_words(scene_terms(parameters)));
-    if (model.has_displacement())
-      log.line(
-        text("  model     ",
-             model.has_temperature() ? text("a = ", model.coupling, ", ") : "",
-             "b = ",
-             model.inertia,
-             ", zeta = ",
-             model.viscosity,
-             dim == 1 ? "" : text(", nu = ", model.poisson_ratio)));
-    if (model.has_temperature())
+    log.line("  terms     " + join_words(scene_terms(scene)));
+    if (scene.fields.has_displacement)
+      log.line(text("  model     ",
+                    scene.fields.has_temperature ?
+                      text("a = ", material.thermal_stress, ", ") :
+                      "",
+                    "b = ",
+                    material.inertia,
+                    ", zeta = ",
+                    material.viscosity,
+                    dim == 1 ?
+                      "" :
+                      text(", nu = ", scene.parameters.model.poisson_ratio)));
+    if (scene.fields.has_temperature)
       log.line(text("  heat      theta_A = ",
-                    boundary.fixed_end_temperature,
+                    scene.heat.fixed_end_temperature,
                     ", k = ",
-                    boundary.heat_exchange,
+                    scene.heat.coefficient,
                     ", theta_obs = ",
-                    boundary.obstacle_temperature));
-    if (model.has_displacement())
-      log.line("  contact   " + describe_contact(parameters));
-    log.line("  time      " + describe_time(parameters));
-    report_forecast(parameters,
-                    simulation.discretization().n_active_cells(),
-                    log);
-    report_warnings(simulation.warnings(), 0, log);
+                    scene.heat.obstacle_temperature));
+    if (scene.fields.has_displacement)
+      log.line("  contact   " + describe_contact(scene));
+    log.line("  time      " + describe_time(scene));
+    report_forecast(scene, simulation.discretization().n_active_cells(), log);
+    report_warnings(simulation.history().warnings, 0, log);
   }
 
 

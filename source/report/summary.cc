@@ -28,15 +28,15 @@ namespace ThermoContact
     nlohmann::ordered_json
     predictions(const Simulation<dim> &simulation)
     {
-      constexpr double  nan        = std::numeric_limits<double>::quiet_NaN();
-      const Parameters &parameters = simulation.parameters();
-      const StepRecord &record     = simulation.record();
+      constexpr double  nan    = std::numeric_limits<double>::quiet_NaN();
+      const Scene      &scene  = simulation.scene();
+      const StepRecord &record = simulation.record();
       const SteadyState none{nan, nan, nan, false};
-      const auto        forecast = steady_state(parameters);
+      const auto        forecast = steady_state(scene);
       const SteadyState rest     = forecast.state.value_or(none);
-      const auto        impact   = first_impact(parameters);
+      const auto        impact   = first_impact(scene);
       const auto        cost =
-        expected_cost(parameters, simulation.discretization().n_active_cells());
+        expected_cost(scene, simulation.discretization().n_active_cells());
 
       nlohmann::ordered_json entries = {
         {"final_contact_force", record.contact_force},
@@ -56,7 +56,7 @@ namespace ThermoContact
         {"predicted_first_penetration",
          impact && impact->penetration > 0. ? impact->penetration : nan},
         {"predicted_critical_step_size",
-         critical_step_size(parameters).value_or(nan)},
+         critical_step_size(scene).value_or(nan)},
         {"predicted_steps", cost ? cost->steps : nan}};
       if (forecast.state)
         entries["predicted_in_contact"] = rest.in_contact;
@@ -101,24 +101,24 @@ namespace ThermoContact
       {"version", version()},
       {"dimension", dim},
       {"ranks", Utilities::MPI::n_mpi_processes(space.communicator())},
-      {"fields", scene_fields(parameters.model)},
-      {"terms", scene_terms(parameters)},
+      {"fields", scene_fields(simulation.scene())},
+      {"terms", scene_terms(simulation.scene())},
       {"dofs", space.n_temperature_dofs() + space.n_displacement_dofs()},
       {"factorized_unknowns", simulation.n_factorized_unknowns()},
-      {"scheme", parameters.time.scheme},
+      {"scheme", simulation.scene().scheme.name},
       {"steps", record.step},
-      {"rejected_steps", simulation.n_rejected_steps()},
+      {"rejected_steps", simulation.history().n_rejected_steps},
       {"factorizations", counters.factorizations},
       {"responses", counters.responses},
       {"solves", counters.solves},
       {"contact_begins", n_contact_begins(events)},
       {"first_contact_time", nullptr},
-      {"max_penetration", simulation.max_penetration()},
-      {"max_contact_force", simulation.max_contact_force()},
+      {"max_penetration", simulation.history().max_penetration},
+      {"max_contact_force", simulation.history().max_contact_force},
       {"final_time", record.time},
       {"final_displacement_end", record.displacement_end},
       {"final_energy", record.energy},
-      {"max_energy_increase", simulation.max_energy_increase()},
+      {"max_energy_increase", simulation.history().max_energy_increase},
       {"set_up_seconds", times.set_up},
       {"loop_seconds", times.loop},
       {"step_seconds", times.steps},
@@ -128,7 +128,7 @@ namespace ThermoContact
       {"output_seconds", times.output},
       {"wall_seconds", times.wall},
       {"peak_memory_mb", peak_memory},
-      {"warnings", simulation.warnings()}};
+      {"warnings", simulation.history().warnings}};
     if (!events.empty())
       summary["first_contact_time"] = events.front().time;
 

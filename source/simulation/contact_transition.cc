@@ -7,17 +7,8 @@
 namespace ThermoContact
 {
   template <int dim>
-  ContactTransition<dim>::ContactTransition(
-    const Discretization<dim>             &discretization,
-    const ThermoviscoelasticOperator<dim> &stage_operator,
-    const Energy<dim>                     &energy,
-    const ContactLaw                      &law,
-    const bool                             has_contact_mass)
-    : discretization(discretization)
-    , stage_operator(stage_operator)
-    , energy(energy)
-    , law(law)
-    , has_contact_mass(has_contact_mass)
+  ContactTransition<dim>::ContactTransition(const Body<dim> &body)
+    : body(body)
   {}
 
 
@@ -27,25 +18,21 @@ namespace ThermoContact
   ContactTransition<dim>::compute_impulse_responses()
   {
     mass_solver =
-      std::make_unique<DirectSolver>(stage_operator.momentum_stage_matrix(0.));
+      std::make_unique<DirectSolver>(body.equations.momentum_stage_matrix(0.));
     ++counters_.factorizations;
 
-    const unsigned int n = discretization.contact_nodes().size();
-    inverse_receptance.reinit(n, n);
-    std::vector<double> velocity(n);
-    Vector              load = discretization.make_vector(1);
-    for (unsigned int j = 0; j < n; ++j)
-      {
-        std::vector<double> unit_impulse(n, 0.);
-        unit_impulse[j] = 1.;
-        load            = 0.;
-        stage_operator.subtract_pressure(unit_impulse, -1., load);
-        mass_solver->solve(impulse_responses.emplace_back(load), load);
+    Vector load        = body.discretization.make_vector(Field::displacement);
+    inverse_receptance = body.contact_end().response_matrix(
+      [&](const unsigned int node) -> const Vector & {
+        std::vector<double> unit_impulse(body.contact_end().n_nodes(), 0.);
+        unit_impulse[node] = 1.;
+        load               = 0.;
+        body.equations.subtract_pressure(unit_impulse, -1., load);
+        Vector &response = impulse_responses.emplace_back(load);
+        mass_solver->solve(response, load);
         ++counters_.responses;
-        discretization.contact_values(1, impulse_responses[j], velocity);
-        for (unsigned int i = 0; i < n; ++i)
-          inverse_receptance(i, j) = velocity[i];
-      }
+        return response;
+      });
     inverse_receptance.gauss_jordan();
   }
 
@@ -69,14 +56,16 @@ namespace ThermoContact
     if (!mass_solver)
       compute_impulse_responses();
     std::vector<double> contact_velocity;
-    discretization.contact_values(1, velocity, contact_velocity);
+    body.contact_end().get_values(Field::displacement,
+                                  velocity,
+                                  contact_velocity);
     std::vector<double> impulses(contact_velocity.size(), 0.);
     for (unsigned int i = 0; i < impulses.size(); ++i)
       for (unsigned int j = 0; j < impulses.size(); ++j)
         impulses[i] += inverse_receptance(i, j) * contact_velocity[j];
     for (unsigned int i = 0; i < impulses.size(); ++i)
       velocity.add(-impulses[i], impulse_responses[i]);
-    return discretization.contact_mean(impulses);
+    return body.contact_end().mean(impulses);
   }
 
 
@@ -88,12 +77,13 @@ namespace ThermoContact
                                  double      &impulse,
                                  double      &numerical_dissipation)
   {
-    if (has_contact_mass)
+    if (body.scene.contact.has_mass())
       impulse += stop_contact_nodes(state.velocity);
-    for (const auto &[node, entry] : discretization.contact_entries(1))
-      state.displacement.begin()[entry] = law.gap;
+    for (const auto &[node, entry] :
+         body.contact_end().entries(Field::displacement))
+      state.displacement.begin()[entry] = body.contact_end().nodes()[node].gap;
     const double old_energy = energy_terms.sum();
-    energy_terms            = energy.energy(state);
+    energy_terms            = body.energy.energy(state);
     numerical_dissipation += old_energy - energy_terms.sum();
   }
 
@@ -111,17 +101,18 @@ namespace ThermoContact
         changed |= p < 0.;
         p = std::max(p, 0.);
       }
-    if (begins_contact && law.compliance > 0.)
+    if (begins_contact)
       {
         changed = true;
-        discretization.contact_values(1, result.state.displacement, pressure);
-        for (double &p : pressure) // displacements so far
-          p = law.pressure(p, 0.);
+        body.contact_end().get_penetrations(result.state.displacement,
+                                            pressure);
+        for (double &p : pressure) // penetrations so far
+          p = body.law().pressure(p);
       }
     if (!changed)
       return;
     const double old_energy = result.energy.sum();
-    result.energy           = energy.energy(result.state);
+    result.energy           = body.energy.energy(result.state);
     result.numerical_dissipation += old_energy - result.energy.sum();
   }
 

@@ -9,40 +9,38 @@ namespace ThermoContact
 {
   namespace
   {
-    bool
-    cannot_create_energy(const TimeParameters &time)
-    {
-      return time.scheme == "backward euler" || time.is_energy_conserving();
-    }
-
-
-
     std::string
-    remedy_for(const Parameters &parameters)
+    remedy_for(const Scene &scene)
     {
-      std::string remedy = parameters.time.has_error_control() ?
+      std::string remedy = scene.parameters.time.has_error_control() ?
                              "a smaller Time/Tolerance" :
                              "a smaller Time/Step size";
-      if (parameters.contact_law().is_active && parameters.has_contact_mass())
+      if (!scene.contact.law->is_active())
+        return remedy;
+      if (scene.contact.has_mass())
         remedy += ", Contact/Massless nodes = on";
-      if (parameters.contact_law().is_active && parameters.model.inertia > 0. &&
-          !parameters.time.is_energy_conserving())
-        remedy += ", or Time/Scheme = energy conserving with fixed steps";
+      const Scheme *const conserving = find_scheme([](const Scheme &s) {
+        return !s.can_create_energy && s.needs_massless_contact;
+      });
+      if (conserving != nullptr && scene.material.has_inertia() &&
+          &scene.scheme != conserving)
+        remedy +=
+          ", or Time/Scheme = " + conserving->name + " with fixed steps";
       return remedy;
     }
   } // namespace
 
 
 
-  EnergyWatch::EnergyWatch(const Parameters &parameters, const bool has_work)
-    : is_active(!has_work)
-    , remedy(remedy_for(parameters))
-    , allowed_per_run(!cannot_create_energy(parameters.time) &&
-                          !parameters.time.has_error_control() ?
+  EnergyWatch::EnergyWatch(const Scene &scene)
+    : is_active(!scene.has_work())
+    , remedy(remedy_for(scene))
+    , allowed_per_run(scene.scheme.can_create_energy &&
+                          !scene.parameters.time.has_error_control() ?
                         1e-3 :
                         1e-9)
-    , allowed_per_step(parameters.time.has_error_control() ?
-                         2. * parameters.time.tolerance :
+    , allowed_per_step(scene.parameters.time.has_error_control() ?
+                         2. * scene.parameters.time.tolerance :
                          0.)
     , smallest(0.)
     , scale(0.)

@@ -17,42 +17,44 @@ namespace ThermoContact
     /** The fixed end must be fixed; warns of a corner layer. */
     template <int dim>
     void
-    check_values(const Parameters          &parameters,
-                 const Discretization<dim> &discretization,
-                 const State               &state,
-                 std::vector<std::string>  &warnings)
+    check_values(const Body<dim>          &body,
+                 const State              &state,
+                 std::vector<std::string> &warnings)
     {
+      const Discretization<dim>     &discretization = body.discretization;
+      const InitialValuesParameters &initial =
+        body.scene.parameters.initial_values;
       const MPI_Comm communicator = discretization.communicator();
       const auto     largest      = [&](const Vector &field) {
         return field.linfty_norm();
       };
-      const auto largest_constrained =
-        [&](const unsigned int block, const Vector &field, const double value) {
-          double result = 0.;
-          for (const unsigned int e : discretization.constrained_entries(block))
-            result = std::max(result, std::abs(field.begin()[e] - value));
-          return Utilities::MPI::max(result, communicator);
-        };
+      const auto largest_constrained = [&](const Field::Block field,
+                                           const Vector      &vector,
+                                           const double       value) {
+        double result = 0.;
+        for (const unsigned int e : discretization.constrained_entries(field))
+          result = std::max(result, std::abs(vector.begin()[e] - value));
+        return Utilities::MPI::max(result, communicator);
+      };
       const double rounding = 1e-12;
 
       for (const auto &[name, expression, field] :
            {std::make_tuple("Displacement",
-                            parameters.initial_values.displacement,
+                            initial.displacement,
                             &state.displacement),
-            std::make_tuple("Velocity",
-                            parameters.initial_values.velocity,
-                            &state.velocity)})
-        if (largest_constrained(1, *field, 0.) > rounding * largest(*field))
+            std::make_tuple("Velocity", initial.velocity, &state.velocity)})
+        if (largest_constrained(Field::displacement, *field, 0.) >
+            rounding * largest(*field))
           throw InputError(
             std::string("Initial values/") + name + " = " + expression +
             ": not zero at the fixed end x = 0 or normal to rollers\n  allowed: "
             "an expression that vanishes there, e.g. 20*x*(x-1)^2");
 
-      if (!discretization.has_field(0))
+      if (!body.scene.fields.has_temperature)
         return;
-      const double theta_A = parameters.boundary.fixed_end_temperature;
+      const double theta_A = body.scene.heat.fixed_end_temperature;
       const double mismatch =
-        largest_constrained(0, state.temperature, theta_A);
+        largest_constrained(Field::temperature, state.temperature, theta_A);
       std::ostringstream message;
       if (mismatch >
           rounding * std::max(std::abs(theta_A), largest(state.temperature)))
@@ -69,23 +71,27 @@ namespace ThermoContact
     /** A rigid obstacle must not be penetrated. */
     template <int dim>
     void
-    check_penetration(const Parameters          &parameters,
-                      const Discretization<dim> &discretization,
-                      const ContactLaw          &law,
-                      const double               first_step_size,
-                      const State               &state)
+    check_penetration(const Body<dim> &body,
+                      const double     first_step_size,
+                      const State     &state)
     {
-      if (!law.is_active || law.compliance > 0. || parameters.model.is_static())
+      const Scene &scene = body.scene;
+      if (!scene.contact.law->is_rigid() || scene.material.is_static())
         return; // what is static is in equilibrium with the obstacle
       std::vector<double> displacement, velocity;
-      discretization.contact_values(1, state.displacement, displacement);
-      discretization.contact_values(1, state.velocity, velocity);
+      body.contact_end().get_values(Field::displacement,
+                                    state.displacement,
+                                    displacement);
+      body.contact_end().get_values(Field::displacement,
+                                    state.velocity,
+                                    velocity);
       const double reach =
         *std::max_element(displacement.begin(), displacement.end());
+      const double gap = scene.contact.gap;
 
       std::ostringstream message;
-      message << "Contact/Gap = " << law.gap << ": ";
-      if (reach > law.gap)
+      message << "Contact/Gap = " << gap << ": ";
+      if (reach > gap)
         {
           message << "the initial displacement " << reach
                   << " of the end penetrates the rigid obstacle\n  remedy:  a "
@@ -93,9 +99,9 @@ namespace ThermoContact
                      "Contact/Condition = normal compliance";
           throw InputError(message.str());
         }
-      if (parameters.has_prescribed_start() && parameters.time.end_time > 0.)
+      if (scene.has_prescribed_start && scene.parameters.time.end_time > 0.)
         for (unsigned int i = 0; i < velocity.size(); ++i)
-          if (displacement[i] + first_step_size * velocity[i] > law.gap)
+          if (displacement[i] + first_step_size * velocity[i] > gap)
             {
               message
                 << "the prescribed first step of the paper would "
@@ -110,20 +116,22 @@ namespace ThermoContact
     /** Warns of a body that is in contact at the start, and of a preload. */
     template <int dim>
     void
-    warn_of_contact(const Discretization<dim> &discretization,
-                    const ContactLaw          &law,
-                    const State               &state,
-                    std::vector<std::string>  &warnings)
+    warn_of_contact(const Body<dim>          &body,
+                    const State              &state,
+                    std::vector<std::string> &warnings)
     {
+      const double gap      = body.scene.contact.gap;
       const double pressure = *std::max_element(state.contact_pressure.begin(),
                                                 state.contact_pressure.end());
-      if (!law.is_active || (law.gap >= 0. && pressure == 0.))
+      if (!body.law().is_active() || (gap >= 0. && pressure == 0.))
         return;
       std::vector<double> displacement;
-      discretization.contact_values(1, state.displacement, displacement);
+      body.contact_end().get_values(Field::displacement,
+                                    state.displacement,
+                                    displacement);
       std::ostringstream message;
-      message << "Contact/Gap = " << law.gap << ": "
-              << (law.gap < 0. ?
+      message << "Contact/Gap = " << gap << ": "
+              << (gap < 0. ?
                     "negative, the undeformed body overlaps the obstacle "
                     "(preload)" :
                     "the body is in contact at the start")
@@ -138,59 +146,45 @@ namespace ThermoContact
 
   template <int dim>
   State
-  initial_state(const Parameters                      &parameters,
-                const ProblemData<dim>                &data,
-                const Discretization<dim>             &discretization,
-                const ThermoviscoelasticOperator<dim> &stage_operator,
-                const ContactLaw                      &law,
-                const double                           first_step_size,
-                Loads<dim>                            &loads,
-                std::vector<std::string>              &warnings)
+  initial_state(Body<dim>                &body,
+                const double              first_step_size,
+                std::vector<std::string> &warnings)
   {
-    State state = discretization.make_state();
+    const Discretization<dim> &discretization = body.discretization;
+    State                      state          = discretization.make_state();
     {
       H1Projection<dim> projection(discretization);
-      projection.project(data.initial_fields(),
+      projection.project(body.data.initial_fields(),
                          state.temperature,
                          state.displacement);
       Vector unused(state.temperature);
-      projection.project(data.initial_velocity(), unused, state.velocity);
+      projection.project(body.data.initial_velocity(), unused, state.velocity);
     }
-    check_values(parameters, discretization, state, warnings);
-    check_penetration(parameters, discretization, law, first_step_size, state);
-    for (const unsigned int entry : discretization.constrained_entries(0))
-      state.temperature.begin()[entry] =
-        parameters.boundary.fixed_end_temperature;
+    check_values(body, state, warnings);
+    check_penetration(body, first_step_size, state);
+    for (const unsigned int entry :
+         discretization.constrained_entries(Field::temperature))
+      state.temperature.begin()[entry] = body.scene.heat.fixed_end_temperature;
 
-    std::vector<double> end_displacement;
-    discretization.contact_values(1, state.displacement, end_displacement);
-    if (law.compliance > 0.)
-      for (unsigned int i = 0; i < end_displacement.size(); ++i)
-        state.contact_pressure[i] = law.pressure(end_displacement[i], 0.);
-    if (parameters.model.has_displacement() && parameters.model.inertia == 0.)
-      complete_quasi_static_state(
-        parameters.model, discretization, stage_operator, law, loads, state);
-    else if (parameters.has_contact_equilibrium())
-      settle_contact_nodes(discretization, stage_operator, law, loads, state);
-    warn_of_contact(discretization, law, state, warnings);
+    std::vector<double> penetration;
+    body.contact_end().get_penetrations(state.displacement, penetration);
+    for (unsigned int i = 0; i < penetration.size(); ++i)
+      state.contact_pressure[i] = body.law().pressure(penetration[i]);
+    if (body.scene.fields.has_displacement &&
+        !body.scene.material.has_inertia())
+      complete_quasi_static_state(body, state);
+    else if (body.scene.contact.is_in_equilibrium)
+      settle_contact_nodes(body, state);
+    warn_of_contact(body, state, warnings);
     return state;
   }
 
 
 
-#define INSTANTIATE(dim)                                                \
-  template State initial_state(const Parameters &,                      \
-                               const ProblemData<dim> &,                \
-                               const Discretization<dim> &,             \
-                               const ThermoviscoelasticOperator<dim> &, \
-                               const ContactLaw &,                      \
-                               const double,                            \
-                               Loads<dim> &,                            \
-                               std::vector<std::string> &)
-
-  INSTANTIATE(1);
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template State
+  initial_state(Body<1> &, const double, std::vector<std::string> &);
+  template State
+  initial_state(Body<2> &, const double, std::vector<std::string> &);
+  template State
+  initial_state(Body<3> &, const double, std::vector<std::string> &);
 } // namespace ThermoContact

@@ -10,46 +10,56 @@
 namespace ThermoContact
 {
   template <int dim>
-  Measurements<dim>::Measurements(
-    const Discretization<dim>             &discretization,
-    const ThermoviscoelasticOperator<dim> &stage_operator,
-    const ContactLaw                      &law,
-    const Parameters                      &parameters)
-    : discretization(discretization)
-    , law(law)
-    , boundary(parameters.boundary)
-    , has_no_initial_velocity(parameters.model.is_static())
-    , mean_weights(discretization.make_vector(0))
+  Measurements<dim>::Measurements(Body<dim> &body)
+    : body(body)
+    , mean_weights(body.discretization.make_vector(Field::temperature))
   {
-    if (discretization.has_field(1))
-      find_mid_point(parameters.mesh.width);
-    if (!discretization.has_field(0))
+    if (body.scene.fields.has_displacement)
+      find_mid_point();
+    if (!body.scene.fields.has_temperature)
       return;
     Vector ones(mean_weights);
     ones = 1.;
-    stage_operator.heat_mass().vmult(mean_weights, ones);
+    body.equations.heat_mass().vmult(mean_weights, ones);
     mean_weights /= ones * mean_weights;
   }
 
 
 
   template <int dim>
-  void
-  Measurements<dim>::find_mid_point(const double width)
+  std::vector<std::pair<types::global_dof_index, double>>
+  Measurements<dim>::weights_at(
+    const Point<dim>                                     &point,
+    const typename DoFHandler<dim>::active_cell_iterator &cell) const
   {
-    Point<dim> mid_point;
-    for (unsigned int d = 0; d < dim; ++d)
-      mid_point[d] = 0.5 * (d == 0 ? 1. : width);
-
-    const FiniteElement<dim>            &fe = discretization.finite_element();
+    const Discretization<dim>           &space = body.discretization;
+    const FiniteElement<dim>            &fe    = space.finite_element();
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
-    const MPI_Comm     communicator = discretization.communicator();
-    const unsigned int this_rank =
-      Utilities::MPI::this_mpi_process(communicator);
+    cell->get_dof_indices(dofs);
+    const Point<dim> unit_point =
+      space.mapping().transform_real_to_unit_cell(cell, point);
+    std::vector<std::pair<types::global_dof_index, double>> weights;
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      if (fe.system_to_component_index(i).first ==
+          space.first_component(Field::displacement))
+        weights.emplace_back(dofs[i] - space.first_dof(Field::displacement),
+                             fe.shape_value(i, unit_point));
+    return weights;
+  }
 
-    auto found = discretization.dof_handler().end();
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
+
+
+  template <int dim>
+  void
+  Measurements<dim>::find_mid_point()
+  {
+    const Discretization<dim> &space        = body.discretization;
+    const Point<dim>           mid_point    = space.geometry().on_axis(0.5);
+    const MPI_Comm             communicator = space.communicator();
+    const unsigned int         this_rank =
+      Utilities::MPI::this_mpi_process(communicator);
+    auto found = space.dof_handler().end();
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() &&
           cell->bounding_box().point_inside(mid_point, 1e-10))
         {
@@ -59,27 +69,17 @@ namespace ThermoContact
 
     // The point may lie between cells of several ranks, and its degrees of
     // freedom may belong to a rank that does not own the cell.
-    const bool         is_found = found != discretization.dof_handler().end();
+    const bool         is_found = found != space.dof_handler().end();
     const unsigned int rank =
       Utilities::MPI::min(is_found ? this_rank :
                                      std::numeric_limits<unsigned int>::max(),
                           communicator);
     std::vector<std::pair<types::global_dof_index, double>> weights;
     if (rank == this_rank)
-      {
-        const Point<dim> unit_point =
-          discretization.mapping().transform_real_to_unit_cell(found,
-                                                               mid_point);
-        found->get_dof_indices(dofs);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          if (fe.system_to_component_index(i).first ==
-              discretization.first_component(1))
-            weights.emplace_back(dofs[i] - discretization.n_temperature_dofs(),
-                                 fe.shape_value(i, unit_point));
-      }
+      weights = weights_at(mid_point, found);
     weights = Utilities::MPI::broadcast(communicator, weights, rank);
 
-    const IndexSet &owned = discretization.owned_by_block()[1];
+    const IndexSet &owned = space.owned_by_block()[Field::displacement];
     for (const auto &[dof, weight] : weights)
       if (owned.is_element(dof))
         mid_weights.emplace_back(owned.index_within_set(dof), weight);
@@ -89,11 +89,9 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Measurements<dim>::measure(const State      &state,
-                             ProblemData<dim> &data,
-                             StepRecord       &record)
+  Measurements<dim>::measure(const State &state, StepRecord &record)
   {
-    data.set_time(state.time);
+    body.data.set_time(state.time);
     record.time             = state.time;
     record.displacement_end = record.displacement_mid = record.velocity_end =
       record.stress_end = record.gap = record.temperature_end =
@@ -101,54 +99,64 @@ namespace ThermoContact
           std::numeric_limits<double>::quiet_NaN();
     record.penetration = record.contact_force = record.temperature_mean;
     record.in_contact                         = false;
-    if (discretization.has_field(1))
-      measure_displacement(state, data, record);
-    if (discretization.has_field(0))
+    if (body.scene.fields.has_displacement)
+      measure_displacement(state, record);
+    if (body.scene.fields.has_temperature)
       measure_temperature(state, record);
   }
 
 
 
   template <int dim>
-  void
-  Measurements<dim>::measure_displacement(const State            &state,
-                                          const ProblemData<dim> &data,
-                                          StepRecord             &record)
+  double
+  Measurements<dim>::mean_traction()
   {
-    discretization.contact_values(1, state.displacement, contact_values);
-    record.displacement_end = discretization.contact_mean(contact_values);
-    if (law.is_active)
-      record.gap = law.gap - *std::max_element(contact_values.begin(),
-                                               contact_values.end());
+    const Function<dim> *const traction = body.data.end_traction();
+    if (traction == nullptr)
+      return 0.;
+    const auto &nodes = body.contact_end().nodes();
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      contact_values[i] = traction->value(nodes[i].position);
+    return body.contact_end().mean(contact_values);
+  }
 
-    if (!(has_no_initial_velocity && state.time == 0.))
+
+
+  template <int dim>
+  void
+  Measurements<dim>::measure_displacement(const State &state,
+                                          StepRecord  &record)
+  {
+    const ContactEnd<dim> &end = body.contact_end();
+    end.get_values(Field::displacement, state.displacement, contact_values);
+    record.displacement_end = end.mean(contact_values);
+    if (body.law().is_active())
       {
-        discretization.contact_values(1, state.velocity, contact_values);
-        record.velocity_end = discretization.contact_mean(contact_values);
+        end.get_penetrations(state.displacement, contact_values);
+        record.gap =
+          0. - *std::max_element(contact_values.begin(), contact_values.end());
+      }
+
+    if (!(body.scene.material.is_static() && state.time == 0.))
+      {
+        end.get_values(Field::displacement, state.velocity, contact_values);
+        record.velocity_end = end.mean(contact_values);
       }
 
     const double largest_pressure =
       *std::max_element(state.contact_pressure.begin(),
                         state.contact_pressure.end());
-    record.contact_force = discretization.contact_mean(state.contact_pressure);
-    record.penetration   = law.compliance * largest_pressure;
+    record.contact_force = end.mean(state.contact_pressure);
+    record.penetration   = body.law().penetration(largest_pressure);
     record.in_contact    = largest_pressure > 0.;
-
-    double traction = 0.;
-    if (data.end_traction() != nullptr)
-      {
-        for (unsigned int i = 0; i < contact_values.size(); ++i)
-          contact_values[i] = data.end_traction()->value(
-            discretization.contact_nodes()[i].position);
-        traction = discretization.contact_mean(contact_values);
-      }
-    record.stress_end = traction - record.contact_force;
+    record.stress_end    = mean_traction() - record.contact_force;
 
     double mid = 0.;
     for (const auto &[entry, weight] : mid_weights)
       mid += weight * state.displacement.begin()[entry];
-    if (Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
-      mid = Utilities::MPI::sum(mid, discretization.communicator());
+    const MPI_Comm communicator = body.discretization.communicator();
+    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+      mid = Utilities::MPI::sum(mid, communicator);
     record.displacement_mid = mid;
   }
 
@@ -158,11 +166,11 @@ namespace ThermoContact
   void
   Measurements<dim>::measure_temperature(const State &state, StepRecord &record)
   {
-    discretization.contact_values(0, state.temperature, contact_values);
-    record.temperature_end = discretization.contact_mean(contact_values);
-    record.heat_flux_end =
-      boundary.heat_exchange *
-      (record.temperature_end - boundary.obstacle_temperature);
+    body.contact_end().get_values(Field::temperature,
+                                  state.temperature,
+                                  contact_values);
+    record.temperature_end  = body.contact_end().mean(contact_values);
+    record.heat_flux_end    = body.scene.heat.flux(record.temperature_end);
     record.temperature_mean = mean_weights * state.temperature;
   }
 

@@ -16,7 +16,8 @@ namespace ThermoContact
     /**
      * Solves $Sw=r-Np$ with (M.18) for $w$ at the contact nodes.
      *
-     * @param law with the gap for $w$
+     * @param law between $w$ beyond its gaps and $p$
+     * @param gaps of $w$
      * @param excluded nodes that carry no pressure
      * @param load $r$
      * @param w in: a vector of the right layout; out: the solution
@@ -24,49 +25,51 @@ namespace ThermoContact
      */
     template <int dim>
     void
-    solve_with_contact(const Discretization<dim>             &discretization,
-                       const ThermoviscoelasticOperator<dim> &stage_operator,
-                       const ContactLaw                      &law,
-                       const std::vector<bool>               &excluded,
-                       DirectSolver                          &solver,
-                       const Vector                          &load,
-                       Vector                                &w,
-                       std::vector<double>                   &pressure)
+    solve_with_contact(const Body<dim>           &body,
+                       const ContactLaw          &law,
+                       const std::vector<double> &gaps,
+                       const std::vector<bool>   &excluded,
+                       DirectSolver              &solver,
+                       const Vector              &load,
+                       Vector                    &w,
+                       std::vector<double>       &pressure)
     {
       solver.solve(w, load);
       std::vector<unsigned int> nodes;
       for (unsigned int i = 0; i < excluded.size(); ++i)
         if (!excluded[i])
           nodes.push_back(i);
-      if (!law.is_active || nodes.empty())
+      if (!law.is_active() || nodes.empty())
         return;
+
+      const ContactEnd<dim>   &end = body.contact_end();
+      std::vector<Vector>      unit_responses;
+      Vector                   unit_load(load);
+      const FullMatrix<double> all_responses =
+        end.response_matrix([&](const unsigned int node) -> const Vector & {
+          std::vector<double> unit_pressure(excluded.size(), 0.);
+          unit_pressure[node] = 1.;
+          unit_load           = 0.;
+          body.equations.subtract_pressure(unit_pressure, -1., unit_load);
+          Vector &response = unit_responses.emplace_back(unit_load);
+          solver.solve(response, unit_load);
+          return response;
+        });
 
       const unsigned int  n = nodes.size();
       FullMatrix<double>  response(n, n);
-      std::vector<Vector> unit_responses;
       std::vector<double> values, free(n), p(n);
-      Vector              unit_load(load);
-      for (unsigned int j = 0; j < n; ++j)
-        {
-          std::vector<double> unit_pressure(excluded.size(), 0.);
-          unit_pressure[nodes[j]] = 1.;
-          unit_load               = 0.;
-          stage_operator.subtract_pressure(unit_pressure, -1., unit_load);
-          solver.solve(unit_responses.emplace_back(unit_load), unit_load);
-          discretization.contact_values(1, unit_responses[j], values);
-          for (unsigned int i = 0; i < n; ++i)
-            response(i, j) = values[nodes[i]];
-        }
-      discretization.contact_values(1, w, values);
+      response.extract_submatrix_from(all_responses, nodes, nodes);
+      end.get_values(Field::displacement, w, values);
       for (unsigned int i = 0; i < n; ++i)
         {
-          free[i] = values[nodes[i]];
+          free[i] = values[nodes[i]] - gaps[nodes[i]];
           p[i]    = pressure[nodes[i]];
         }
       ContactSolver(law).solve(response, free, p);
       for (unsigned int i = 0; i < n; ++i)
         {
-          w.add(-p[i], unit_responses[i]);
+          w.add(-p[i], unit_responses[nodes[i]]);
           pressure[nodes[i]] = p[i];
         }
     }
@@ -76,29 +79,29 @@ namespace ThermoContact
 
   template <int dim>
   void
-  complete_quasi_static_state(
-    const ModelParameters                 &model,
-    const Discretization<dim>             &discretization,
-    const ThermoviscoelasticOperator<dim> &stage_operator,
-    const ContactLaw                      &law,
-    Loads<dim>                            &loads,
-    State                                 &state)
+  complete_quasi_static_state(Body<dim> &body, State &state)
   {
-    Vector heat_load     = discretization.make_vector(0), heat_rhs(heat_load);
-    Vector momentum_load = discretization.make_vector(1), rhs(momentum_load);
-    loads.assemble(state.time, heat_load, momentum_load);
+    const Discretization<dim> &space = body.discretization;
+    Vector heat_load                 = space.make_vector(Field::temperature);
+    Vector momentum_load             = space.make_vector(Field::displacement);
+    Vector heat_rhs(heat_load), rhs(momentum_load);
+    body.loads.assemble(state.time, heat_load, momentum_load);
 
     // Without inertia a stage of length 1 has the matrix (zeta + 1) S and, on
     // the right-hand side, the forces on the body.
-    DirectSolver solver(stage_operator.momentum_stage_matrix(1.));
-    stage_operator.stage_rhs(
+    DirectSolver solver(body.equations.momentum_stage_matrix(1.));
+    body.equations.stage_rhs(
       state, 1., heat_load, momentum_load, heat_rhs, rhs);
-    const unsigned int n = state.contact_pressure.size();
-    if (model.is_static())
+    const unsigned int  n = state.contact_pressure.size();
+    std::vector<double> gaps;
+    for (const ContactNode<dim> &node : body.contact_end().nodes())
+      gaps.push_back(node.gap);
+    const Material &material = body.scene.material;
+    if (material.is_static())
       {
-        solve_with_contact(discretization,
-                           stage_operator,
-                           law,
+        solve_with_contact(body,
+                           body.law(),
+                           gaps,
                            std::vector<bool>(n, false),
                            solver,
                            rhs,
@@ -107,38 +110,32 @@ namespace ThermoContact
         return;
       }
 
-    stage_operator.subtract_pressure(state.contact_pressure, 1., rhs);
+    body.equations.subtract_pressure(state.contact_pressure, 1., rhs);
     std::vector<bool>   is_away(n, true);
-    std::vector<double> displacement;
-    discretization.contact_values(1, state.displacement, displacement);
-    if (law.is_active && law.compliance == 0.)
+    std::vector<double> penetration;
+    body.contact_end().get_penetrations(state.displacement, penetration);
+    if (body.law().is_rigid())
       for (unsigned int i = 0; i < n; ++i)
-        is_away[i] = displacement[i] < law.gap;
-    solve_with_contact(discretization,
-                       stage_operator,
-                       ContactLaw{law.is_active, 0., 0.},
+        is_away[i] = penetration[i] < 0.;
+    // nodes on a rigid obstacle cannot move into it
+    const auto no_inward_velocity = rigid_obstacle().make({});
+    solve_with_contact(body,
+                       *no_inward_velocity,
+                       std::vector<double>(n, 0.),
                        is_away,
                        solver,
                        rhs,
                        state.velocity,
                        state.contact_pressure);
-    state.velocity *= (model.viscosity + 1.) / model.viscosity;
+    state.velocity *= (material.viscosity + 1.) / material.viscosity;
   }
 
 
 
-#define INSTANTIATE(dim)                          \
-  template void complete_quasi_static_state<dim>( \
-    const ModelParameters &,                      \
-    const Discretization<dim> &,                  \
-    const ThermoviscoelasticOperator<dim> &,      \
-    const ContactLaw &,                           \
-    Loads<dim> &,                                 \
-    State &)
-
-  INSTANTIATE(1);
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template void
+  complete_quasi_static_state(Body<1> &, State &);
+  template void
+  complete_quasi_static_state(Body<2> &, State &);
+  template void
+  complete_quasi_static_state(Body<3> &, State &);
 } // namespace ThermoContact

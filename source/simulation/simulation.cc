@@ -1,52 +1,28 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/stop_watch.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/simulation/initial_state.h>
-#include <thermocontact/simulation/scheme_selection.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace ThermoContact
 {
   template <int dim>
   Simulation<dim>::Simulation(const Parameters &parameters,
                               const MPI_Comm    communicator)
-    : parameters_(parameters)
-    , law(parameters.contact_law())
-    , has_contact_mass(parameters.has_contact_mass())
-    , has_contact_equilibrium(parameters.has_contact_equilibrium())
-    , data(parameters)
-    , discretization_(parameters, communicator)
-    , operator_(discretization_, parameters)
-    , loads(discretization_, parameters, data)
-    , energy_(discretization_, operator_, loads, law, parameters)
-    , measurements(discretization_, operator_, law, parameters)
-    , step_solver(make_step_solver(discretization_, operator_, law, parameters))
-    , integrator(make_time_integrator(discretization_,
-                                      operator_,
-                                      energy_,
-                                      law,
-                                      parameters,
-                                      loads,
-                                      *step_solver))
-    , transition(discretization_, operator_, energy_, law, has_contact_mass)
-    , controller(parameters, order_of(parameters.time))
-    , error_norm(energy_.steady_profile_energy())
-    , energy_watch(parameters, energy_.has_work())
-    , event_locator(law,
-                    law.is_active && parameters.time.locates_contact_events(),
-                    parameters.model.is_static() ?
-                      ContactNodes::of_static_body :
-                    has_contact_mass ? ContactNodes::with_mass :
-                                       ContactNodes::massless,
-                    parameters.time.has_error_control() ?
-                      parameters.time.tolerance :
-                      1e-13)
+    : scene_(parameters)
+    , body_(scene_, communicator)
+    , measurements(body_)
+    , integrator(scene_.scheme.integrator->make(body_))
+    , tracker(body_)
+    , controller(parameters.time, parameters.output, scene_.scheme.order)
+    , error_norm(body_.energy.steady_profile_energy())
+    , energy_watch(scene_)
   {
     set_initial_state();
   }
@@ -57,57 +33,35 @@ namespace ThermoContact
   void
   Simulation<dim>::set_initial_state()
   {
-    state_ = initial_state(parameters_,
-                           data,
-                           discretization_,
-                           operator_,
-                           law,
-                           controller.propose(0.).size,
-                           loads,
-                           warnings_);
-    measurements.measure(state_, data, record_);
-    if (!parameters_.model.has_displacement())
-      record_.contact_impulse = record_.contact_force; // there is none
-    record_.energy_terms = energy_.energy(state_);
-    record_.energy       = record_.energy_terms.sum();
-    if (!std::isfinite(record_.energy))
+    state_ =
+      initial_state(body_, controller.propose(0.).size, history_.warnings);
+    StepRecord &record = history_.record;
+    measurements.measure(state_, record);
+    if (!scene_.fields.has_displacement)
+      record.contact_impulse = record.contact_force; // there is none
+    record.energy_terms = body_.energy.energy(state_);
+    record.energy       = record.energy_terms.sum();
+    if (!std::isfinite(record.energy))
       throw InputError("Initial values: the energy of the initial state is " +
-                       std::to_string(record_.energy) +
+                       std::to_string(record.energy) +
                        "\n  allowed: expressions that are finite, with their "
                        "gradients, in the whole body");
-    error_norm.add(record_.energy_terms);
-    energy_watch.start(record_.energy_terms);
-    get_contact_values(state_, contact_values);
-    event_locator.start(contact_values, events_);
-    max_penetration_   = record_.penetration;
-    max_contact_force_ = record_.contact_force;
+    error_norm.add(record.energy_terms);
+    energy_watch.start(record.energy_terms);
+    tracker.start(state_, history_.events);
+    history_.add_maxima();
   }
 
 
 
   template <int dim>
   void
-  Simulation<dim>::add_observer(const Observer &observer)
+  Simulation<dim>::run(const Observers &observers)
   {
-    observers.push_back(observer);
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::notify() const
-  {
-    for (const Observer &observer : observers)
-      observer(*this);
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::run()
-  {
+    const auto notify = [&]() {
+      for (const Observer &observer : observers)
+        observer(*this);
+    };
     if (!is_restored)
       notify();
     StepResult result;
@@ -118,7 +72,7 @@ namespace ThermoContact
           {
             accept(time_step, result);
             notify();
-            attempts_.clear();
+            history_.attempts.clear();
           }
       }
   }
@@ -127,9 +81,73 @@ namespace ThermoContact
 
   template <int dim>
   bool
+  Simulation<dim>::attempt(const TimeStep &time_step, StepResult &result)
+  {
+    StepAttempt attempt{state_.time, time_step.size};
+    {
+      const StopWatch   watch(attempt.wall_seconds);
+      const ContactMode mode = tracker.mode();
+      compute_step(time_step, mode, result);
+      if (!result.failure.empty())
+        {
+          attempt.reason = "failed";
+          if (!controller.retry_smaller(time_step))
+            give_up(time_step, result.failure);
+        }
+      else if (attempt.error = relative_error(result);
+               !controller.is_accurate(attempt.error))
+        {
+          attempt.reason = "tolerance";
+          controller.reject(time_step, attempt.error);
+        }
+      else if (!fits_contact(time_step, result))
+        attempt.reason = "contact";
+      else
+        {
+          attempt.reason      = name_of(time_step.target);
+          attempt.is_accepted = true;
+          controller.accept(time_step, attempt.error);
+        }
+      if (tracker.mode() != mode)
+        controller.restart(tracker.mode() == ContactMode::closed);
+    }
+    history_.attempts.push_back(attempt);
+    if (attempt.is_accepted)
+      return true;
+
+    ++history_.n_rejected_steps;
+    if ((!result.failure.empty() || !controller.is_accurate(attempt.error)) &&
+        controller.is_exhausted(time_step, state_.time))
+      give_up(time_step, describe_exhaustion(attempt, result.failure));
+    return false;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::accept(const TimeStep &time_step, StepResult &result)
+  {
+    state_.swap(result.state);
+    measurements.measure(state_, history_.record);
+    history_.add_step(time_step, result);
+    history_.add_maxima();
+    error_norm.add(result.energy);
+    if (result.is_prescribed)
+      energy_watch.start(result.energy);
+    else if (const std::string warning =
+               energy_watch.add(record().step, record().time, result.energy);
+             !warning.empty())
+      history_.warnings.push_back(warning);
+  }
+
+
+
+  template <int dim>
+  bool
   Simulation<dim>::is_prescribed_step() const
   {
-    return record_.step == 0 && parameters_.has_prescribed_start();
+    return record().step == 0 && scene_.has_prescribed_start;
   }
 
 
@@ -140,12 +158,14 @@ namespace ThermoContact
                                 const ContactMode mode,
                                 StepResult       &result)
   {
+    const State &start = tracker.start_state(state_);
+    result.old_energy  = tracker.start_energy(record().energy_terms);
     try
       {
         if (is_prescribed_step())
-          integrator->prescribed_step(state_, time_step, result);
+          integrator->prescribed_step(start, time_step, result);
         else
-          integrator->step(state_, record_.energy, time_step, mode, result);
+          integrator->step(start, result.old_energy, time_step, mode, result);
       }
     catch (const ComputationError &error)
       {
@@ -154,6 +174,7 @@ namespace ThermoContact
     if (result.failure.empty() && !std::isfinite(result.energy.sum()))
       result.failure = "the solution is not finite\n  remedy:  smaller initial "
                        "values and sources, or a smaller Time/Step size";
+    result.agree(discretization().communicator());
   }
 
 
@@ -162,162 +183,50 @@ namespace ThermoContact
   double
   Simulation<dim>::relative_error(const StepResult &result)
   {
-    if (!parameters_.time.has_error_control())
+    const TimeParameters &time = parameters().time;
+    if (!time.has_error_control())
       return std::numeric_limits<double>::quiet_NaN();
     EnergyTerms error = result.error;
-    if (law.is_active && law.compliance == 0. && has_contact_mass &&
-        event_locator.mode() == ContactMode::unilateral &&
+    if (scene_.contact.has_impacts() &&
+        tracker.mode() == ContactMode::unilateral &&
         result.n_iterations > 0) // a node was pushed back in some stage
       error.kinetic = 0.;
-    return error_norm(error, result.energy) / parameters_.time.tolerance;
+    return error_norm(error, result.energy) / time.tolerance;
   }
 
 
 
   template <int dim>
   bool
-  Simulation<dim>::attempt(const TimeStep &time_step, StepResult &result)
+  Simulation<dim>::fits_contact(const TimeStep &time_step, StepResult &result)
   {
-    const auto        begin = std::chrono::steady_clock::now();
-    const ContactMode mode  = event_locator.mode();
-    compute_step(time_step, mode, result);
-
-    StepAttempt attempt{state_.time, time_step.size};
-    if (!result.failure.empty())
+    const double mechanical_energy = std::max({error_norm.mechanical_energy(),
+                                               result.energy.elastic,
+                                               result.energy.kinetic});
+    const ContactVerdict verdict   = tracker.judge(time_step,
+                                                 result,
+                                                 state_,
+                                                 record().energy_terms,
+                                                 is_prescribed_step(),
+                                                 mechanical_energy);
+    switch (verdict.kind)
       {
-        attempt.reason = "failed";
-        if (!controller.retry_smaller(time_step))
-          give_up(time_step, result.failure);
+        case ContactVerdict::to_time:
+          controller.aim_at(verdict.time);
+          return false;
+        case ContactVerdict::in_other_state:
+        case ContactVerdict::with_law:
+          return false;
+        case ContactVerdict::accept_with_law:
+          compute_step(time_step, ContactMode::unilateral, result);
+          if (!result.failure.empty())
+            give_up(time_step, result.failure);
+          break;
+        case ContactVerdict::accept:
+          break;
       }
-    else
-      {
-        attempt.error = relative_error(result);
-        if (!controller.is_accurate(attempt.error))
-          {
-            attempt.reason = "tolerance";
-            controller.reject(time_step, attempt.error);
-          }
-        else if (!respects_contact(time_step, result))
-          attempt.reason = "contact";
-        else
-          {
-            attempt.reason      = name_of(time_step.target);
-            attempt.is_accepted = true;
-            controller.accept(time_step, attempt.error);
-          }
-      }
-    if (event_locator.mode() != mode)
-      controller.restart(event_locator.mode() == ContactMode::closed);
-    attempt.wall_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-        .count();
-    attempts_.push_back(attempt);
-    if (attempt.is_accepted)
-      return true;
-
-    ++n_rejected_steps_;
-    if ((!result.failure.empty() || !controller.is_accurate(attempt.error)) &&
-        controller.is_exhausted(time_step, state_.time))
-      give_up(time_step, describe_exhaustion(attempt, result.failure));
-    return false;
-  }
-
-
-
-  template <int dim>
-  bool
-  Simulation<dim>::respects_contact(const TimeStep &time_step,
-                                    StepResult     &result)
-  {
-    get_contact_values(result.state, contact_values);
-    EventLocator::Finding finding;
-    if (is_prescribed_step())
-      event_locator.hold_nothing();
-    const ContactMode mode       = event_locator.mode();
-    const double      mechanical = std::max({error_norm.mechanical_energy(),
-                                             result.energy.elastic,
-                                             result.energy.kinetic});
-    if (mode != ContactMode::unilateral)
-      finding = event_locator.examine(
-        contact_values,
-        time_step.target == TimeStep::event,
-        {mechanical, std::sqrt(2. * parameters_.model.inertia * mechanical)});
-
-    if (finding.kind == EventLocator::Finding::at_start &&
-        !finding.is_of_all_nodes)
-      event_locator.hold_nothing();
-    else if (finding.kind == EventLocator::Finding::at_start)
-      {
-        event_locator.switch_at_start(finding.time, events_);
-        if (law.compliance == 0. && !has_contact_equilibrium &&
-            event_locator.mode() == ContactMode::closed)
-          {
-            transition.impact(state_,
-                              record_.energy_terms,
-                              record_.contact_impulse,
-                              record_.numerical_dissipation);
-            record_.energy = record_.energy_terms.sum();
-          }
-      }
-    else if (finding.kind == EventLocator::Finding::within)
-      {
-        // An interpolant that misses the zero so often is not to be trusted.
-        if (++n_retakes < 10)
-          controller.aim_at(finding.time);
-        else
-          event_locator.hold_nothing();
-      }
-    else
-      {
-        event_locator.accept(contact_values, finding, events_);
-        n_retakes = 0;
-        finish_contact(time_step,
-                       mode,
-                       finding.kind == EventLocator::Finding::at_end,
-                       result);
-        return true;
-      }
-    return false;
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::finish_contact(const TimeStep   &time_step,
-                                  const ContactMode mode,
-                                  const bool        has_event,
-                                  StepResult       &result)
-  {
-    if (has_event && has_contact_equilibrium)
-      {
-        compute_step(time_step, ContactMode::unilateral, result);
-        if (!result.failure.empty())
-          give_up(time_step, result.failure);
-        get_contact_values(result.state, contact_values);
-        event_locator.set_present(contact_values);
-        return;
-      }
-    transition.finish_pressure(has_event && mode == ContactMode::open, result);
-    if (law.compliance == 0. && mode != ContactMode::closed &&
-        event_locator.mode() == ContactMode::closed)
-      transition.impact(result.state,
-                        result.energy,
-                        result.impulse,
-                        result.numerical_dissipation);
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::get_contact_values(const State   &state,
-                                      ContactValues &values) const
-  {
-    values.time = state.time;
-    discretization_.contact_values(1, state.displacement, values.displacement);
-    discretization_.contact_values(1, state.velocity, values.velocity);
-    values.pressure = state.contact_pressure;
+    tracker.accept(verdict, result, history_.events);
+    return true;
   }
 
 
@@ -327,46 +236,14 @@ namespace ThermoContact
   Simulation<dim>::give_up(const TimeStep    &time_step,
                            const std::string &reason) const
   {
-    std::ostringstream place;
-    place << "step " << record_.step + 1 << ", from t = " << state_.time
-          << " to " << time_step.end << ": ";
-    throw ComputationError(place.str() + reason);
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::accept(const TimeStep &time_step, StepResult &result)
-  {
-    const StepRecord old_record = record_;
-    state_.swap(result.state);
-    measurements.measure(state_, data, record_);
-    ++record_.step;
-    record_.step_size    = time_step.size;
-    record_.iterations   = result.n_iterations;
-    record_.energy_terms = result.energy;
-    record_.energy       = result.energy.sum();
-    record_.work += result.work;
-    record_.dissipation += result.dissipation;
-    record_.numerical_dissipation += result.numerical_dissipation;
-    record_.contact_impulse += result.impulse;
-
-    error_norm.add(result.energy);
-    max_penetration_   = std::max(max_penetration_, record_.penetration);
-    max_contact_force_ = std::max(max_contact_force_, record_.contact_force);
-    if (result.is_prescribed)
-      {
-        energy_watch.start(record_.energy_terms);
-        return;
-      }
-    max_energy_increase_ =
-      std::max(max_energy_increase_,
-               record_.energy - old_record.energy - result.work);
-    const std::string warning =
-      energy_watch.add(record_.step, record_.time, record_.energy_terms);
-    if (!warning.empty())
-      warnings_.push_back(warning);
+    throw ComputationError(text("step ",
+                                record().step + 1,
+                                ", from t = ",
+                                state_.time,
+                                " to ",
+                                time_step.end,
+                                ": ",
+                                reason));
   }
 
 
@@ -375,10 +252,9 @@ namespace ThermoContact
   SolverCounters
   Simulation<dim>::counters() const
   {
-    SolverCounters sum = step_solver->counters();
-    for (const SolverCounters &part :
-         {integrator->counters(), transition.counters()})
-      sum += part;
+    SolverCounters sum = integrator->stage_solver().counters();
+    sum += integrator->own_counters();
+    sum += tracker.counters();
     return sum;
   }
 

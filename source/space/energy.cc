@@ -12,29 +12,24 @@ namespace ThermoContact
 {
   namespace
   {
-    /** $\theta_A - c(\theta_A-\theta_{obs})x$ in the first component. */
+    /** $\theta_s$ in the first component. */
     template <int dim>
     class SteadyProfile : public Function<dim>
     {
     public:
-      SteadyProfile(const unsigned int        n_components,
-                    const BoundaryParameters &boundary)
+      SteadyProfile(const unsigned int n_components, const HeatExchange &heat)
         : Function<dim>(n_components)
-        , left(boundary.fixed_end_temperature)
-        , slope(
-            -boundary.heat_exchange / (boundary.heat_exchange + 1.) *
-            (boundary.fixed_end_temperature - boundary.obstacle_temperature))
+        , heat(heat)
       {}
 
       double
       value(const Point<dim> &point, const unsigned int c) const override
       {
-        return c == 0 ? left + slope * point[0] : 0.;
+        return c == 0 ? heat.steady_temperature(point[0]) : 0.;
       }
 
     private:
-      const double left;
-      const double slope;
+      const HeatExchange heat;
     };
   } // namespace
 
@@ -49,34 +44,46 @@ namespace ThermoContact
 
 
   template <int dim>
-  Energy<dim>::Energy(const Discretization<dim>             &discretization,
+  Energy<dim>::Energy(const Scene                           &scene,
+                      const Discretization<dim>             &discretization,
                       const ThermoviscoelasticOperator<dim> &stage_operator,
-                      const Loads<dim>                      &loads,
-                      const ContactLaw                      &law,
-                      const Parameters                      &parameters)
+                      const Loads<dim>                      &loads)
     : discretization(discretization)
     , stage_operator(stage_operator)
     , loads(loads)
-    , law(law)
-    , model(parameters.model)
-    , steady_profile_(discretization.make_vector(0))
-    , steady_stress(discretization.make_vector(1))
+    , law(*scene.contact.law)
+    , material(scene.material)
+    , has_work_(scene.has_work())
+    , steady_profile_(discretization.make_vector(Field::temperature))
+    , steady_stress(discretization.make_vector(Field::displacement))
     , heat_scratch(steady_profile_)
     , heat_product(steady_profile_)
     , momentum_scratch(steady_stress)
     , momentum_product(steady_stress)
   {
-    if (!model.has_temperature())
+    if (!discretization.has_field(Field::temperature))
       return;
     Vector system = discretization.make_system_vector();
     VectorTools::interpolate(discretization.mapping(),
                              discretization.dof_handler(),
                              SteadyProfile<dim>(discretization.n_components(),
-                                                parameters.boundary),
+                                                scene.heat),
                              system);
     discretization.split(system, steady_profile_, momentum_scratch);
-    if (model.thermal_stress() != 0.)
+    if (material.has_thermal_stress())
       stage_operator.thermal_stress().vmult(steady_stress, steady_profile_);
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::kinetic_energy(const Vector &velocity) const
+  {
+    return material.has_inertia() ?
+             0.5 * material.inertia *
+               momentum_form(stage_operator.momentum_mass(), velocity) :
+             0.;
   }
 
 
@@ -85,10 +92,10 @@ namespace ThermoContact
   double
   Energy<dim>::heat_form(const SparseMatrix &matrix, const Vector &vector) const
   {
-    if (!model.has_temperature())
+    if (!discretization.has_field(Field::temperature))
       return 0.;
     matrix.vmult(heat_product, vector);
-    return vector * heat_product / discretization.cross_section();
+    return vector * heat_product / discretization.geometry().cross_section();
   }
 
 
@@ -98,10 +105,11 @@ namespace ThermoContact
   Energy<dim>::momentum_form(const SparseMatrix &matrix,
                              const Vector       &vector) const
   {
-    if (!model.has_displacement())
+    if (!discretization.has_field(Field::displacement))
       return 0.;
     matrix.vmult(momentum_product, vector);
-    return vector * momentum_product / discretization.cross_section();
+    return vector * momentum_product /
+           discretization.geometry().cross_section();
   }
 
 
@@ -115,21 +123,16 @@ namespace ThermoContact
 
     EnergyTerms terms;
     terms.thermal = 0.5 * heat_form(stage_operator.heat_mass(), heat_scratch);
-    if (model.inertia > 0.)
-      terms.kinetic =
-        0.5 * model.inertia *
-        momentum_form(stage_operator.momentum_mass(), state.velocity);
+    terms.kinetic = kinetic_energy(state.velocity);
     terms.elastic =
       0.5 * momentum_form(stage_operator.stiffness(), state.displacement);
     for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
-      terms.obstacle += 0.5 * law.compliance *
-                        discretization.contact_nodes()[i].weight /
-                        discretization.cross_section() *
-                        state.contact_pressure[i] * state.contact_pressure[i];
-    if (model.thermal_stress() != 0.)
-      terms.coupling = -model.thermal_stress() *
+      terms.obstacle += discretization.contact_end().share(i) *
+                        law.energy(state.contact_pressure[i]);
+    if (material.has_thermal_stress())
+      terms.coupling = -material.thermal_stress *
                        (steady_stress * state.displacement) /
-                       discretization.cross_section();
+                       discretization.geometry().cross_section();
     return terms;
   }
 
@@ -143,20 +146,17 @@ namespace ThermoContact
     EnergyTerms terms;
     terms.thermal =
       0.5 * heat_form(stage_operator.heat_mass(), difference.temperature);
-    if (model.inertia > 0.)
-      terms.kinetic =
-        0.5 * model.inertia *
-        momentum_form(stage_operator.momentum_mass(), difference.velocity);
+    terms.kinetic = kinetic_energy(difference.velocity);
     terms.elastic =
       0.5 * momentum_form(stage_operator.stiffness(), difference.displacement);
-    if (law.compliance == 0.)
-      return terms;
-    discretization.contact_values(1, difference.displacement, end_displacement);
+    const ContactEnd<dim> &end = discretization.contact_end();
+    end.get_values(Field::displacement,
+                   difference.displacement,
+                   end_displacement);
     for (unsigned int i = 0; i < pressure.size(); ++i)
-      if (pressure[i] > 0.)
-        terms.obstacle += 0.5 / law.compliance *
-                          discretization.contact_nodes()[i].weight /
-                          discretization.cross_section() * end_displacement[i] *
+      if (const double tangent = law.tangent(pressure[i]);
+          pressure[i] > 0. && tangent > 0.)
+        terms.obstacle += 0.5 / tangent * end.share(i) * end_displacement[i] *
                           end_displacement[i];
     return terms;
   }
@@ -170,8 +170,8 @@ namespace ThermoContact
     heat_scratch = state.temperature;
     heat_scratch -= steady_profile_;
     double rate = heat_form(stage_operator.conduction(), heat_scratch);
-    if (model.viscosity > 0.)
-      rate += model.viscosity *
+    if (material.has_viscosity())
+      rate += material.viscosity *
               momentum_form(stage_operator.viscous_stiffness(), state.velocity);
     return rate;
   }
@@ -187,13 +187,9 @@ namespace ThermoContact
     heat_scratch -= old_state.temperature;
     double sum = 0.5 * heat_form(stage_operator.heat_mass(), heat_scratch);
 
-    if (model.inertia > 0.)
-      {
-        momentum_scratch = state.velocity;
-        momentum_scratch -= old_state.velocity;
-        sum += 0.5 * model.inertia *
-               momentum_form(stage_operator.momentum_mass(), momentum_scratch);
-      }
+    momentum_scratch = state.velocity;
+    momentum_scratch -= old_state.velocity;
+    sum += kinetic_energy(momentum_scratch);
 
     momentum_scratch = state.displacement;
     momentum_scratch -= old_state.displacement;
@@ -209,23 +205,20 @@ namespace ThermoContact
   Energy<dim>::contact_dissipation(const State &old_state,
                                    const State &state) const
   {
-    discretization.contact_values(1, state.displacement, end_displacement);
-    discretization.contact_values(1,
-                                  old_state.displacement,
-                                  old_end_displacement);
+    const ContactEnd<dim> &end = discretization.contact_end();
+    end.get_values(Field::displacement, state.displacement, end_displacement);
+    end.get_values(Field::displacement,
+                   old_state.displacement,
+                   old_end_displacement);
+    end.get_penetrations(old_state.displacement, old_penetration);
     double sum = 0.;
     for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
-      {
-        const double p     = state.contact_pressure[i];
-        const double p_old = old_state.contact_pressure[i];
-        const double term =
-          law.compliance == 0. ?
-            p * (law.gap - old_end_displacement[i]) :
-            p * (end_displacement[i] - old_end_displacement[i]) -
-              0.5 * law.compliance * (p * p - p_old * p_old);
-        sum += discretization.contact_nodes()[i].weight /
-               discretization.cross_section() * term;
-      }
+      sum +=
+        end.share(i) *
+        law.numerical_dissipation(end_displacement[i] - old_end_displacement[i],
+                                  old_penetration[i],
+                                  old_state.contact_pressure[i],
+                                  state.contact_pressure[i]);
     return sum;
   }
 
@@ -238,7 +231,7 @@ namespace ThermoContact
                          const State  &state) const
   {
     double rate = 0.;
-    if (model.has_temperature())
+    if (discretization.has_field(Field::temperature))
       {
         heat_scratch = state.temperature;
         heat_scratch -= steady_profile_;
@@ -248,33 +241,15 @@ namespace ThermoContact
             heat_product -= loads.obstacle_heat();
             rate += heat_scratch * heat_product;
           }
-        if (is_driven_by_heat())
+        if (material.is_driven_by_heat())
           {
             stage_operator.divergence().vmult(heat_product, state.velocity);
-            rate += model.thermal_stress() * (heat_scratch * heat_product);
+            rate += material.thermal_stress * (heat_scratch * heat_product);
           }
       }
-    if (model.has_displacement() && loads.has_sources())
+    if (discretization.has_field(Field::displacement) && loads.has_sources())
       rate += momentum_load * state.velocity;
-    return rate / discretization.cross_section();
-  }
-
-
-
-  template <int dim>
-  bool
-  Energy<dim>::is_driven_by_heat() const
-  {
-    return model.thermal_stress() != 0. && !model.heating;
-  }
-
-
-
-  template <int dim>
-  bool
-  Energy<dim>::has_work() const
-  {
-    return loads.has_sources() || is_driven_by_heat();
+    return rate / discretization.geometry().cross_section();
   }
 
 

@@ -31,10 +31,9 @@ namespace ThermoContact
     template <int dim>
     struct CellBasis
     {
-      double                  theta = 0.;
-      Tensor<1, dim>          grad_theta;
-      SymmetricTensor<2, dim> strain;
-      double                  divergence = 0.;
+      double         theta = 0.;
+      Tensor<1, dim> grad_theta;
+      Strain<dim>    strain;
     };
 
 
@@ -47,7 +46,7 @@ namespace ThermoContact
                    const unsigned int           q,
                    std::vector<CellBasis<dim>> &basis)
     {
-      if (discretization.has_field(0))
+      if (discretization.has_field(Field::temperature))
         {
           const auto &theta = fe_values[discretization.temperature_extractor()];
           for (const unsigned int i : fe_values.dof_indices())
@@ -56,14 +55,47 @@ namespace ThermoContact
               basis[i].grad_theta = theta.gradient(i, q);
             }
         }
-      if (discretization.has_field(1))
+      if (discretization.has_field(Field::displacement))
         {
           const auto &u = fe_values[discretization.displacement_extractor()];
           for (const unsigned int i : fe_values.dof_indices())
-            {
-              basis[i].strain     = u.symmetric_gradient(i, q);
-              basis[i].divergence = u.divergence(i, q);
-            }
+            basis[i].strain =
+              discretization.geometry().strain(u.gradient(i, q),
+                                               u.value(i, q),
+                                               fe_values.quadrature_point(q));
+        }
+    }
+
+
+
+    /** Integrals of products of the basis functions of a cell. */
+    template <int dim>
+    void
+    integrate_products(const Material              &material,
+                       const Discretization<dim>   &discretization,
+                       const FEValues<dim>         &fe_values,
+                       std::vector<CellBasis<dim>> &basis,
+                       FullMatrix<double>          &stiffness,
+                       FullMatrix<double>          &coupling)
+    {
+      stiffness = 0.;
+      coupling  = 0.;
+      for (const unsigned int q : fe_values.quadrature_point_indices())
+        {
+          evaluate_basis(discretization, fe_values, q, basis);
+          const double weight = discretization.geometry().weight(fe_values, q);
+          for (unsigned int i = 0; i < basis.size(); ++i)
+            for (unsigned int j = 0; j < basis.size(); ++j)
+              {
+                const CellBasis<dim> &f = basis[i], &g = basis[j];
+                stiffness(i, j) +=
+                  (f.grad_theta * g.grad_theta +
+                   elastic_product(material, f.strain, g.strain)) *
+                  weight;
+                coupling(i, j) +=
+                  (f.theta * g.strain.trace + f.strain.trace * g.theta) *
+                  weight;
+              }
         }
     }
   } // namespace
@@ -71,26 +103,20 @@ namespace ThermoContact
 
 
   template <int dim>
-  FieldMatrices<dim>::FieldMatrices(const Discretization<dim> &discretization,
-                                    const Parameters          &parameters)
-    : discretization(discretization)
-    , model(parameters.model)
-    , heat_exchange(parameters.boundary.heat_exchange)
-    , is_lumped(parameters.mesh.is_lumped())
-    , has_massless_contact(parameters.has_massless_contact())
-    , has_own_viscous_stiffness(parameters.time.is_energy_conserving() &&
-                                has_massless_contact &&
-                                parameters.model.viscosity > 0.)
+  FieldMatrices<dim>::FieldMatrices(const Scene               &scene,
+                                    const Discretization<dim> &discretization)
+    : scene(scene)
+    , discretization(discretization)
   {
     setup_matrix(false, mass);
     setup_matrix(false, stiffness);
-    if (model.thermal_stress() != 0.)
+    if (scene.material.has_thermal_stress())
       setup_matrix(true, coupling);
-    if (has_own_viscous_stiffness)
+    if (scene.has_elastic_contact_nodes())
       setup_matrix(false, viscous_stiffness);
     assemble_mass();
     assemble_stiffness();
-    if (model.has_temperature())
+    if (scene.fields.has_temperature)
       assemble_contact_end();
   }
 
@@ -103,7 +129,7 @@ namespace ThermoContact
   {
     const unsigned int           n = discretization.n_components();
     Table<2, DoFTools::Coupling> couplings(n, n);
-    const bool                   has_temperature = discretization.has_field(0);
+    const bool has_temperature = discretization.has_field(Field::temperature);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
         {
@@ -112,11 +138,11 @@ namespace ThermoContact
             is_same_field != couples_fields ? DoFTools::always : DoFTools::none;
         }
     std::vector<IndexSet> owned, relevant;
-    for (unsigned int block = 0; block < 2; ++block)
-      if (discretization.has_field(block))
+    for (const Field::Block field : all_fields)
+      if (discretization.has_field(field))
         {
-          owned.push_back(discretization.owned_by_block()[block]);
-          relevant.push_back(discretization.relevant_by_block()[block]);
+          owned.push_back(discretization.owned_by_block()[field]);
+          relevant.push_back(discretization.relevant_by_block()[field]);
         }
     TrilinosWrappers::BlockSparsityPattern pattern(
       owned, owned, relevant, discretization.communicator());
@@ -137,24 +163,28 @@ namespace ThermoContact
   void
   FieldMatrices<dim>::assemble_mass()
   {
-    const FiniteElement<dim>       &fe = discretization.finite_element();
+    const FiniteElement<dim> &fe        = discretization.finite_element();
+    const bool                is_lumped = scene.has_lumped_mass;
+    const UpdateFlags         flags =
+      update_values | update_quadrature_points | update_JxW_values;
     FEValues<dim>                   fe_values(discretization.mapping(),
                             fe,
                             mass_quadrature<dim>(fe.degree, is_lumped),
-                            update_values | update_JxW_values);
+                            flags);
     FEValues<dim>                   massless_values(discretization.mapping(),
                                   fe,
                                   massless_quadrature<dim>(fe.degree,
                                                            is_lumped),
-                                  update_values | update_JxW_values);
+                                  flags);
     const AffineConstraints<double> unconstrained = no_constraints();
 
     const unsigned int                   n = fe.dofs_per_cell;
     FullMatrix<double>                   cell_mass(n, n);
     std::vector<types::global_dof_index> dofs(n);
-    const unsigned int                   axial = model.has_displacement() ?
-                                                   discretization.first_component(1) :
-                                                   numbers::invalid_unsigned_int;
+    const unsigned int                   axial =
+      scene.fields.has_displacement ?
+                          discretization.first_component(Field::displacement) :
+                          numbers::invalid_unsigned_int;
 
     const auto integrate = [&](const FEValues<dim> &values,
                                const auto          &is_wanted) {
@@ -165,7 +195,8 @@ namespace ThermoContact
             if (c == fe.system_to_component_index(j).first && is_wanted(c))
               for (const unsigned int q : values.quadrature_point_indices())
                 cell_mass(i, j) += values.shape_value(i, q) *
-                                   values.shape_value(j, q) * values.JxW(q);
+                                   values.shape_value(j, q) *
+                                   discretization.geometry().weight(values, q);
           }
     };
     for (const auto &cell :
@@ -173,7 +204,7 @@ namespace ThermoContact
       if (cell->is_locally_owned())
         {
           const bool is_massless =
-            has_massless_contact && is_at_contact_end<dim>(cell);
+            scene.contact.has_massless_nodes && touches_contact_end<dim>(cell);
           cell_mass = 0.;
           fe_values.reinit(cell);
           integrate(fe_values, [&](const unsigned int c) {
@@ -202,7 +233,7 @@ namespace ThermoContact
                             fe,
                             QGauss<dim>(fe.degree + 1),
                             update_values | update_gradients |
-                              update_JxW_values);
+                              update_quadrature_points | update_JxW_values);
     const AffineConstraints<double> unconstrained = no_constraints();
 
     const unsigned int                   n = fe.dofs_per_cell;
@@ -210,40 +241,23 @@ namespace ThermoContact
     FullMatrix<double>                   cell_coupling(n, n);
     std::vector<types::global_dof_index> dofs(n);
     std::vector<CellBasis<dim>>          basis(n);
-    const bool               has_coupling = model.thermal_stress() != 0.;
+    const bool               has_coupling = scene.material.has_thermal_stress();
+    const bool               has_viscous  = scene.has_elastic_contact_nodes();
     const FullMatrix<double> extension =
-      has_own_viscous_stiffness ? extension_to_contact_nodes(discretization) :
-                                  FullMatrix<double>();
-
-    // Elasticity scaled to unit P-wave modulus, doc/model.md (M.6).
-    const double nu     = model.poisson_ratio;
-    const double lambda = nu / (1. - nu);
-    const double two_mu = (1. - 2. * nu) / (1. - nu);
+      has_viscous ? extension_to_contact_nodes(discretization) :
+                    FullMatrix<double>();
 
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
           fe_values.reinit(cell);
-          cell_stiffness = 0.;
-          cell_coupling  = 0.;
-          for (const unsigned int q : fe_values.quadrature_point_indices())
-            {
-              evaluate_basis(discretization, fe_values, q, basis);
-              const double JxW = fe_values.JxW(q);
-              for (unsigned int i = 0; i < n; ++i)
-                for (unsigned int j = 0; j < n; ++j)
-                  {
-                    const CellBasis<dim> &f = basis[i], &g = basis[j];
-                    cell_stiffness(i, j) +=
-                      (f.grad_theta * g.grad_theta +
-                       lambda * f.divergence * g.divergence +
-                       two_mu * (f.strain * g.strain)) *
-                      JxW;
-                    cell_coupling(i, j) +=
-                      (f.theta * g.divergence + f.divergence * g.theta) * JxW;
-                  }
-            }
+          integrate_products(scene.material,
+                             discretization,
+                             fe_values,
+                             basis,
+                             cell_stiffness,
+                             cell_coupling);
           cell->get_dof_indices(dofs);
           unconstrained.distribute_local_to_global(cell_stiffness,
                                                    dofs,
@@ -252,16 +266,17 @@ namespace ThermoContact
             unconstrained.distribute_local_to_global(cell_coupling,
                                                      dofs,
                                                      coupling);
-          if (!has_own_viscous_stiffness)
+          if (!has_viscous)
             continue;
-          FullMatrix<double> cell_viscous(n, n);
-          if (is_at_contact_end<dim>(cell))
-            cell_viscous.triple_product(cell_stiffness,
-                                        extension,
-                                        extension,
-                                        true);
-          else
-            cell_viscous = cell_stiffness;
+          FullMatrix<double> cell_viscous(cell_stiffness);
+          if (touches_contact_end<dim>(cell))
+            {
+              cell_viscous = 0.;
+              cell_viscous.triple_product(cell_stiffness,
+                                          extension,
+                                          extension,
+                                          true);
+            }
           unconstrained.distribute_local_to_global(cell_viscous,
                                                    dofs,
                                                    viscous_stiffness);
@@ -269,7 +284,7 @@ namespace ThermoContact
     stiffness.compress(VectorOperation::add);
     if (has_coupling)
       coupling.compress(VectorOperation::add);
-    if (has_own_viscous_stiffness)
+    if (has_viscous)
       viscous_stiffness.compress(VectorOperation::add);
   }
 
@@ -283,32 +298,27 @@ namespace ThermoContact
     FEFaceValues<dim>               face_values(discretization.mapping(),
                                   fe,
                                   QGauss<dim - 1>(fe.degree + 1),
-                                  update_values | update_JxW_values);
+                                  update_values | update_quadrature_points |
+                                    update_JxW_values);
     const AffineConstraints<double> unconstrained = no_constraints();
 
     FullMatrix<double> cell_matrix(fe.dofs_per_cell, fe.dofs_per_cell);
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     const auto &theta = face_values[discretization.temperature_extractor()];
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              cell->face(f)->boundary_id() == contact_boundary_id)
-            {
-              face_values.reinit(cell, f);
-              cell_matrix = 0.;
-              for (const unsigned int q :
-                   face_values.quadrature_point_indices())
-                for (const unsigned int i : face_values.dof_indices())
-                  for (const unsigned int j : face_values.dof_indices())
-                    cell_matrix(i, j) += heat_exchange * theta.value(i, q) *
-                                         theta.value(j, q) * face_values.JxW(q);
-              cell->get_dof_indices(dofs);
-              unconstrained.distribute_local_to_global(cell_matrix,
-                                                       dofs,
-                                                       stiffness);
-            }
+    for_each_contact_face<dim>(
+      discretization.dof_handler(),
+      [&](const auto &cell, const unsigned int f) {
+        face_values.reinit(cell, f);
+        cell_matrix = 0.;
+        for (const unsigned int q : face_values.quadrature_point_indices())
+          for (const unsigned int i : face_values.dof_indices())
+            for (const unsigned int j : face_values.dof_indices())
+              cell_matrix(i, j) +=
+                scene.heat.coefficient * theta.value(i, q) * theta.value(j, q) *
+                discretization.geometry().weight(face_values, q);
+        cell->get_dof_indices(dofs);
+        unconstrained.distribute_local_to_global(cell_matrix, dofs, stiffness);
+      });
     stiffness.compress(VectorOperation::add);
   }
 

@@ -13,6 +13,35 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /** Adds $(w-w_h,\text{test})$ over a cell or a face. */
+    template <int dim, typename Test>
+    void
+    add_difference(const Function<dim>     &function,
+                   const Vector            &interpolant,
+                   const FEValuesBase<dim> &values,
+                   const Test              &test,
+                   dealii::Vector<double>  &cell_rhs)
+    {
+      const FiniteElement<dim>           &fe = values.get_fe();
+      std::vector<dealii::Vector<double>> interpolated(
+        values.n_quadrature_points, dealii::Vector<double>(fe.n_components()));
+      values.get_function_values(interpolant, interpolated);
+      for (const unsigned int q : values.quadrature_point_indices())
+        for (const unsigned int i : values.dof_indices())
+          {
+            const unsigned int c = fe.system_to_component_index(i).first;
+            const double       difference =
+              function.value(values.quadrature_point(q), c) -
+              interpolated[q](c);
+            cell_rhs(i) += difference * test(i, q) * values.JxW(q);
+          }
+    }
+  } // namespace
+
+
+
   template <int dim>
   H1Projection<dim>::H1Projection(const Discretization<dim> &discretization)
     : discretization(discretization)
@@ -23,12 +52,9 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  H1Projection<dim>::assemble_laplace_matrix()
+  SparseMatrix
+  H1Projection<dim>::make_matrix() const
   {
-    const FiniteElement<dim> &fe          = discretization.finite_element();
-    const auto               &constraints = discretization.constraints();
-
     const unsigned int           n_components = discretization.n_components();
     Table<2, DoFTools::Coupling> coupling(n_components, n_components);
     coupling.fill(DoFTools::none);
@@ -41,13 +67,25 @@ namespace ThermoContact
     DoFTools::make_sparsity_pattern(discretization.dof_handler(),
                                     coupling,
                                     pattern,
-                                    constraints,
+                                    discretization.constraints(),
                                     false,
                                     Utilities::MPI::this_mpi_process(
                                       discretization.communicator()));
     pattern.compress();
     SparseMatrix matrix;
     matrix.reinit(pattern);
+    return matrix;
+  }
+
+
+
+  template <int dim>
+  void
+  H1Projection<dim>::assemble_laplace_matrix()
+  {
+    const FiniteElement<dim> &fe          = discretization.finite_element();
+    const auto               &constraints = discretization.constraints();
+    SparseMatrix              matrix      = make_matrix();
 
     FEValues<dim>      fe_values(discretization.mapping(),
                             fe,
@@ -108,41 +146,32 @@ namespace ThermoContact
 
     dealii::Vector<double>               cell_rhs(fe.dofs_per_cell);
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
-
-    // adds factor (w - interpolant, test) over a cell or a face
-    const auto integrate = [&](const auto &values, const auto &test) {
-      std::vector<dealii::Vector<double>> interpolated(
-        values.n_quadrature_points,
-        dealii::Vector<double>(discretization.n_components()));
-      values.get_function_values(ghosted, interpolated);
-      for (const unsigned int q : values.quadrature_point_indices())
-        for (const unsigned int i : values.dof_indices())
-          {
-            const unsigned int c = fe.system_to_component_index(i).first;
-            const double       difference =
-              function.value(values.quadrature_point(q), c) -
-              interpolated[q](c);
-            cell_rhs(i) += difference * test(i, q) * values.JxW(q);
-          }
-    };
-
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
           cell_rhs = 0.;
           fe_values.reinit(cell);
-          integrate(fe_values, [&](const unsigned int i, const unsigned int q) {
-            return -trace(fe_values.shape_hessian(i, q));
-          });
+          add_difference(
+            function,
+            ghosted,
+            fe_values,
+            [&](const unsigned int i, const unsigned int q) {
+              return -trace(fe_values.shape_hessian(i, q));
+            },
+            cell_rhs);
           for (const unsigned int f : cell->face_indices())
             {
               face_values.reinit(cell, f);
-              integrate(face_values,
-                        [&](const unsigned int i, const unsigned int q) {
-                          return face_values.shape_grad(i, q) *
-                                 face_values.normal_vector(q);
-                        });
+              add_difference(
+                function,
+                ghosted,
+                face_values,
+                [&](const unsigned int i, const unsigned int q) {
+                  return face_values.shape_grad(i, q) *
+                         face_values.normal_vector(q);
+                },
+                cell_rhs);
             }
           cell->get_dof_indices(dofs);
           discretization.constraints().distribute_local_to_global(cell_rhs,

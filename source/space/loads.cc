@@ -20,8 +20,8 @@ namespace ThermoContact
 
 
   template <int dim>
-  Loads<dim>::Loads(const Discretization<dim> &discretization,
-                    const Parameters          &parameters,
+  Loads<dim>::Loads(const Scene               &scene,
+                    const Discretization<dim> &discretization,
                     ProblemData<dim>          &data)
     : discretization(discretization)
     , data(data)
@@ -35,16 +35,15 @@ namespace ThermoContact
                   update_values | update_quadrature_points | update_JxW_values)
     , sources(discretization.owned_by_block(), discretization.communicator())
     , cell_load(discretization.finite_element().dofs_per_cell)
-    , obstacle_heat_(discretization.make_vector(0))
+    , obstacle_heat_(discretization.make_vector(Field::temperature))
   {
     unconstrained.close();
-    if (!parameters.model.has_temperature())
+    if (!scene.fields.has_temperature)
       return;
-    const BoundaryParameters &boundary = parameters.boundary;
-    integrate_end_flux(Functions::ConstantFunction<dim>(
-      boundary.heat_exchange * boundary.obstacle_temperature));
+    integrate_end_flux(
+      Functions::ConstantFunction<dim>(scene.heat.obstacle_heat()));
     sources.compress(VectorOperation::add);
-    obstacle_heat_ += sources.block(0);
+    obstacle_heat_ += sources.block(Field::temperature);
   }
 
 
@@ -68,13 +67,15 @@ namespace ThermoContact
         if (data.heat_source() != nullptr || data.body_force() != nullptr)
           integrate_volume();
         sources.compress(VectorOperation::add);
-        heat += sources.block(0);
-        momentum += sources.block(1);
+        heat += sources.block(Field::temperature);
+        momentum += sources.block(Field::displacement);
       }
     if (data.end_traction() != nullptr)
-      for (const auto &[node, entry] : discretization.contact_entries(1))
+      for (const auto &[node, entry] :
+           discretization.contact_end().entries(Field::displacement))
         {
-          const ContactNode<dim> &n = discretization.contact_nodes()[node];
+          const ContactNode<dim> &n =
+            discretization.contact_end().nodes()[node];
           momentum.begin()[entry] +=
             n.weight * data.end_traction()->value(n.position);
         }
@@ -89,8 +90,8 @@ namespace ThermoContact
   {
     for (const unsigned int q : values.quadrature_point_indices())
       {
-        const double f_JxW =
-          function.value(values.quadrature_point(q)) * values.JxW(q);
+        const double f_JxW = function.value(values.quadrature_point(q)) *
+                             discretization.geometry().weight(values, q);
         for (const unsigned int i : values.dof_indices())
           cell_load(i) +=
             f_JxW * values[discretization.temperature_extractor()].value(i, q);
@@ -107,8 +108,8 @@ namespace ThermoContact
     for (const unsigned int q : values.quadrature_point_indices())
       for (unsigned int c = 0; c < dim; ++c)
         {
-          const double f_JxW =
-            function.value(values.quadrature_point(q), c) * values.JxW(q);
+          const double f_JxW = function.value(values.quadrature_point(q), c) *
+                               discretization.geometry().weight(values, q);
           for (const unsigned int i : values.dof_indices())
             cell_load(i) +=
               f_JxW *
@@ -122,18 +123,13 @@ namespace ThermoContact
   void
   Loads<dim>::integrate_end_flux(const Function<dim> &flux)
   {
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() && cell->at_boundary())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              cell->face(f)->boundary_id() == contact_boundary_id)
-            {
-              cell_load = 0.;
-              face_values.reinit(cell, f);
-              add_scalar(face_values, flux);
-              distribute(cell);
-            }
+    for_each_contact_face<dim>(discretization.dof_handler(),
+                               [&](const auto &cell, const unsigned int f) {
+                                 cell_load = 0.;
+                                 face_values.reinit(cell, f);
+                                 add_scalar(face_values, flux);
+                                 distribute(cell);
+                               });
   }
 
 

@@ -49,19 +49,6 @@ namespace ThermoContact
 
 
   template <int dim>
-  bool
-  is_at_contact_end(const typename DoFHandler<dim>::active_cell_iterator &cell)
-  {
-    for (const unsigned int f : cell->face_indices())
-      if (cell->face(f)->at_boundary() &&
-          cell->face(f)->boundary_id() == contact_boundary_id)
-        return true;
-    return false;
-  }
-
-
-
-  template <int dim>
   Quadrature<dim>
   mass_quadrature(const unsigned int degree, const bool is_lumped)
   {
@@ -98,9 +85,10 @@ namespace ThermoContact
   FullMatrix<double>
   extension_to_contact_nodes(const Discretization<dim> &discretization)
   {
-    const FiniteElement<dim>   &fe    = discretization.finite_element();
-    const unsigned int          n     = fe.dofs_per_cell;
-    const unsigned int          axial = discretization.first_component(1);
+    const FiniteElement<dim> &fe = discretization.finite_element();
+    const unsigned int        n  = fe.dofs_per_cell;
+    const unsigned int        axial =
+      discretization.first_component(Field::displacement);
     const auto                  basis = basis_off_contact(fe.degree);
     const std::vector<Point<1>> nodes =
       QGaussLobatto<1>(fe.degree + 1).get_points();
@@ -131,8 +119,6 @@ namespace ThermoContact
 
 
 #define INSTANTIATE(dim)                                                   \
-  template bool is_at_contact_end<dim>(                                    \
-    const typename DoFHandler<dim>::active_cell_iterator &);               \
   template Quadrature<dim>    mass_quadrature<dim>(const unsigned int,     \
                                                 const bool);            \
   template Quadrature<dim>    massless_quadrature<dim>(const unsigned int, \

@@ -25,16 +25,11 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<Place<dim>>
-  places_on_axis(const Discretization<dim> &discretization, const double width)
+  places_on_axis(const Discretization<dim> &discretization)
   {
-    const auto on_axis = [width](const double x) {
-      Point<dim> point;
-      point[0] = x;
-      for (unsigned int d = 1; d < dim; ++d)
-        point[d] = 0.5 * width;
-      return point;
+    const auto on_axis = [&](const double x) {
+      return discretization.geometry().on_axis(x);
     };
-
     std::vector<std::pair<double, double>> intervals;
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
@@ -69,13 +64,13 @@ namespace ThermoContact
 
 
   template <int dim>
-  PointValues<dim>::PointValues(const Discretization<dim>     &discretization,
-                                const ModelParameters         &model,
+  PointValues<dim>::PointValues(const Scene                   &scene,
+                                const Discretization<dim>     &discretization,
                                 const std::vector<Place<dim>> &places)
-    : discretization(discretization)
-    , model(model)
+    : scene(scene)
+    , discretization(discretization)
     , n_places(places.size())
-    , values(n_fields * places.size())
+    , values(n_quantities * places.size())
   {
     const auto all_shares =
       Utilities::MPI::all_gather(discretization.communicator(),
@@ -96,8 +91,10 @@ namespace ThermoContact
       for (const Share &share : of_rank)
         if (share.form != n_forms)
           {
-            const unsigned int block = share.form == temperature_form ? 0 : 1;
-            const IndexSet    &owned = discretization.owned_by_block()[block];
+            const IndexSet &owned =
+              discretization.owned_by_block()[share.form == temperature_form ?
+                                                Field::temperature :
+                                                Field::displacement];
             if (owned.is_element(share.dof))
               weights[{
                 share.form, share.place, owned.index_within_set(share.dof)}] +=
@@ -160,17 +157,15 @@ namespace ThermoContact
     const auto       box = cell->bounding_box();
     const Point<dim> unit_point =
       GeometryInfo<dim>::project_to_unit_cell(box.real_to_unit(position));
-    const double nu     = model.poisson_ratio;
-    const double lambda = nu / (1. - nu);
-    const double two_mu = (1. - 2. * nu) / (1. - nu);
-
     const FiniteElement<dim>            &fe   = discretization.finite_element();
     const FiniteElement<dim>            &base = fe.base_element(0);
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     cell->get_dof_indices(dofs);
-    const types::global_dof_index offset = discretization.n_temperature_dofs();
-    const unsigned int            first  = discretization.first_component(1);
-    const auto                    add = [&](const Form                    form,
+    const types::global_dof_index offset =
+      discretization.first_dof(Field::displacement);
+    const unsigned int first =
+      discretization.first_component(Field::displacement);
+    const auto add = [&](const Form                    form,
                          const types::global_dof_index dof,
                          const double                  weight) {
       if (weight != 0.)
@@ -185,7 +180,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < dofs.size(); ++i)
       {
         const auto [component, shape] = fe.system_to_component_index(i);
-        if (discretization.has_field(0) && component == 0)
+        if (discretization.has_field(Field::temperature) && component == 0)
           {
             add(temperature_form,
                 dofs[i],
@@ -197,12 +192,20 @@ namespace ThermoContact
           add(displacement_form,
               dofs[i] - offset,
               rounded(base.shape_value(shape, unit_point)));
-        const double derivative = base.shape_grad(shape, unit_point)[d];
-        if (std::abs(derivative) > shape_tolerance)
-          add(strain_form,
-              dofs[i] - offset,
-              (d == 0 ? two_mu + lambda : lambda) * derivative /
-                box.side_length(d));
+        Tensor<1, dim> value;
+        Tensor<2, dim> gradient;
+        value[d] = base.shape_value(shape, unit_point);
+        for (unsigned int e = 0; e < dim; ++e)
+          if (const double derivative = base.shape_grad(shape, unit_point)[e];
+              std::abs(derivative) > shape_tolerance)
+            gradient[d][e] = derivative / box.side_length(e);
+        add(strain_form,
+            dofs[i] - offset,
+            elastic_stress(
+              scene.material,
+              discretization.geometry().strain(gradient, value, position),
+              0,
+              0));
       }
     shares.push_back({n_forms, place, 0, 1.});
   }
@@ -211,13 +214,13 @@ namespace ThermoContact
 
   template <int dim>
   void
-  PointValues<dim>::add_values(const Form    form,
-                               const Vector &vector,
-                               const double  factor,
-                               const Field   field)
+  PointValues<dim>::add_values(const Form     form,
+                               const Vector  &vector,
+                               const double   factor,
+                               const Quantity quantity)
   {
     const double *const local  = vector.begin();
-    double *const       result = values.data() + field * n_places;
+    double *const       result = values.data() + quantity * n_places;
     for (const Term &term : terms[form])
       result[term.place] += factor * term.weight * local[term.entry];
   }
@@ -233,29 +236,36 @@ namespace ThermoContact
     add_values(displacement_form, state.displacement, 1., displacement);
     add_values(displacement_form, state.velocity, 1., velocity);
     add_values(strain_form, state.displacement, 1., stress);
-    if (model.viscosity != 0.)
-      add_values(strain_form, state.velocity, model.viscosity, stress);
-    if (model.thermal_stress() != 0.)
+    const Material &material = scene.material;
+    if (material.has_viscosity())
+      add_values(strain_form, state.velocity, material.viscosity, stress);
+    if (material.has_thermal_stress())
       add_values(temperature_form,
                  state.temperature,
-                 -model.thermal_stress(),
+                 -material.thermal_stress,
                  stress);
     if (Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
       Utilities::MPI::sum(values, discretization.communicator(), values);
 
-    const auto set_absent = [this](const Field field) {
-      std::fill_n(values.begin() + field * n_places,
-                  n_places,
-                  std::numeric_limits<double>::quiet_NaN());
-    };
-    if (!model.has_temperature())
+    if (!scene.fields.has_temperature)
       set_absent(temperature);
-    for (const Field field : {displacement, velocity, stress})
-      if (!model.has_displacement())
-        set_absent(field);
-    if (model.is_static() && state.time == 0.)
+    for (const Quantity quantity : {displacement, velocity, stress})
+      if (!scene.fields.has_displacement)
+        set_absent(quantity);
+    if (material.is_static() && state.time == 0.)
       set_absent(velocity);
     return values;
+  }
+
+
+
+  template <int dim>
+  void
+  PointValues<dim>::set_absent(const Quantity quantity)
+  {
+    std::fill_n(values.begin() + quantity * n_places,
+                n_places,
+                std::numeric_limits<double>::quiet_NaN());
   }
 
 
@@ -265,9 +275,9 @@ namespace ThermoContact
   template class PointValues<3>;
 
   template std::vector<Place<1>>
-  places_on_axis(const Discretization<1> &, const double);
+  places_on_axis(const Discretization<1> &);
   template std::vector<Place<2>>
-  places_on_axis(const Discretization<2> &, const double);
+  places_on_axis(const Discretization<2> &);
   template std::vector<Place<3>>
-  places_on_axis(const Discretization<3> &, const double);
+  places_on_axis(const Discretization<3> &);
 } // namespace ThermoContact

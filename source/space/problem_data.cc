@@ -7,62 +7,89 @@
 
 namespace ThermoContact
 {
-  template <int dim>
-  ProblemData<dim>::ProblemData(const Parameters &parameters)
+  namespace
   {
-    const ModelParameters &model = parameters.model;
-    ExpressionNames        names;
-    names.constants["pi"] = numbers::PI;
-    if (model.has_temperature())
-      names.constants["theta_A"] = parameters.boundary.fixed_end_temperature;
+    /** Initial values of the fields that a scene has, one text for all. */
+    template <int dim>
+    class InitialTexts
+    {
+    public:
+      std::string fields;
+      std::string rates;
 
-    const auto &initial = parameters.initial_values;
-    std::string fields, rates;
-    if (model.has_temperature())
+      InitialTexts(const Scene &scene, const ExpressionNames &names)
       {
-        fields = check_expression<dim>(
-          {"Initial values/Temperature", initial.temperature}, 1, names);
-        rates = "0";
-      }
-    const auto append = [&](const std::string &entry,
-                            const std::string &expression,
-                            std::string       &text) {
-      text += (text.empty() ? "" : ";") +
-              check_expression<dim>({"Initial values/" + entry, expression},
-                                    dim,
-                                    names);
-    };
-    if (model.has_displacement())
-      {
+        const auto &initial = scene.parameters.initial_values;
+        if (scene.fields.has_temperature)
+          {
+            append("Temperature", initial.temperature, 1, names, fields);
+            rates = "0";
+          }
+        if (!scene.fields.has_displacement)
+          return;
         append("Displacement",
-               model.is_static() ? "0" : initial.displacement,
+               scene.material.is_static() ? "0" : initial.displacement,
+               dim,
+               names,
                fields);
-        append("Velocity", model.inertia == 0. ? "0" : initial.velocity, rates);
+        append("Velocity",
+               scene.material.has_inertia() ? initial.velocity : "0",
+               dim,
+               names,
+               rates);
       }
-    initial_fields_   = make_function<dim>(fields, names);
-    initial_velocity_ = make_function<dim>(rates, names);
+
+    private:
+      static void
+      append(const std::string     &entry,
+             const std::string     &expression,
+             const unsigned int     n_components,
+             const ExpressionNames &names,
+             std::string           &text)
+      {
+        text += (text.empty() ? "" : ";") +
+                check_expression<dim>({"Initial values/" + entry, expression},
+                                      n_components,
+                                      names);
+      }
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  ProblemData<dim>::ProblemData(const Scene &scene)
+  {
+    ExpressionNames names;
+    names.constants["pi"] = numbers::PI;
+    if (scene.fields.has_temperature)
+      names.constants["theta_A"] = scene.heat.fixed_end_temperature;
+    const InitialTexts<dim> initial(scene, names);
+    initial_fields_   = make_function<dim>(initial.fields, names);
+    initial_velocity_ = make_function<dim>(initial.rates, names);
 
     names.has_time         = true;
-    const auto make_source = [&](const bool         is_used,
+    const auto make_source = [&](const bool         acts,
                                  const Expression  &expression,
                                  const unsigned int n_components) {
-      return !is_used || expression.is_zero() ?
-               nullptr :
-               make_function<dim>(
-                 check_expression<dim>(expression, n_components, names), names);
+      return acts ? make_function<dim>(check_expression<dim>(expression,
+                                                             n_components,
+                                                             names),
+                                       names) :
+                    nullptr;
     };
-    const auto &sources = parameters.sources;
-    heat_source_        = make_source(model.has_temperature(),
+    const SourceParameters &sources = scene.parameters.sources;
+    heat_source_                    = make_source(scene.sources.has_heat_source,
                                {"Sources/Heat source", sources.heat_source},
                                1);
-    body_force_         = make_source(model.has_displacement(),
+    body_force_                     = make_source(scene.sources.has_body_force,
                               {"Sources/Body force", sources.body_force},
                               dim);
-    end_traction_       = make_source(model.has_displacement(),
+    end_traction_ = make_source(scene.sources.has_end_traction,
                                 {"Sources/End traction", sources.end_traction},
                                 1);
     end_heat_flux_ =
-      make_source(model.has_temperature(),
+      make_source(scene.sources.has_end_heat_flux,
                   {"Sources/End heat flux", sources.end_heat_flux},
                   1);
   }

@@ -65,13 +65,14 @@ namespace ThermoContact
 
   template <int dim>
   ThermoviscoelasticOperator<dim>::ThermoviscoelasticOperator(
-    const Discretization<dim> &discretization,
-    const Parameters          &parameters)
+    const Scene               &scene,
+    const Discretization<dim> &discretization)
     : discretization(discretization)
-    , model(parameters.model)
-    , matrices(discretization, parameters)
-    , heat_scratch(discretization.make_vector(0))
-    , momentum_scratch(discretization.make_vector(1))
+    , material(scene.material)
+    , has_own_viscous_stiffness(scene.has_elastic_contact_nodes())
+    , matrices(scene, discretization)
+    , heat_scratch(discretization.make_vector(Field::temperature))
+    , momentum_scratch(discretization.make_vector(Field::displacement))
   {}
 
 
@@ -80,7 +81,7 @@ namespace ThermoContact
   SparseMatrix
   ThermoviscoelasticOperator<dim>::heat_stage_matrix(const double tau) const
   {
-    return combine(heat_mass(), 1., conduction(), tau, 0);
+    return combine(heat_mass(), 1., conduction(), tau, Field::temperature);
   }
 
 
@@ -89,17 +90,21 @@ namespace ThermoContact
   SparseMatrix
   ThermoviscoelasticOperator<dim>::momentum_stage_matrix(const double tau) const
   {
-    if (&viscous_stiffness() == &stiffness())
+    if (!has_own_viscous_stiffness)
       return combine(momentum_mass(),
-                     model.inertia,
+                     material.inertia,
                      stiffness(),
-                     tau * model.viscosity + tau * tau,
-                     1);
+                     tau * material.viscosity + tau * tau,
+                     Field::displacement);
     SparseMatrix viscous_and_elastic;
     viscous_and_elastic.copy_from(stiffness());
     viscous_and_elastic *= tau * tau;
-    viscous_and_elastic.add(tau * model.viscosity, viscous_stiffness());
-    return combine(momentum_mass(), model.inertia, viscous_and_elastic, 1., 1);
+    viscous_and_elastic.add(tau * material.viscosity, viscous_stiffness());
+    return combine(momentum_mass(),
+                   material.inertia,
+                   viscous_and_elastic,
+                   1.,
+                   Field::displacement);
   }
 
 
@@ -110,7 +115,7 @@ namespace ThermoContact
                                            const double        first_factor,
                                            const SparseMatrix &second,
                                            const double        second_factor,
-                                           const unsigned int  block) const
+                                           const Field::Block  field) const
   {
     SparseMatrix matrix;
     matrix.copy_from(first);
@@ -118,7 +123,7 @@ namespace ThermoContact
     matrix.add(second_factor, second);
 
     std::vector<types::global_dof_index> rows;
-    discretization.constrained(block).fill_index_vector(rows);
+    discretization.constrained(field).fill_index_vector(rows);
     matrix.clear_rows(rows, 1.);
     return matrix;
   }
@@ -129,7 +134,7 @@ namespace ThermoContact
   SparseMatrix
   ThermoviscoelasticOperator<dim>::stage_matrix(const double tau) const
   {
-    Assert(model.thermal_stress() != 0., ExcInternalError());
+    Assert(material.has_thermal_stress(), ExcInternalError());
     TrilinosWrappers::SparsityPattern pattern(discretization.owned(),
                                               discretization.owned(),
                                               discretization.relevant(),
@@ -149,16 +154,16 @@ namespace ThermoContact
     const IndexSet none_of_momentum(discretization.n_displacement_dofs());
     add_block(heat_stage_matrix(tau), 1., 0, 0, none_of_heat, matrix);
     add_block(divergence(),
-              tau * model.thermoelastic_heating(),
+              tau * material.heating,
               0,
               n,
-              discretization.constrained(0),
+              discretization.constrained(Field::temperature),
               matrix);
     add_block(thermal_stress(),
-              -tau * model.thermal_stress(),
+              -tau * material.thermal_stress,
               n,
               0,
-              discretization.constrained(1),
+              discretization.constrained(Field::displacement),
               matrix);
     add_block(momentum_stage_matrix(tau), 1., n, n, none_of_momentum, matrix);
     matrix.compress(VectorOperation::add);
@@ -176,28 +181,28 @@ namespace ThermoContact
                                              Vector       &heat,
                                              Vector       &momentum) const
   {
-    if (model.has_temperature())
+    if (discretization.has_field(Field::temperature))
       {
         conduction().vmult(heat, known.temperature);
         heat.sadd(-1., heat_load);
-        zero_constrained(0, heat);
+        zero_constrained(Field::temperature, heat);
       }
-    if (!model.has_displacement())
+    if (!discretization.has_field(Field::displacement))
       return;
     stiffness().vmult(momentum_scratch, known.displacement);
     momentum.equ(tau, momentum_load);
     momentum.add(-tau, momentum_scratch);
-    if (model.thermal_stress() != 0.)
+    if (material.has_thermal_stress())
       {
         thermal_stress().vmult(momentum_scratch, known.temperature);
-        momentum.add(tau * model.thermal_stress(), momentum_scratch);
+        momentum.add(tau * material.thermal_stress, momentum_scratch);
       }
-    if (model.inertia > 0.)
+    if (material.has_inertia())
       {
         momentum_mass().vmult(momentum_scratch, known.velocity);
-        momentum.add(model.inertia, momentum_scratch);
+        momentum.add(material.inertia, momentum_scratch);
       }
-    zero_constrained(1, momentum);
+    zero_constrained(Field::displacement, momentum);
   }
 
 
@@ -207,11 +212,11 @@ namespace ThermoContact
   ThermoviscoelasticOperator<dim>::subtract_heating(const Vector &velocity,
                                                     Vector       &heat) const
   {
-    if (model.thermoelastic_heating() == 0.)
+    if (!material.has_heating())
       return;
     divergence().vmult(heat_scratch, velocity);
-    heat.add(-model.thermoelastic_heating(), heat_scratch);
-    zero_constrained(0, heat);
+    heat.add(-material.heating, heat_scratch);
+    zero_constrained(Field::temperature, heat);
   }
 
 
@@ -222,11 +227,11 @@ namespace ThermoContact
                                                       const double  factor,
                                                       Vector &momentum) const
   {
-    if (model.thermal_stress() == 0.)
+    if (!material.has_thermal_stress())
       return;
     thermal_stress().vmult(momentum_scratch, temperature);
-    momentum.add(factor * model.thermal_stress(), momentum_scratch);
-    zero_constrained(1, momentum);
+    momentum.add(factor * material.thermal_stress, momentum_scratch);
+    zero_constrained(Field::displacement, momentum);
   }
 
 
@@ -238,19 +243,20 @@ namespace ThermoContact
     const double               factor,
     Vector                    &momentum) const
   {
-    for (const auto &[node, entry] : discretization.contact_entries(1))
+    const ContactEnd<dim> &end = discretization.contact_end();
+    for (const auto &[node, entry] : end.entries(Field::displacement))
       momentum.begin()[entry] -=
-        factor * discretization.contact_nodes()[node].weight * pressure[node];
+        factor * end.nodes()[node].weight * pressure[node];
   }
 
 
 
   template <int dim>
   void
-  ThermoviscoelasticOperator<dim>::zero_constrained(const unsigned int block,
+  ThermoviscoelasticOperator<dim>::zero_constrained(const Field::Block field,
                                                     Vector &vector) const
   {
-    for (const unsigned int entry : discretization.constrained_entries(block))
+    for (const unsigned int entry : discretization.constrained_entries(field))
       vector.begin()[entry] = 0.;
   }
 

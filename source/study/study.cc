@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/output/output.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/simulation/simulation.h>
 #include <thermocontact/study/study.h>
 
@@ -112,14 +113,14 @@ namespace ThermoContact
 
     /** Checks a scene; what a run overrides must have an effect in it. */
     void
-    check_scene(const StudyRun &run, const Parameters &scene)
+    check_run(const StudyRun &run, const Parameters &scene)
     {
-      for (const auto &unused : scene.unused_entries())
+      for (const auto &unused : unused_entries(scene))
         for (const auto &[path, value] : run.overrides)
           if (unused.path == path)
             throw InputError(path + " = " + value + " has no effect, since " +
                              unused.reason);
-      scene.check();
+      check_scene(scene);
     }
 
 
@@ -133,7 +134,7 @@ namespace ThermoContact
                                      "Study/Repetitions",
                                      "Study/Target error",
                                      "Study/Keep files"};
-      for (const auto &unused : scene.unused_entries())
+      for (const auto &unused : unused_entries(scene))
         paths.insert(unused.path);
       return paths;
     }
@@ -149,15 +150,15 @@ namespace ThermoContact
     {
       Simulation<dim>              simulation(parameters, MPI_COMM_SELF);
       std::unique_ptr<Output<dim>> output;
+      run.trajectory                                = Trajectory();
+      typename Simulation<dim>::Observers observers = {
+        [&](const Simulation<dim> &s) { run.trajectory.add(s.record()); }};
       if (!directory.empty())
         {
           output = std::make_unique<Output<dim>>(directory, simulation);
-          simulation.add_observer(
+          observers.push_back(
             [&](const Simulation<dim> &s) { output->observe(s); });
         }
-      run.trajectory = Trajectory();
-      simulation.add_observer(
-        [&](const Simulation<dim> &s) { run.trajectory.add(s.record()); });
 
       const Timer timer;
       const auto  finish = [&]() {
@@ -166,14 +167,14 @@ namespace ThermoContact
         run.loop_seconds.push_back(seconds);
         run.n_dofs  = simulation.discretization().dof_handler().n_dofs();
         run.n_steps = simulation.record().step;
-        run.n_rejected_steps = simulation.n_rejected_steps();
+        run.n_rejected_steps = simulation.history().n_rejected_steps;
         run.n_factorizations = simulation.counters().factorizations;
         run.n_solves         = simulation.counters().solves;
         run.trajectory.set_events(simulation.events());
       };
       try
         {
-          simulation.run();
+          simulation.run(observers);
           if (output)
             output->finish();
         }
@@ -264,7 +265,7 @@ namespace ThermoContact
     assign(*reference, prm);
     try
       {
-        check_scene(*reference, scene);
+        check_run(*reference, scene);
       }
     catch (const InputError &error)
       {
@@ -312,7 +313,7 @@ namespace ThermoContact
         ParameterHandler prm;
         scene.add_parameters(prm);
         assign(run, prm);
-        check_scene(run, scene);
+        check_run(run, scene);
         if (!directory.empty())
           {
             prepare_output_directory(directory, MPI_COMM_SELF);

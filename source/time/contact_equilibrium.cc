@@ -9,38 +9,33 @@ namespace ThermoContact
 {
   template <int dim>
   FullMatrix<double>
-  contact_stiffness(const Discretization<dim>             &discretization,
-                    const ThermoviscoelasticOperator<dim> &stage_operator)
+  contact_stiffness(const Body<dim> &body)
   {
-    const unsigned int  n = discretization.contact_nodes().size();
-    FullMatrix<double>  stiffness(n, n);
-    Vector              unit = discretization.make_vector(1), force(unit);
-    std::vector<double> values;
-    for (unsigned int j = 0; j < n; ++j)
-      {
-        unit = 0.;
-        for (const auto &[node, entry] : discretization.contact_entries(1))
-          unit.begin()[entry] = node == j ? 1. : 0.;
-        stage_operator.stiffness().vmult(force, unit);
-        discretization.contact_values(1, force, values);
-        for (unsigned int i = 0; i < n; ++i)
-          stiffness(i, j) = values[i];
-      }
-    return stiffness;
+    Vector unit = body.discretization.make_vector(Field::displacement);
+    Vector force(unit);
+    return body.contact_end().response_matrix(
+      [&](const unsigned int node) -> const Vector & {
+        std::vector<double> unit_value(body.contact_end().n_nodes(), 0.);
+        unit_value[node] = 1.;
+        unit             = 0.;
+        body.contact_end().set_values(Field::displacement, unit_value, unit);
+        body.equations.stiffness().vmult(force, unit);
+        return force;
+      });
   }
 
 
 
   template <int dim>
   FullMatrix<double>
-  contact_receptance(const Discretization<dim> &discretization,
-                     const FullMatrix<double>  &stiffness)
+  contact_receptance(const ContactEnd<dim>    &end,
+                     const FullMatrix<double> &stiffness)
   {
     FullMatrix<double> receptance(stiffness);
     receptance.gauss_jordan();
     for (unsigned int i = 0; i < receptance.m(); ++i)
       for (unsigned int j = 0; j < receptance.n(); ++j)
-        receptance(i, j) *= discretization.contact_nodes()[j].weight;
+        receptance(i, j) *= end.nodes()[j].weight;
     return receptance;
   }
 
@@ -51,18 +46,17 @@ namespace ThermoContact
     /** Values of the nodes plus the displacement by forces on them. */
     template <int dim>
     std::vector<double>
-    moved_by_force(const Discretization<dim> &discretization,
-                   const FullMatrix<double>  &receptance,
-                   const Vector              &force,
-                   const Vector              &field)
+    moved_by_force(const ContactEnd<dim>    &end,
+                   const FullMatrix<double> &receptance,
+                   const Vector             &force,
+                   const Vector             &field)
     {
       std::vector<double> forces, moved;
-      discretization.contact_values(1, force, forces);
-      discretization.contact_values(1, field, moved);
+      end.get_values(Field::displacement, force, forces);
+      end.get_values(Field::displacement, field, moved);
       for (unsigned int i = 0; i < moved.size(); ++i)
         for (unsigned int j = 0; j < moved.size(); ++j)
-          moved[i] += receptance(i, j) * forces[j] /
-                      discretization.contact_nodes()[j].weight;
+          moved[i] += receptance(i, j) * forces[j] / end.nodes()[j].weight;
       return moved;
     }
   } // namespace
@@ -71,61 +65,58 @@ namespace ThermoContact
 
   template <int dim>
   void
-  settle_contact_nodes(const Discretization<dim>             &discretization,
-                       const ThermoviscoelasticOperator<dim> &stage_operator,
-                       const ContactLaw                      &law,
-                       Loads<dim>                            &loads,
-                       State                                 &state)
+  settle_contact_nodes(Body<dim> &body, State &state)
   {
+    const ContactEnd<dim>   &end = body.contact_end();
     const FullMatrix<double> receptance =
-      contact_receptance(discretization,
-                         contact_stiffness(discretization, stage_operator));
-    Vector heat_load     = discretization.make_vector(0), heat_rhs(heat_load);
-    Vector momentum_load = discretization.make_vector(1), force(momentum_load);
-    loads.assemble(state.time, heat_load, momentum_load);
+      contact_receptance(end, contact_stiffness(body));
+    const Discretization<dim> &space = body.discretization;
+    Vector heat_load                 = space.make_vector(Field::temperature);
+    Vector momentum_load             = space.make_vector(Field::displacement);
+    Vector heat_rhs(heat_load), force(momentum_load);
+    body.loads.assemble(state.time, heat_load, momentum_load);
 
     // The nodes have no mass, so that a stage of length 1 has the forces on
     // them on its right-hand side.
-    stage_operator.stage_rhs(
+    body.equations.stage_rhs(
       state, 1., heat_load, momentum_load, heat_rhs, force);
     const std::vector<double> s =
-      moved_by_force(discretization, receptance, force, state.displacement);
+      moved_by_force(end, receptance, force, state.displacement);
+    std::vector<double> free_penetration(s);
+    for (unsigned int i = 0; i < s.size(); ++i)
+      free_penetration[i] -= end.nodes()[i].gap;
     std::vector<double> &p = state.contact_pressure;
-    ContactSolver(law).solve(receptance, s, p);
+    ContactSolver(body.law()).solve(receptance, free_penetration, p);
 
-    stage_operator.stiffness().vmult(force, state.velocity);
+    body.equations.stiffness().vmult(force, state.velocity);
     force *= -1.;
     const std::vector<double> s_rate =
-      moved_by_force(discretization, receptance, force, state.velocity);
-    for (const auto &[node, entry] : discretization.contact_entries(1))
+      moved_by_force(end, receptance, force, state.velocity);
+    for (const auto &[node, entry] : end.entries(Field::displacement))
       {
         // where there is pressure, the law is exact to rounding of u
-        double displacement = s[node];
+        double displacement = s[node], velocity = s_rate[node];
         for (unsigned int j = 0; j < p.size(); ++j)
           displacement -= receptance(node, j) * p[j];
-        const bool is_closed = p[node] > 0.;
-        state.displacement.begin()[entry] =
-          is_closed ? law.gap + law.compliance * p[node] : displacement;
-        state.velocity.begin()[entry] =
-          is_closed ? s_rate[node] * law.compliance /
-                        (law.compliance + receptance(node, node)) :
-                      s_rate[node];
+        if (p[node] > 0.)
+          {
+            const double tangent = body.law().tangent(p[node]);
+            displacement =
+              end.nodes()[node].gap + body.law().penetration(p[node]);
+            velocity *= tangent / (tangent + receptance(node, node));
+          }
+        state.displacement.begin()[entry] = displacement;
+        state.velocity.begin()[entry]     = velocity;
       }
   }
 
 
 
-#define INSTANTIATE(dim)                                                   \
-  template FullMatrix<double> contact_stiffness<dim>(                      \
-    const Discretization<dim> &, const ThermoviscoelasticOperator<dim> &); \
-  template FullMatrix<double> contact_receptance<dim>(                     \
-    const Discretization<dim> &, const FullMatrix<double> &);              \
-  template void settle_contact_nodes<dim>(                                 \
-    const Discretization<dim> &,                                           \
-    const ThermoviscoelasticOperator<dim> &,                               \
-    const ContactLaw &,                                                    \
-    Loads<dim> &,                                                          \
-    State &)
+#define INSTANTIATE(dim)                                                 \
+  template FullMatrix<double> contact_stiffness<dim>(const Body<dim> &); \
+  template FullMatrix<double> contact_receptance<dim>(                   \
+    const ContactEnd<dim> &, const FullMatrix<double> &);                \
+  template void settle_contact_nodes<dim>(Body<dim> &, State &)
 
   INSTANTIATE(1);
   INSTANTIATE(2);

@@ -2,31 +2,66 @@
 
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/time/dirk_integrator.h>
+#include <thermocontact/time/fixed_point_solver.h>
+#include <thermocontact/time/monolithic_solver.h>
+#include <thermocontact/time/schemes.h>
 
 namespace ThermoContact
 {
+  namespace
+  {
+    template <int dim>
+    std::unique_ptr<StageSolver>
+    make_stage_solver(const Body<dim> &body)
+    {
+      if (body.scene.is_fixed_point)
+        return std::make_unique<FixedPointSolver<dim>>(body);
+      return std::make_unique<MonolithicSolver<dim>>(body);
+    }
+  } // namespace
+
+
+
+  std::vector<Scheme>
+  dirk_schemes()
+  {
+    static const MakerOf<DirkIntegrator> maker;
+    std::vector<Scheme>                  schemes;
+    for (const ButcherTableau &tableau : butcher_tableaus())
+      {
+        Scheme scheme;
+        scheme.name               = tableau.name;
+        scheme.order              = tableau.order;
+        scheme.has_error_estimate = tableau.has_error_estimate();
+        scheme.is_of_paper        = tableau.n_stages() == 1;
+        scheme.can_create_energy  = !scheme.is_of_paper;
+        scheme.step_exponent      = 1. / tableau.order;
+        scheme.text =
+          scheme.is_of_paper ?
+            "the paper's" :
+            "L-stable, " + std::to_string(tableau.n_stages()) +
+              " solves per step" +
+              (scheme.has_error_estimate ? ", with error estimate" : "");
+        scheme.integrator = &maker;
+        schemes.push_back(scheme);
+      }
+    return schemes;
+  }
+
+
+
   template <int dim>
-  DirkIntegrator<dim>::DirkIntegrator(
-    const Discretization<dim>             &discretization,
-    const ThermoviscoelasticOperator<dim> &stage_operator,
-    const Energy<dim>                     &energy,
-    const ContactLaw                      &law,
-    const ButcherTableau                  &tableau,
-    Loads<dim>                            &loads,
-    StepSolver                            &step_solver)
-    : discretization(discretization)
-    , stage_operator(stage_operator)
-    , energy(energy)
-    , law(law)
-    , tableau(tableau)
-    , loads(loads)
-    , step_solver(step_solver)
+  DirkIntegrator<dim>::DirkIntegrator(Body<dim> &body)
+    : body(body)
+    , tableau(butcher_tableau(body.scene.scheme.name))
+    , solver(make_stage_solver(body))
     , stages(tableau.n_stages())
-    , accelerations(tableau.n_stages(), discretization.make_vector(1))
-    , known(discretization.make_state())
+    , accelerations(tableau.n_stages(),
+                    body.discretization.make_vector(Field::displacement))
+    , known(body.discretization.make_state())
     , difference(known)
-    , heat_load(discretization.make_vector(0))
-    , momentum_load(discretization.make_vector(1))
+    , heat_load(body.discretization.make_vector(Field::temperature))
+    , momentum_load(body.discretization.make_vector(Field::displacement))
   {
     for (StageRates &stage : stages)
       {
@@ -78,8 +113,8 @@ namespace ThermoContact
         StageRates &stage = stages[i];
 
         set_known_values(state, time_step.size, i);
-        loads.assemble(time, heat_load, momentum_load);
-        step_solver.solve(known, tau, heat_load, momentum_load, mode, stage);
+        body.loads.assemble(time, heat_load, momentum_load);
+        solver->solve(known, tau, heat_load, momentum_load, mode, stage);
         result.failure = stage.failure;
         result.n_iterations += stage.n_iterations;
         if (!result.failure.empty())
@@ -99,12 +134,12 @@ namespace ThermoContact
         book(known, tableau.b()[i] * time_step.size, result);
       }
     result.state  = known;
-    result.energy = energy.energy(result.state);
+    result.energy = body.energy.energy(result.state);
     if (tableau.has_error_estimate())
       estimate_error(time_step.size, result);
     result.numerical_dissipation =
       tableau.n_stages() == 1 ?
-        energy.numerical_dissipation(state, result.state) :
+        body.energy.numerical_dissipation(state, result.state) :
         old_energy - result.energy.sum() + result.work - result.dissipation;
   }
 
@@ -129,7 +164,25 @@ namespace ThermoContact
         difference.velocity.add(factor, accelerations[i]);
       }
     result.error =
-      energy.difference_energy(difference, result.state.contact_pressure);
+      body.energy.difference_energy(difference, result.state.contact_pressure);
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::solve_heat_alone(const State &state,
+                                        const double tau,
+                                        Vector      &rate)
+  {
+    DirectSolver heat_solver(body.equations.heat_stage_matrix(tau));
+    ++counters_.factorizations;
+    Vector heat_rhs(heat_load), momentum_rhs(momentum_load);
+    body.equations.stage_rhs(
+      state, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
+    body.equations.subtract_heating(state.velocity, heat_rhs);
+    heat_solver.solve(rate, heat_rhs);
+    ++counters_.solves;
   }
 
 
@@ -142,18 +195,9 @@ namespace ThermoContact
   {
     const double tau   = time_step.size;
     StageRates  &stage = stages[0];
-    loads.assemble(time_step.end, heat_load, momentum_load);
-    if (discretization.has_field(0))
-      {
-        DirectSolver heat_solver(stage_operator.heat_stage_matrix(tau));
-        ++counters_.factorizations;
-        Vector heat_rhs(heat_load), momentum_rhs(momentum_load);
-        stage_operator.stage_rhs(
-          state, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
-        stage_operator.subtract_heating(state.velocity, heat_rhs);
-        heat_solver.solve(stage.temperature_rate, heat_rhs);
-        ++counters_.solves;
-      }
+    body.loads.assemble(time_step.end, heat_load, momentum_load);
+    if (body.scene.fields.has_temperature)
+      solve_heat_alone(state, tau, stage.temperature_rate);
 
     result.failure.clear();
     result.n_iterations  = 0;
@@ -163,19 +207,15 @@ namespace ThermoContact
     result.state.temperature.add(tau, stage.temperature_rate);
     result.state.displacement.add(tau, state.velocity);
 
-    std::vector<double> end_displacement;
-    discretization.contact_values(1,
-                                  result.state.displacement,
-                                  end_displacement);
-    if (law.compliance > 0.)
-      for (unsigned int i = 0; i < end_displacement.size(); ++i)
-        result.state.contact_pressure[i] =
-          law.pressure(end_displacement[i], 0.);
+    std::vector<double> penetration;
+    body.contact_end().get_penetrations(result.state.displacement, penetration);
+    for (unsigned int i = 0; i < penetration.size(); ++i)
+      result.state.contact_pressure[i] = body.law().pressure(penetration[i]);
 
     result.work = result.dissipation = result.impulse = 0.;
     book(result.state, tau, result);
-    result.energy                = energy.energy(result.state);
-    result.numerical_dissipation = energy.energy(state).sum() -
+    result.energy                = body.energy.energy(result.state);
+    result.numerical_dissipation = body.energy.energy(state).sum() -
                                    result.energy.sum() + result.work -
                                    result.dissipation;
   }
@@ -188,12 +228,12 @@ namespace ThermoContact
                             const double weight,
                             StepResult  &result)
   {
-    result.dissipation += weight * energy.dissipation_rate(stage_state);
+    result.dissipation += weight * body.energy.dissipation_rate(stage_state);
     result.impulse +=
-      weight * discretization.contact_mean(stage_state.contact_pressure);
-    if (energy.has_work())
+      weight * body.contact_end().mean(stage_state.contact_pressure);
+    if (body.energy.has_work())
       result.work +=
-        weight * energy.work_rate(heat_load, momentum_load, stage_state);
+        weight * body.energy.work_rate(heat_load, momentum_load, stage_state);
   }
 
 

@@ -3,6 +3,10 @@
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/time/contact_equilibrium.h>
 #include <thermocontact/time/energy_conserving_integrator.h>
+#include <thermocontact/time/schemes.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace ThermoContact
 {
@@ -23,28 +27,66 @@ namespace ThermoContact
 
 
 
+  Scheme
+  energy_conserving_scheme()
+  {
+    static const MakerOf<EnergyConservingIntegrator> maker;
+    Scheme                                           scheme;
+    scheme.name                   = "energy conserving";
+    scheme.text                   = "for impacts of elastic bodies";
+    scheme.order                  = 2;
+    scheme.can_create_energy      = false;
+    scheme.needs_inertia          = true;
+    scheme.needs_massless_contact = true;
+    scheme.needs_linear_contact   = true;
+    scheme.has_viscous_contact    = false;
+    scheme.can_hold_contact       = false;
+    scheme.step_exponent          = 0.5;
+    scheme.integrator             = &maker;
+    return scheme;
+  }
+
+
+
   template <int dim>
-  EnergyConservingIntegrator<dim>::EnergyConservingIntegrator(
-    const Discretization<dim>             &discretization,
-    const ThermoviscoelasticOperator<dim> &stage_operator,
-    const Energy<dim>                     &energy,
-    const ContactLaw                      &law,
-    Loads<dim>                            &loads,
-    StageSolver<dim>                      &stage_solver)
-    : discretization(discretization)
-    , stage_operator(stage_operator)
-    , energy(energy)
-    , law(law)
-    , loads(loads)
-    , stage_solver(stage_solver)
-    , midpoint(discretization.make_state())
-    , heat_load(discretization.make_vector(0))
-    , momentum_load(discretization.make_vector(1))
+  EnergyConservingIntegrator<dim>::EnergyConservingIntegrator(Body<dim> &body)
+    : body(body)
+    , solver(body)
+    , midpoint(body.discretization.make_state())
+    , heat_load(body.discretization.make_vector(Field::temperature))
+    , momentum_load(body.discretization.make_vector(Field::displacement))
   {
     rates.temperature_rate = heat_load;
     rates.velocity         = momentum_load;
-    if (law.is_active)
+    if (body.law().is_active())
       set_up_contact();
+  }
+
+
+
+  template <int dim>
+  void
+  EnergyConservingIntegrator<dim>::add_heating(FullMatrix<double> &stiffness)
+  {
+    const ContactEnd<dim> &end = body.contact_end();
+    DirectSolver           mass_solver(body.equations.heat_stage_matrix(0.));
+    ++counters_.factorizations;
+    Vector unit(momentum_load), force(momentum_load), heat(heat_load);
+    stiffness.add(
+      -1., end.response_matrix([&](const unsigned int node) -> const Vector & {
+        std::vector<double> unit_value(end.n_nodes(), 0.);
+        unit_value[node] = 1.;
+        unit             = 0.;
+        end.set_values(Field::displacement, unit_value, unit);
+        heat = 0.;
+        body.equations.subtract_heating(unit, heat);
+        Vector &response = temperature_responses.emplace_back(heat);
+        mass_solver.solve(response, heat);
+        ++counters_.responses;
+        force = 0.;
+        body.equations.add_thermal_stress(response, 1., force);
+        return force;
+      }));
   }
 
 
@@ -53,35 +95,11 @@ namespace ThermoContact
   void
   EnergyConservingIntegrator<dim>::set_up_contact()
   {
-    FullMatrix<double> stiffness =
-      contact_stiffness(discretization, stage_operator);
-    const unsigned int n = stiffness.m();
-    if (stage_operator.heating_coefficient() != 0.)
-      {
-        DirectSolver mass_solver(stage_operator.heat_stage_matrix(0.));
-        ++counters_.factorizations;
-        Vector              unit(momentum_load), force(momentum_load);
-        Vector              heat(heat_load);
-        std::vector<double> values;
-        for (unsigned int j = 0; j < n; ++j)
-          {
-            unit = 0.;
-            for (const auto &[node, entry] : discretization.contact_entries(1))
-              unit.begin()[entry] = node == j ? 1. : 0.;
-            heat = 0.;
-            stage_operator.subtract_heating(unit, heat);
-            Vector &response = temperature_responses.emplace_back(heat);
-            mass_solver.solve(response, heat);
-            ++counters_.responses;
-            force = 0.;
-            stage_operator.add_thermal_stress(response, 1., force);
-            discretization.contact_values(1, force, values);
-            for (unsigned int i = 0; i < n; ++i)
-              stiffness(i, j) -= values[i];
-          }
-      }
-    receptance = contact_receptance(discretization, stiffness);
-    contact    = std::make_unique<ConservingContact>(law, receptance);
+    FullMatrix<double> stiffness = contact_stiffness(body);
+    if (body.equations.is_coupled())
+      add_heating(stiffness);
+    receptance = contact_receptance(body.contact_end(), stiffness);
+    contact    = std::make_unique<ConservingContact>(body.law(), receptance);
   }
 
 
@@ -92,18 +110,33 @@ namespace ThermoContact
                                                   const double end)
   {
     std::vector<double> mean_load;
-    if (loads.has_sources() && law.is_active)
+    if (body.loads.has_sources() && body.law().is_active())
       for (const double time : {begin, end})
         {
-          loads.assemble(time, heat_load, momentum_load);
-          mean_load.resize(discretization.contact_nodes().size(), 0.);
-          for (const auto &[node, entry] : discretization.contact_entries(1))
+          body.loads.assemble(time, heat_load, momentum_load);
+          mean_load.resize(body.contact_end().n_nodes(), 0.);
+          for (const auto &[node, entry] :
+               body.contact_end().entries(Field::displacement))
             mean_load[node] += 0.5 * momentum_load.begin()[entry];
         }
-    loads.assemble(0.5 * (begin + end), heat_load, momentum_load);
+    body.loads.assemble(0.5 * (begin + end), heat_load, momentum_load);
     if (!mean_load.empty())
-      for (const auto &[node, entry] : discretization.contact_entries(1))
+      for (const auto &[node, entry] :
+           body.contact_end().entries(Field::displacement))
         momentum_load.begin()[entry] = mean_load[node];
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  EnergyConservingIntegrator<dim>::beyond_gap(
+    const std::vector<double> &position) const
+  {
+    std::vector<double> penetration(position);
+    for (unsigned int i = 0; i < position.size(); ++i)
+      penetration[i] -= body.contact_end().nodes()[i].gap;
+    return penetration;
   }
 
 
@@ -113,27 +146,37 @@ namespace ThermoContact
   EnergyConservingIntegrator<dim>::apply_contact(const State    &state,
                                                  const TimeStep &time_step)
   {
-    const unsigned int  n = discretization.contact_nodes().size();
+    const unsigned int  n = body.contact_end().n_nodes();
     std::vector<double> old_displacement, velocity;
-    discretization.contact_values(1, state.displacement, old_displacement);
-    discretization.contact_values(1, rates.velocity, velocity);
+    body.contact_end().get_values(Field::displacement,
+                                  state.displacement,
+                                  old_displacement);
+    body.contact_end().get_values(Field::displacement,
+                                  rates.velocity,
+                                  velocity);
     old_free_position = product(receptance, state.contact_pressure);
     free_position.resize(n);
+    double displacement_scale = 0.;
     for (unsigned int i = 0; i < n; ++i)
       {
         old_free_position[i] += old_displacement[i];
+        displacement_scale =
+          std::max(displacement_scale,
+                   std::abs(body.contact_end().nodes()[i].gap) +
+                     std::abs(old_free_position[i]));
         free_position[i] =
           2. * (old_displacement[i] + 0.5 * time_step.size * velocity[i]) -
           old_free_position[i];
       }
-    FullMatrix<double> difference(stage_solver.response());
+    FullMatrix<double> difference(solver.response());
     difference.add(-1., receptance);
     rates.pressure     = state.contact_pressure;
-    rates.n_iterations = contact->step_pressure(old_free_position,
-                                                free_position,
+    rates.n_iterations = contact->step_pressure(beyond_gap(old_free_position),
+                                                beyond_gap(free_position),
                                                 difference,
+                                                displacement_scale,
                                                 rates.pressure);
-    stage_solver.apply_pressure(rates);
+    solver.apply_pressure(rates);
     const std::vector<double> loss = product(difference, rates.pressure);
     for (unsigned int i = 0; i < n; ++i)
       free_position[i] -= 2. * loss[i];
@@ -149,23 +192,28 @@ namespace ThermoContact
   {
     std::vector<double> &pressure = new_state.contact_pressure;
     pressure                      = rates.pressure;
-    contact->equilibrium(free_position, pressure);
+    contact->equilibrium(beyond_gap(free_position), pressure);
 
     std::vector<double> old_displacement, displacement;
-    discretization.contact_values(1, state.displacement, old_displacement);
-    discretization.contact_values(1, new_state.displacement, displacement);
+    body.contact_end().get_values(Field::displacement,
+                                  state.displacement,
+                                  old_displacement);
+    body.contact_end().get_values(Field::displacement,
+                                  new_state.displacement,
+                                  displacement);
     const std::vector<double> loss = product(receptance, pressure);
     std::vector<double>       position(loss.size());
     for (unsigned int i = 0; i < position.size(); ++i)
       {
-        position[i] = pressure[i] > 0. ?
-                        law.gap + law.compliance * pressure[i] :
-                        free_position[i] - loss[i];
+        position[i] = pressure[i] > 0. ? body.contact_end().nodes()[i].gap +
+                                           body.law().penetration(pressure[i]) :
+                                         free_position[i] - loss[i];
         if (!temperature_responses.empty())
           new_state.temperature.add(position[i] - displacement[i],
                                     temperature_responses[i]);
       }
-    for (const auto &[node, entry] : discretization.contact_entries(1))
+    for (const auto &[node, entry] :
+         body.contact_end().entries(Field::displacement))
       {
         new_state.displacement.begin()[entry] = position[node];
         new_state.velocity.begin()[entry] =
@@ -181,10 +229,11 @@ namespace ThermoContact
                                         const State &new_state)
   {
     // contact nodes move from end to end, not along their mean velocity
-    if (law.is_active)
-      for (const auto &[node, entry] : discretization.contact_entries(1))
+    if (body.law().is_active())
+      for (const auto &[node, entry] :
+           body.contact_end().entries(Field::displacement))
         midpoint.velocity.begin()[entry] = new_state.velocity.begin()[entry];
-    return size * energy.work_rate(heat_load, momentum_load, midpoint);
+    return size * body.energy.work_rate(heat_load, momentum_load, midpoint);
   }
 
 
@@ -200,9 +249,9 @@ namespace ThermoContact
     const double size = time_step.size;
     midpoint.time     = state.time + 0.5 * size;
     assemble_loads(state.time, time_step.end);
-    stage_solver.solve_without_contact(
+    solver.solve_without_contact(
       state, 0.5 * size, heat_load, momentum_load, rates);
-    if (law.is_active)
+    if (body.law().is_active())
       apply_contact(state, time_step);
 
     midpoint.velocity    = rates.velocity;
@@ -214,16 +263,16 @@ namespace ThermoContact
     result.state.temperature.add(size, rates.temperature_rate);
     result.state.displacement.add(size, rates.velocity);
     result.state.velocity.sadd(-1., 2., rates.velocity);
-    if (law.is_active)
+    if (body.law().is_active())
       finish_contact(state, time_step, result.state);
 
     result.failure.clear();
     result.n_iterations  = rates.n_iterations;
     result.is_prescribed = false;
-    result.dissipation   = size * energy.dissipation_rate(midpoint);
-    result.work          = energy.has_work() ? work(size, result.state) : 0.;
-    result.impulse       = size * discretization.contact_mean(rates.pressure);
-    result.energy        = energy.energy(result.state);
+    result.dissipation   = size * body.energy.dissipation_rate(midpoint);
+    result.work    = body.energy.has_work() ? work(size, result.state) : 0.;
+    result.impulse = size * body.contact_end().mean(rates.pressure);
+    result.energy  = body.energy.energy(result.state);
     result.numerical_dissipation =
       old_energy - result.energy.sum() + result.work - result.dissipation;
   }

@@ -10,20 +10,13 @@
 namespace ThermoContact
 {
   template <int dim>
-  FixedPointSolver<dim>::FixedPointSolver(
-    const Discretization<dim>             &discretization,
-    const ThermoviscoelasticOperator<dim> &stage_operator,
-    const ContactLaw                      &law,
-    const Parameters                      &parameters)
-    : discretization(discretization)
-    , stage_operator(stage_operator)
-    , law(law)
-    , model(parameters.model)
-    , tolerance(parameters.solver.fixed_point_tolerance)
-    , max_iterations(parameters.solver.fixed_point_iterations)
+  FixedPointSolver<dim>::FixedPointSolver(const Body<dim> &body)
+    : body(body)
+    , tolerance(body.scene.parameters.solver.fixed_point_tolerance)
+    , max_iterations(body.scene.parameters.solver.fixed_point_iterations)
     , factorized_tau(0.)
-    , heat_rhs(discretization.make_vector(0))
-    , momentum_rhs(discretization.make_vector(1))
+    , heat_rhs(body.discretization.make_vector(Field::temperature))
+    , momentum_rhs(body.discretization.make_vector(Field::displacement))
     , rhs(heat_rhs)
     , momentum_stage_rhs(momentum_rhs)
     , last_velocity(momentum_rhs)
@@ -35,8 +28,8 @@ namespace ThermoContact
   types::global_dof_index
   FixedPointSolver<dim>::n_factorized_unknowns() const
   {
-    return std::max(discretization.n_temperature_dofs(),
-                    discretization.n_displacement_dofs());
+    return std::max(body.discretization.n_temperature_dofs(),
+                    body.discretization.n_displacement_dofs());
   }
 
 
@@ -47,9 +40,9 @@ namespace ThermoContact
   {
     const StopWatch watch(counters_.factorization_seconds);
     heat_solver =
-      std::make_unique<DirectSolver>(stage_operator.heat_stage_matrix(tau));
+      std::make_unique<DirectSolver>(body.equations.heat_stage_matrix(tau));
     momentum_solver =
-      std::make_unique<DirectSolver>(stage_operator.momentum_stage_matrix(tau));
+      std::make_unique<DirectSolver>(body.equations.momentum_stage_matrix(tau));
     counters_.factorizations += 2;
     factorized_tau = tau;
   }
@@ -57,28 +50,28 @@ namespace ThermoContact
 
 
   template <int dim>
-  SolverMemory
-  FixedPointSolver<dim>::memory() const
+  RetainedFactorizations
+  FixedPointSolver<dim>::retained() const
   {
-    SolverMemory memory;
-    memory.counters = counters_;
+    RetainedFactorizations retained;
+    retained.counters = counters_;
     if (heat_solver)
       {
-        memory.taus         = {factorized_tau};
-        memory.has_response = {false};
+        retained.taus         = {factorized_tau};
+        retained.has_response = {false};
       }
-    return memory;
+    return retained;
   }
 
 
 
   template <int dim>
   void
-  FixedPointSolver<dim>::restore(const SolverMemory &memory)
+  FixedPointSolver<dim>::restore(const RetainedFactorizations &retained)
   {
-    if (!memory.taus.empty())
-      factorize(memory.taus.front());
-    counters_ = memory.counters;
+    if (!retained.taus.empty())
+      factorize(retained.taus.front());
+    counters_ = retained.counters;
   }
 
 
@@ -87,11 +80,12 @@ namespace ThermoContact
   void
   FixedPointSolver<dim>::update_pressure(const double tau, StageRates &rates)
   {
-    discretization.contact_values(1, rates.velocity, contact_velocity);
+    const ContactEnd<dim> &end = body.contact_end();
+    end.get_values(Field::displacement, rates.velocity, contact_velocity);
     rates.pressure.resize(contact_velocity.size());
     for (unsigned int i = 0; i < rates.pressure.size(); ++i)
-      rates.pressure[i] =
-        law.pressure(known_displacement[i] + tau * contact_velocity[i], 0.);
+      rates.pressure[i] = body.law().pressure(
+        known_displacement[i] + tau * contact_velocity[i] - end.nodes()[i].gap);
   }
 
 
@@ -110,15 +104,19 @@ namespace ThermoContact
     const StopWatch watch(counters_.solve_seconds);
     if (tau != factorized_tau)
       factorize(tau);
-    stage_operator.stage_rhs(
+    body.equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
-    discretization.contact_values(1, known.displacement, known_displacement);
+    body.contact_end().get_values(Field::displacement,
+                                  known.displacement,
+                                  known_displacement);
 
     // the gap may be far beyond reach; it counts only if nothing moves
     const double reach =
       known.displacement.linfty_norm() + tau * known.velocity.linfty_norm();
-    const double known_scale =
-      reach > 0. ? reach : (law.is_active ? std::abs(law.gap) : 0.);
+    const double known_scale = reach > 0. ? reach :
+                               body.law().is_active() ?
+                                            std::abs(body.scene.contact.gap) :
+                                            0.;
 
     rates.velocity = 0.; // the paper's start: the last displacement
     rates.failure.clear();
@@ -130,14 +128,14 @@ namespace ThermoContact
         last_velocity = rates.velocity;
 
         rhs = heat_rhs;
-        stage_operator.subtract_heating(last_velocity, rhs);
+        body.equations.subtract_heating(last_velocity, rhs);
         heat_solver->solve(rates.temperature_rate, rhs);
 
         momentum_stage_rhs = momentum_rhs;
-        stage_operator.add_thermal_stress(rates.temperature_rate,
+        body.equations.add_thermal_stress(rates.temperature_rate,
                                           tau * tau,
                                           momentum_stage_rhs);
-        stage_operator.subtract_pressure(rates.pressure,
+        body.equations.subtract_pressure(rates.pressure,
                                          tau,
                                          momentum_stage_rhs);
         momentum_solver->solve(rates.velocity, momentum_stage_rhs);
@@ -165,7 +163,7 @@ namespace ThermoContact
   double
   FixedPointSolver<dim>::contraction_factor(const double tau)
   {
-    if (!law.is_active)
+    if (!body.law().is_active())
       return 0.;
     if (tau != factorized_tau)
       factorize(tau);
@@ -173,7 +171,7 @@ namespace ThermoContact
     // Power iteration for the largest eigenvalue of W, whose eigenvalues are
     // positive. One step is exact for one node. The start has a part in all
     // modes of a symmetric body.
-    const unsigned int  n = discretization.contact_nodes().size();
+    const unsigned int  n = body.contact_end().n_nodes();
     std::vector<double> pressure(n), response;
     for (unsigned int i = 0; i < n; ++i)
       pressure[i] = 1. + 1. / (i + 1.);
@@ -182,10 +180,10 @@ namespace ThermoContact
     for (unsigned int iteration = 0; iteration < 200; ++iteration)
       {
         momentum_stage_rhs = 0.;
-        stage_operator.subtract_pressure(pressure, -tau, momentum_stage_rhs);
+        body.equations.subtract_pressure(pressure, -tau, momentum_stage_rhs);
         momentum_solver->solve(velocity, momentum_stage_rhs);
         ++counters_.responses;
-        discretization.contact_values(1, velocity, response);
+        body.contact_end().get_values(Field::displacement, velocity, response);
 
         double norm = 0., response_norm = 0.;
         for (unsigned int i = 0; i < n; ++i)
@@ -201,7 +199,7 @@ namespace ThermoContact
         for (unsigned int i = 0; i < n; ++i)
           pressure[i] = response[i] / response_norm;
       }
-    return eigenvalue / law.compliance;
+    return eigenvalue / body.law().tangent(0.);
   }
 
 
@@ -218,7 +216,7 @@ namespace ThermoContact
             << (std::isfinite(observed_factor) ? "did not converge" :
                                                  "diverged")
             << " in " << n_iterations << " iterations";
-    if (law.is_active)
+    if (body.law().is_active())
       message << "\n  contraction factor rho = " << rho
               << " of the contact (chi / epsilon; it must be below 1)";
     if (std::isfinite(observed_factor) && n_iterations > 1)
@@ -227,14 +225,14 @@ namespace ThermoContact
     message << "\n  remedy:  ";
     if (rho >= 1.)
       message << "Time/Step size below "
-              << critical_step_size(model.inertia,
-                                    model.viscosity,
-                                    law.compliance)
+              << critical_step_size(body.scene.material.inertia,
+                                    body.scene.material.viscosity,
+                                    body.law().tangent(0.))
               << ", or ";
     else
       message << "more Solver/Fixed point iterations, a smaller Time/Step size "
                  "if the thermal coupling a = "
-              << model.coupling << " is strong, or ";
+              << body.scene.material.thermal_stress << " is strong, or ";
     message << "Solver/Step solver = monolithic, which has no such limit";
     return message.str();
   }

@@ -13,7 +13,7 @@ namespace ThermoContact
     , stage_operator(stage_operator)
     , tau_(tau)
   {
-    if (is_coupled(stage_operator))
+    if (stage_operator.is_coupled())
       {
         whole =
           std::make_unique<DirectSolver>(stage_operator.stage_matrix(tau));
@@ -21,10 +21,10 @@ namespace ThermoContact
         system_rates = system_rhs;
         return;
       }
-    if (discretization.has_field(0))
+    if (discretization.has_field(Field::temperature))
       heat =
         std::make_unique<DirectSolver>(stage_operator.heat_stage_matrix(tau));
-    if (discretization.has_field(1))
+    if (discretization.has_field(Field::displacement))
       momentum = std::make_unique<DirectSolver>(
         stage_operator.momentum_stage_matrix(tau));
   }

@@ -63,32 +63,33 @@ namespace ThermoContact
 
 
 
-  StepController::StepController(const Parameters  &parameters,
-                                 const unsigned int order)
-    : has_error_control(parameters.time.has_error_control())
-    , fixed_size(parameters.time.step_size.value_or(0.))
-    , end_time(parameters.time.end_time)
-    , minimum_size(parameters.time.minimum_step_size)
-    , maximum_size(parameters.time.maximum_step_size)
+  StepController::StepController(const TimeParameters   &time,
+                                 const OutputParameters &output,
+                                 const unsigned int      order)
+    : has_error_control(time.has_error_control())
+    , fixed_size(time.step_size.value_or(0.))
+    , end_time(time.end_time)
+    , minimum_size(time.minimum_step_size)
+    , maximum_size(time.maximum_step_size)
     , order(order)
     , size(fixed_size)
     , last_error(1.)
     , was_rejected(false)
     , is_restarting(false)
   {
-    if (parameters.output.land_on_times)
-      for (const double interval : {parameters.output.fields_interval,
-                                    parameters.output.contact_interval,
-                                    parameters.output.space_time_interval})
+    if (output.land_on_times)
+      for (const double interval : {output.fields_interval,
+                                    output.contact_interval,
+                                    output.space_time_interval})
         if (interval > 0.)
           landing_intervals.push_back(interval);
     if (!has_error_control)
       return;
     // A guess in the time unit of the heat equation; the error estimate of
     // the first step corrects it.
-    const double guess = 0.05 * std::pow(parameters.time.tolerance, 1. / order);
-    size = std::min(parameters.time.first_step_size.value_or(rung_below(guess)),
-                    maximum_size);
+    const double guess = 0.05 * std::pow(time.tolerance, 1. / order);
+    size =
+      std::min(time.first_step_size.value_or(rung_below(guess)), maximum_size);
   }
 
 

@@ -28,6 +28,19 @@ namespace ThermoContact
   using SparseMatrix      = TrilinosWrappers::SparseMatrix;
   using BlockSparseMatrix = TrilinosWrappers::BlockSparseMatrix;
 
+  /** The fields, in the order of the blocks. */
+  struct Field
+  {
+    enum Block : unsigned int
+    {
+      temperature,
+      displacement
+    };
+  };
+
+  constexpr Field::Block all_fields[] = {Field::temperature,
+                                         Field::displacement};
+
   /** Boundary ids that GridGenerator gives to a coloured box. */
   constexpr types::boundary_id fixed_boundary_id   = 0; ///< $x=0$
   constexpr types::boundary_id contact_boundary_id = 1; ///< $x=1$

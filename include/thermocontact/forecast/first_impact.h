@@ -3,7 +3,7 @@
 #ifndef thermocontact_forecast_first_impact_h
 #define thermocontact_forecast_first_impact_h
 
-#include <thermocontact/input/parameters.h>
+#include <thermocontact/scene/scene.h>
 
 #include <array>
 #include <complex>
@@ -19,6 +19,7 @@ namespace ThermoContact
     double time        = 0.;
     double velocity    = 0.; ///< $u_t(1)>0$ just before
     double penetration = 0.; ///< largest of the contact; 0: rigid obstacle
+    double force       = 0.; ///< largest of the contact; none if rigid
   };
 
 
@@ -31,8 +32,8 @@ namespace ThermoContact
   class FreeMotion
   {
   public:
-    /** @param parameters a rod with inertia and without sources */
-    explicit FreeMotion(const Parameters &parameters);
+    /** @param scene a rod with inertia and without sources */
+    explicit FreeMotion(const Scene &scene);
 
     /** Displacement and velocity of the end at @p time. */
     std::pair<double, double>
@@ -69,7 +70,7 @@ namespace ThermoContact
    *   end time, or one that heat rather than momentum decides
    */
   std::optional<FirstImpact>
-  first_impact(const Parameters &parameters);
+  first_impact(const Scene &scene);
 
 
 
@@ -78,7 +79,7 @@ namespace ThermoContact
    * length @p tau, $\chi(\tau)$ of doc/model.md (M.20), without coupling.
    */
   double
-  rod_response(const ModelParameters &model, const double tau);
+  rod_response(const Material &material, const double tau);
 } // namespace ThermoContact
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef thermocontact_forecast_forecast_h
 #define thermocontact_forecast_forecast_h
 
-#include <thermocontact/input/parameters.h>
+#include <thermocontact/scene/scene.h>
 
 #include <optional>
 #include <string>
@@ -17,7 +17,7 @@ namespace ThermoContact
    * doc/model.md (M.43): only those that it has.
    */
   std::vector<std::pair<std::string, double>>
-  time_scales(const Parameters &parameters);
+  time_scales(const Scene &scene);
 
 
 
@@ -30,7 +30,7 @@ namespace ThermoContact
    *   elastic obstacle, more than one dimension
    */
   std::optional<double>
-  critical_step_size(const Parameters &parameters);
+  critical_step_size(const Scene &scene);
 
 
 
@@ -57,7 +57,7 @@ namespace ThermoContact
    *   anything
    */
   std::optional<ExpectedCost>
-  expected_cost(const Parameters &parameters, const double n_cells);
+  expected_cost(const Scene &scene, const double n_cells);
 } // namespace ThermoContact
 
 #endif

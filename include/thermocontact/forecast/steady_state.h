@@ -3,7 +3,7 @@
 #ifndef thermocontact_forecast_steady_state_h
 #define thermocontact_forecast_steady_state_h
 
-#include <thermocontact/input/parameters.h>
+#include <thermocontact/scene/scene.h>
 
 #include <optional>
 #include <string>
@@ -38,19 +38,13 @@ namespace ThermoContact
    * that nothing damps.
    */
   SteadyForecast
-  steady_state(const Parameters &parameters);
+  steady_state(const Scene &scene);
 
 
 
   /** $G$ of (M.10), the free expansion of the steady temperature. */
   double
-  free_expansion(const Parameters &parameters);
-
-
-
-  /** True if any source that acts on a field of the scene is not 0. */
-  bool
-  has_sources(const Parameters &parameters);
+  free_expansion(const Scene &scene);
 } // namespace ThermoContact
 
 #endif

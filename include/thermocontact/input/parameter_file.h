@@ -4,7 +4,6 @@
 #define thermocontact_input_parameter_file_h
 
 #include <thermocontact/input/parameter_text.h>
-#include <thermocontact/input/parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -16,6 +15,10 @@
 
 namespace ThermoContact
 {
+  using dealii::ParameterHandler;
+
+
+
   /**
    * Writes @p assignments into @p prm, whose entries are bound to a
    * Parameters object.
@@ -38,15 +41,6 @@ namespace ThermoContact
   complete_message(const std::string             &message,
                    const std::vector<Assignment> &assignments,
                    const ParameterHandler        &prm);
-
-  /**
-   * Refuses values that the scene would ignore.
-   *
-   * @throw InputError if an entry of parameters.unused_entries() differs from
-   *   its default
-   */
-  void
-  check_unused_entries(const Parameters &parameters, ParameterHandler &prm);
 
   /** Path and present value of every entry. */
   std::map<std::string, std::string>

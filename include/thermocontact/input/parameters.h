@@ -4,6 +4,7 @@
 #define thermocontact_input_parameters_h
 
 #include <thermocontact/method/contact_law.h>
+#include <thermocontact/method/scheme.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -18,12 +19,6 @@ namespace ThermoContact
 {
   using dealii::ParameterHandler;
 
-  /** Name of the scheme that is no Runge-Kutta scheme, doc/model.md section 13.
-   */
-  constexpr char energy_conserving_scheme[] = "energy conserving";
-
-
-
   /** Section Model: coefficients of doc/model.md (M.1), (M.2), (M.6). */
   struct ModelParameters
   {
@@ -36,46 +31,6 @@ namespace ThermoContact
 
     void
     add_parameters(ParameterHandler &prm);
-
-    bool
-    has_temperature() const
-    {
-      return fields != "displacement";
-    }
-
-    bool
-    has_displacement() const
-    {
-      return fields != "temperature";
-    }
-
-    /** Number of scalar unknowns per node. */
-    unsigned int
-    n_components(const unsigned int dim) const
-    {
-      return (has_temperature() ? 1 : 0) + (has_displacement() ? dim : 0);
-    }
-
-    /** $a$ of the thermal stress $-a\theta$; 0 if a field is absent. */
-    double
-    thermal_stress() const
-    {
-      return has_temperature() && has_displacement() ? coupling : 0.;
-    }
-
-    /** $a$ of the heating $-a\,\mathrm{div}\,u_t$; 0 if it is off. */
-    double
-    thermoelastic_heating() const
-    {
-      return heating ? thermal_stress() : 0.;
-    }
-
-    /** True if displacements are in equilibrium at every time, $b=\zeta=0$. */
-    bool
-    is_static() const
-    {
-      return inertia == 0. && viscosity == 0.;
-    }
   };
 
 
@@ -95,27 +50,14 @@ namespace ThermoContact
 
 
   /** Section Contact: doc/model.md (M.4), (M.5). */
-  struct ContactParameters
+  struct ContactParameters : ContactLawParameters
   {
-    std::string condition      = "normal compliance";
-    double      compliance     = 0.01; ///< $\varepsilon>0$
-    double      gap            = 0.1;  ///< $g$
+    std::string condition      = contact_laws().front().name;
+    double      gap            = 0.1; ///< $g$
     std::string massless_nodes = "automatic";
 
     void
     add_parameters(ParameterHandler &prm);
-
-    bool
-    is_none() const
-    {
-      return condition == "none";
-    }
-
-    bool
-    is_rigid() const
-    {
-      return condition == "rigid";
-    }
   };
 
 
@@ -161,12 +103,6 @@ namespace ThermoContact
     void
     add_parameters(ParameterHandler &prm);
 
-    bool
-    is_lumped() const
-    {
-      return mass_matrix == "lumped";
-    }
-
     /**
      * Lengths of the cells along the rod before the refinements, in geometric
      * progression.
@@ -184,7 +120,7 @@ namespace ThermoContact
   /** Section Time. */
   struct TimeParameters
   {
-    std::string           scheme   = "sdirk4";
+    std::string           scheme   = default_scheme().name;
     std::string           start    = "automatic";
     double                end_time = 10.;
     std::optional<double> step_size;        ///< none: error-controlled
@@ -209,12 +145,6 @@ namespace ThermoContact
     {
       return locate_contact_events == "true" ||
              (locate_contact_events == "automatic" && has_error_control());
-    }
-
-    bool
-    is_energy_conserving() const
-    {
-      return scheme == energy_conserving_scheme;
     }
 
     /**
@@ -244,12 +174,6 @@ namespace ThermoContact
 
     void
     add_parameters(ParameterHandler &prm);
-
-    bool
-    is_fixed_point() const
-    {
-      return step_solver == "fixed point";
-    }
   };
 
 
@@ -313,77 +237,12 @@ namespace ThermoContact
     OutputParameters        output;
     StudyParameters         study;
 
-    /** An entry that a scene cannot use, and the setting that says so. */
-    struct UnusedEntry
-    {
-      std::string path;   ///< "Section/Entry"
-      std::string reason; ///< e.g. "Contact/Condition = rigid"
-    };
-
     /**
      * Binds every member to an entry of @p prm. Parsing or `prm.set` then
      * writes into this object, which must outlive @p prm.
      */
     void
     add_parameters(ParameterHandler &prm);
-
-    /**
-     * Checks what a pattern for one entry cannot: limits that exclude their
-     * bound, combinations, the number of steps.
-     *
-     * @throw InputError naming section path, value, what is allowed, remedy
-     */
-    void
-    check() const;
-
-    /** The contact law; not active without displacement or obstacle. */
-    ContactLaw
-    contact_law() const;
-
-    /**
-     * True if the contact nodes have no mass, doc/model.md (M.36): where the
-     * viscosity does not damp the oscillations of one node on its obstacle,
-     * $\zeta/\sqrt b$ below the spacing of the nodes; on a rigid obstacle that
-     * several nodes meet one by one; and if the scheme needs it.
-     */
-    bool
-    has_massless_contact() const;
-
-    /** True if the contact nodes have momentum. */
-    bool
-    has_contact_mass() const
-    {
-      return model.inertia > 0. && !has_massless_contact();
-    }
-
-    /**
-     * True if the contact nodes are in equilibrium at all times, since they, or
-     * the whole body, have neither mass nor viscous stress.
-     */
-    bool
-    has_contact_equilibrium() const;
-
-    /** True if the first step has the prescribed velocity of the paper. */
-    bool
-    has_prescribed_start() const;
-
-    /** The entries that this scene cannot use. */
-    std::vector<UnusedEntry>
-    unused_entries() const;
-
-  private:
-    void
-    check_steps() const;
-
-    void
-    check_scheme() const;
-
-    void
-    check_fixed_point() const;
-
-    /** The entries that mean a field or a term that the scene does not have. */
-    void
-    add_unused_by_model(std::vector<UnusedEntry> &unused) const;
   };
 } // namespace ThermoContact
 

@@ -64,10 +64,6 @@ namespace ThermoContact
   const std::vector<ButcherTableau> &
   butcher_tableaus();
 
-  /** Their names, separated by '|'. */
-  std::string
-  scheme_names();
-
   /** The scheme of that name, which exists. */
   const ButcherTableau &
   butcher_tableau(const std::string &name);

@@ -7,6 +7,7 @@
 #include <thermocontact/method/contact_solver.h>
 
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <vector>
 
@@ -15,14 +16,15 @@ namespace ThermoContact
   /**
    * Contact of massless nodes in steps that conserve energy, doc/model.md
    * section 13. At each time the nodes are in equilibrium: with $s$ their
-   * positions without contact and $X$ their static receptance, the pressures
-   * $p(s)$ solve (M.18) for $W=X$, $u_{free}=s$. They are the gradient of a
+   * penetrations without contact and $X$ their static receptance, the pressures
+   * $p(s)$ solve (M.18) for $W=X$, $s^{free}=s$. They are the gradient of a
    * convex potential $V(s)$. No mesh, no communication.
    */
   class ConservingContact
   {
   public:
     /**
+     * @param law with a linear $s(p)$; borrowed
      * @param receptance $X_{ij}$, loss of displacement of node i per unit
      *   pressure at node j; symmetric up to a positive scaling of its columns,
      *   positive definite
@@ -49,6 +51,9 @@ namespace ThermoContact
      * @param start $s^0$
      * @param free_end $A$, the end for zero pressure
      * @param receptance $B$, positive semidefinite in the product of $X^{-1}$
+     * @param displacement_scale size of the displacements and gaps whose
+     *   differences the positions are, below the rounding of which Newton's
+     *   method cannot go
      * @param pressure in: a guess; out: $\bar p$
      * @return number of iterations
      * @throw ComputationError if Newton's method does not converge
@@ -57,18 +62,35 @@ namespace ThermoContact
     step_pressure(const std::vector<double>        &start,
                   const std::vector<double>        &free_end,
                   const dealii::FullMatrix<double> &receptance,
+                  const double                      displacement_scale,
                   std::vector<double>              &pressure) const;
 
   private:
-    const ContactLaw                 law;
+    const ContactLaw                &law;
     const dealii::FullMatrix<double> static_receptance;
     const ContactSolver              contact_solver;
 
-    /** One node; distances from the obstacle, positive beyond it. */
+    /** One node. */
     double
     step_pressure_of_node(const double start,
                           const double free_end,
                           const double receptance) const;
+
+    /**
+     * How far along the way from @p begin, in units of @p slope, the set of
+     * nodes in contact stays the same: to where a pressure, or the margin $r$
+     * of (M.18), vanishes.
+     *
+     * @param p,change pressures at the beginning and their rate
+     * @param peep smallest distance
+     */
+    double
+    distance_to_change(const std::vector<bool>      &is_active,
+                       const dealii::Vector<double> &begin,
+                       const dealii::Vector<double> &slope,
+                       const dealii::Vector<double> &p,
+                       const dealii::Vector<double> &change,
+                       const double                  peep) const;
 
     /**
      * Mean of $p$ on the way from @p start to @p end, exact on each stretch

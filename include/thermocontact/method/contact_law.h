@@ -3,6 +3,11 @@
 #ifndef thermocontact_method_contact_law_h
 #define thermocontact_method_contact_law_h
 
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace ThermoContact
 {
   /** What a stage supposes of the contact nodes. */
@@ -10,7 +15,7 @@ namespace ThermoContact
   {
     unilateral, ///< the contact law itself, (M.18)
     open,       ///< $p=0$ whatever the gap
-    closed      ///< $\varepsilon p=u_n-g$ for all nodes, of either sign
+    closed      ///< in contact at all nodes, pressures of either sign
   };
 
 
@@ -26,39 +31,145 @@ namespace ThermoContact
 
 
   /**
-   * Contact condition at one node of the contact boundary; no mesh, no matrix.
+   * Contact condition at one node of the contact boundary: a monotone relation
+   * between its penetration $s=u_n-g$ and its pressure $p$. No mesh, no matrix.
    *
-   * Normal displacement $u$ and pressure $p$ satisfy the complementarity
-   * @f[
-   *   p \ge 0, \quad g - u + \varepsilon p \ge 0, \quad
-   *   p\,(g - u + \varepsilon p) = 0
-   * @f]
-   * of doc/model.md (M.4), (M.5): normal compliance for $\varepsilon>0$,
-   * Signorini for $\varepsilon=0$. Nondimensional.
+   * In contact $s=s(p)$ with $s(0)=0$, else $p=0$ and $s\le0$, doc/model.md
+   * (M.4), (M.5). The relation is asked for as $s(p)$ since that exists for all
+   * obstacles: it is zero for a rigid one. Nondimensional; pressures are
+   * positive if they push the body back.
    */
-  struct ContactLaw
+  class ContactLaw
   {
-    bool   is_active  = true; ///< false: no obstacle, $p=0$
-    double compliance = 0.01; ///< $\varepsilon\ge0$; 0 is a rigid obstacle
-    double gap        = 0.1;  ///< $g$, of the undeformed body
+  public:
+    virtual ~ContactLaw() = default;
+
+    /** False if there is no obstacle. */
+    virtual bool
+    is_active() const
+    {
+      return true;
+    }
+
+    /** True if nothing penetrates: $s(p)=0$. */
+    virtual bool
+    is_rigid() const
+    {
+      return false;
+    }
 
     /**
-     * Exact pressure of one node that responds to its own pressure alone,
-     * doc/model.md (M.17).
-     *
-     * @param free_displacement normal displacement without contact
-     * @param receptance $\chi\ge0$, loss of displacement per unit pressure;
-     *   $\varepsilon+\chi>0$
+     * Pressure that a penetration causes. 0 for negative ones and where the law
+     * does not say, as for a rigid obstacle.
      */
-    double
-    pressure(const double free_displacement, const double receptance) const
+    virtual double
+    pressure(const double penetration) const = 0;
+
+    /** $s(p)$; odd, for the pressures of either sign of a held contact. */
+    virtual double
+    penetration(const double pressure) const = 0;
+
+    /** $ds/dp\ge0$; infinite where the obstacle yields at once. */
+    virtual double
+    tangent(const double pressure) const = 0;
+
+    /** True if the tangent is the same for all pressures. */
+    virtual bool
+    is_linear() const
     {
-      const double penetration = free_displacement - gap;
-      return is_active && penetration > 0. ?
-               penetration / (compliance + receptance) :
-               0.;
+      return true;
     }
+
+    /**
+     * Energy $\int p\,ds\ge0$ per unit area that the obstacle stores under a
+     * pressure.
+     */
+    virtual double
+    energy(const double pressure) const = 0;
+
+    /** The penetration at which the obstacle stores an energy per area. */
+    virtual double
+    penetration_of_energy(const double energy) const = 0;
+
+    /**
+     * The local problem of one node, doc/model.md (M.17): the pressure that
+     * leaves the penetration $s_{free}-\chi p=s(p)$, or 0 if $s_{free}\le0$.
+     *
+     * @param free_penetration $s_{free}$, without contact
+     * @param receptance $\chi\ge0$, loss of displacement per unit pressure;
+     *   positive with a rigid obstacle
+     */
+    virtual double
+    local_pressure(const double free_penetration,
+                   const double receptance) const = 0;
+
+    /** The same for contact that cannot open: a pressure of either sign. */
+    virtual double
+    local_closed_pressure(const double free_penetration,
+                          const double receptance) const = 0;
+
+    /**
+     * What a backward Euler step dissipates at the node, per area, (M.24): the
+     * work of the pressure at its end less the energy that is stored. Not
+     * negative.
+     *
+     * @param change of the displacement over the step
+     * @param old_penetration,old_pressure at its beginning
+     * @param pressure at its end
+     */
+    virtual double
+    numerical_dissipation(const double change,
+                          const double old_penetration,
+                          const double old_pressure,
+                          const double pressure) const;
   };
+
+
+
+  /** What the contact laws are made of, as the user gives it. */
+  struct ContactLawParameters
+  {
+    double compliance = 0.01; ///< $\varepsilon>0$
+  };
+
+
+
+  /** A kind of contact law: what it is called and how it is made. */
+  struct ContactLawKind
+  {
+    std::string name; ///< value of Contact/Condition
+    std::string text; ///< what it is, for the parameter reference
+
+    /** Entries of the section Contact that it uses beside those of all. */
+    std::vector<std::string> entries;
+
+    std::function<std::unique_ptr<const ContactLaw>(
+      const ContactLawParameters &)>
+      make;
+  };
+
+
+
+  /**
+   * The contact laws of the program, the default first. To add one: a file that
+   * defines its kind, and its name in the list.
+   */
+  const std::vector<ContactLawKind> &
+  contact_laws();
+
+  /** The kind of that name, which exists. */
+  const ContactLawKind &
+  contact_law(const std::string &name);
+
+  // the kinds, each in a file of its own
+  ContactLawKind
+  normal_compliance();
+
+  ContactLawKind
+  rigid_obstacle();
+
+  ContactLawKind
+  no_obstacle();
 } // namespace ThermoContact
 
 #endif

@@ -12,20 +12,22 @@
 namespace ThermoContact
 {
   /**
-   * Exact contact of several nodes that influence each other: the linear
+   * Exact contact of several nodes that influence each other: the
    * complementarity problem doc/model.md (M.18)
    * @f[
-   *   p \ge 0, \quad s = g - u^{free} + (W + \varepsilon I) p \ge 0, \quad
-   *   p_i s_i = 0 .
+   *   p_i \ge 0, \quad r_i = s(p_i) + (Wp)_i - s^{free}_i \ge 0, \quad
+   *   p_i r_i = 0
    * @f]
-   * The primal-dual active set method (= semismooth Newton) solves it in a few
-   * iterations. It may cycle in theory; past a limit the least-index rule of
-   * Murty changes one node at a time, which ends for every P-matrix, and
-   * $W+\varepsilon I$ is one. No mesh, no communication.
+   * with the law $s(p)$ of each node. The primal-dual active set method
+   * (= semismooth Newton) solves it in a few iterations. With a linear law it
+   * may cycle in theory; past a limit the least-index rule of Murty changes one
+   * node at a time, which ends for every P-matrix, and $W+s'$ is one. No mesh,
+   * no communication.
    */
   class ContactSolver
   {
   public:
+    /** The law is borrowed. */
     explicit ContactSolver(const ContactLaw &law);
 
     /**
@@ -34,7 +36,7 @@ namespace ThermoContact
      * @param response $W_{ij}$, loss of displacement of node i per unit
      *   pressure at node j; symmetric up to a positive scaling of its columns,
      *   positive definite
-     * @param free_displacement normal displacement of the nodes without contact
+     * @param free_penetration $s^{free}$ of the nodes, without contact
      * @param pressure in: of a nearby problem, which starts the search; out:
      *   the solution, one value per node
      * @return number of linear problems solved on active sets
@@ -42,29 +44,44 @@ namespace ThermoContact
      */
     unsigned int
     solve(const dealii::FullMatrix<double> &response,
-          const std::vector<double>        &free_displacement,
+          const std::vector<double>        &free_penetration,
           std::vector<double>              &pressure) const;
 
     /**
-     * Contact that cannot open: pressures of either sign with $s=0$ at all
-     * nodes, $(W+\varepsilon I)p=u^{free}-g$.
+     * Contact that cannot open: pressures of either sign with $r=0$ at all
+     * nodes.
      *
-     * @param response,free_displacement as for solve()
-     * @param pressure out: one value per node
+     * @param response,free_penetration,pressure as for solve()
+     * @return,@throw as solve()
      */
-    void
+    unsigned int
     solve_closed(const dealii::FullMatrix<double> &response,
-                 const std::vector<double>        &free_displacement,
+                 const std::vector<double>        &free_penetration,
                  std::vector<double>              &pressure) const;
 
   private:
-    const ContactLaw law;
+    const ContactLaw &law;
 
+    /** Newton's step for $r=0$ at the nodes of a set; $p=0$ elsewhere. */
     void
     solve_on_active_set(const dealii::FullMatrix<double> &response,
-                        const std::vector<double>        &free_displacement,
+                        const std::vector<double>        &free_penetration,
                         const std::vector<bool>          &is_active,
                         std::vector<double>              &pressure) const;
+
+    /**
+     * Moves nodes between the sets where their pressure or penetration has the
+     * wrong sign.
+     *
+     * @param only_the_first change one node
+     * @return true if @p pressure is not a solution yet
+     */
+    bool
+    update_active_set(const dealii::FullMatrix<double> &response,
+                      const std::vector<double>        &free_penetration,
+                      const std::vector<double>        &pressure,
+                      const bool                        only_the_first,
+                      std::vector<bool>                &is_active) const;
   };
 } // namespace ThermoContact
 

@@ -4,7 +4,9 @@
 #define thermocontact_method_event_locator_h
 
 #include <thermocontact/method/contact_law.h>
+#include <thermocontact/method/cubic_hermite.h>
 
+#include <optional>
 #include <vector>
 
 namespace ThermoContact
@@ -32,45 +34,12 @@ namespace ThermoContact
 
 
 
-  /** The cubic on (0, 1) with these values and slopes at its ends. */
-  class CubicHermite
-  {
-  public:
-    CubicHermite(const double s0,
-                 const double slope0,
-                 const double s1,
-                 const double slope1);
-
-    double
-    value(const double x) const;
-
-    double
-    slope(const double x) const;
-
-    /**
-     * Where it first becomes negative in (0, 1), and infinity if it does not.
-     * One that begins below zero must first become positive; if it does not,
-     * the answer is 0. A dip that does not reach @p tolerable_dip below zero
-     * between two positive values is none.
-     */
-    double
-    first_zero(const double tolerable_dip) const;
-
-    /** The zero next to 1, on either side; 1 if there is none near. */
-    double
-    zero_near_end() const;
-
-  private:
-    const double s0, slope0, s1, quadratic, cubic;
-  };
-
-
-
   /** The contact nodes at one time. */
   struct ContactValues
   {
     double              time = 0.;
     std::vector<double> displacement; ///< normal, $u_n$
+    std::vector<double> penetration;  ///< $u_n-g$
     std::vector<double> velocity;     ///< normal, $v_n$
     std::vector<double> pressure;     ///< of either sign in a closed step
 
@@ -78,7 +47,7 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &time &displacement &velocity &pressure;
+      archive &time &displacement &penetration &velocity &pressure;
     }
   };
 
@@ -106,7 +75,7 @@ namespace ThermoContact
    * interpolant of s finds single, double and grazing zeros.
    *
    * A step that ends near a zero is as good as one that ends there: the contact
-   * force misses the impulse $s^2/(2\varepsilon|\dot s|)$, which is to be below
+   * force misses the impulse $\int p\,ds/|\dot s|$, which is to be below
    * a tenth of the tolerance of the momentum of the body, or s itself is below
    * a hundredth of the tolerance of the displacement and of the penetration
    * that all the energy of the body could make. The time of the event is that
@@ -117,11 +86,15 @@ namespace ThermoContact
    * linear interpolation of the smallest gap. The first node to touch and the
    * last to leave make the events; a body that is in contact at the start
    * begins contact there.
+   *
+   * Attempts at a step change what the next attempt supposes, and nothing else:
+   * events count when the step after them is accepted.
    */
   class EventLocator
   {
   public:
     /**
+     * @param law borrowed
      * @param is_active false: all steps are unilateral
      * @param nodes those of a static body have margins that are interpolated
      *   linearly
@@ -136,7 +109,7 @@ namespace ThermoContact
     void
     start(const ContactValues &initial, std::vector<ContactEvent> &events);
 
-    /** How the next step is to be computed. */
+    /** How the next attempt is to be computed. */
     ContactMode
     mode() const
     {
@@ -163,9 +136,7 @@ namespace ThermoContact
     };
 
     /**
-     * Looks for a change of contact in a step to @p next. The largest
-     * displacement and pressure so far include those of the step, even if it is
-     * not accepted later.
+     * Looks for a change of contact in a step to @p next.
      *
      * @param is_aimed the step was to end at an event
      * @param scales of the body so far
@@ -173,27 +144,30 @@ namespace ThermoContact
     Finding
     examine(const ContactValues &next,
             const bool           is_aimed,
-            const BodyScales    &scales);
+            const BodyScales    &scales) const;
 
     /**
      * Contact changes at @p time, before the step that was examined last or
      * so soon that it is not worth a step: the mode is switched where the body
-     * stands. If it was switched there before, contact is about to change at
-     * once in both modes: that event is taken back and the next step is
-     * unilateral.
+     * stands, and the event waits for a step that is accepted. If one waits
+     * already, contact is about to change at once in both modes: that event is
+     * taken back and the next attempt is unilateral.
+     *
+     * @return true if the mode was switched
      */
-    void
-    switch_at_start(const double time, std::vector<ContactEvent> &events);
+    bool
+    switch_at_start(const double time);
 
     /**
-     * The next step is unilateral: nodes do not change together, or zeros are
-     * not to be had.
+     * The next attempt is unilateral: nodes do not change together, or zeros
+     * are not to be had.
      */
     void
     hold_nothing();
 
     /**
-     * The step to @p next is accepted; appends the event that it ends with.
+     * The step to @p next is accepted; appends the event that it begins with
+     * and the one that it ends with.
      *
      * @param finding what examine() said; nothing for a unilateral step
      */
@@ -209,30 +183,51 @@ namespace ThermoContact
       present = values;
     }
 
-    /** What changes during a run, for checkpoints. */
+    /**
+     * What changes during a run, for checkpoints; after a step that was
+     * accepted.
+     */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &mode_ &present &is_in_contact &was_switched &max_displacement
-        &max_pressure;
+      archive &mode_ &present &is_in_contact &largest;
     }
 
   private:
-    const ContactLaw   law;
-    const bool         is_active;
-    const ContactNodes nodes;
-    const double       tolerance;
-    ContactMode        mode_;
-    ContactValues      present;
-    bool               is_in_contact; ///< as the events say
-    bool               was_switched;  ///< without a step since
-    double             max_displacement;
-    double             max_pressure;
+    /** Largest values so far. */
+    struct Scales
+    {
+      double displacement = 0.;
+      double pressure     = 0.;
 
-    /** Takes values into the largest displacement and pressure so far. */
-    void
-    add_to_scales(const ContactValues &values);
+      void
+      add(const ContactValues &values);
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &displacement &pressure;
+      }
+    };
+
+    const ContactLaw           &law;
+    const bool                  is_active;
+    const ContactNodes          nodes;
+    const double                tolerance;
+    ContactMode                 mode_;
+    ContactValues               present;
+    bool                        is_in_contact; ///< as the events say
+    std::optional<ContactEvent> waiting;       ///< at the start of the step
+    Scales                      largest;
+
+    /** True if the margin of a node is its pressure. */
+    bool
+    is_margin_pressure() const
+    {
+      return mode_ == ContactMode::closed && law.is_rigid();
+    }
 
     /** Margin s of a node over the step. */
     CubicHermite
@@ -240,16 +235,21 @@ namespace ThermoContact
 
     /** True if a margin s is as good as zero, (M.32). */
     bool
-    is_near(const double s, const double rate, const BodyScales &scales) const;
+    is_near(const double      s,
+            const double      rate,
+            const Scales     &sizes,
+            const BodyScales &scales) const;
 
     ContactMode
     mode_of(const ContactValues &values) const;
 
     void
-    add_event(const double               time,
-              const bool                 begins,
-              const double               velocity,
-              std::vector<ContactEvent> &events);
+    add_event(const ContactEvent &event, std::vector<ContactEvent> &events);
+
+    /** The event within a unilateral step, if there is one. */
+    void
+    accept_unilateral(const ContactValues       &next,
+                      std::vector<ContactEvent> &events);
   };
 } // namespace ThermoContact
 

@@ -29,7 +29,7 @@ namespace ThermoContact
     /** Path and value of every parameter. */
     std::map<std::string, std::string> parameters;
 
-    /** What Simulation::memory() gave, for each rank. */
+    /** What Simulation::save() gave, for each rank. */
     std::vector<std::string> simulation;
 
     OutputMemory output;

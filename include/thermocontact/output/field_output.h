@@ -3,8 +3,7 @@
 #ifndef thermocontact_output_field_output_h
 #define thermocontact_output_field_output_h
 
-#include <thermocontact/input/parameters.h>
-#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -31,10 +30,8 @@ namespace ThermoContact
   class FieldOutput
   {
   public:
-    /** @p directory exists. */
-    FieldOutput(const std::string         &directory,
-                const Parameters          &parameters,
-                const Discretization<dim> &discretization);
+    /** @p directory exists; @p body is borrowed. */
+    FieldOutput(const std::string &directory, const Body<dim> &body);
 
     /**
      * Writes one snapshot. Collective.
@@ -66,7 +63,7 @@ namespace ThermoContact
 
   private:
     const std::string          directory;
-    const ModelParameters      model;
+    const Body<dim>           &body;
     const Discretization<dim> &discretization;
     std::vector<double>        times_;
     unsigned int               n_synced = 0; ///< snapshots

@@ -4,6 +4,7 @@
 #define thermocontact_output_probe_output_h
 
 #include <thermocontact/base/table_file.h>
+#include <thermocontact/space/body.h>
 #include <thermocontact/space/point_values.h>
 
 #include <string>
@@ -18,9 +19,8 @@ namespace ThermoContact
   class ProbeOutput
   {
   public:
-    ProbeOutput(const std::string         &directory,
-                const Parameters          &parameters,
-                const Discretization<dim> &discretization);
+    /** @param body borrowed */
+    ProbeOutput(const std::string &directory, const Body<dim> &body);
 
     /**
      * Begins the file, or goes on behind its first @p size bytes if that is not

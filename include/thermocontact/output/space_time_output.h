@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/table_file.h>
 #include <thermocontact/output/space_time_file.h>
+#include <thermocontact/space/body.h>
 #include <thermocontact/space/point_values.h>
 
 #include <string>
@@ -22,9 +23,8 @@ namespace ThermoContact
   class SpaceTimeOutput
   {
   public:
-    SpaceTimeOutput(const std::string         &directory,
-                    const Parameters          &parameters,
-                    const Discretization<dim> &discretization);
+    /** @param body borrowed */
+    SpaceTimeOutput(const std::string &directory, const Body<dim> &body);
 
     /**
      * Begins the file of columns, or goes on behind its first @p size bytes if

@@ -24,7 +24,7 @@ namespace ThermoContact
 
   /** The quantities of an end state that the scene has, on one line. */
   std::string
-  describe_steady_state(const SteadyState &state, const Parameters &parameters);
+  describe_steady_state(const SteadyState &state, const Scene &scene);
 
   /**
    * Prints what is going to be computed, what is known of the result, and the

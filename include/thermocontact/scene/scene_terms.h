@@ -3,7 +3,7 @@
 #ifndef thermocontact_scene_scene_terms_h
 #define thermocontact_scene_scene_terms_h
 
-#include <thermocontact/input/parameters.h>
+#include <thermocontact/scene/scene.h>
 
 #include <string>
 #include <vector>
@@ -12,11 +12,11 @@ namespace ThermoContact
 {
   /** The fields that a scene has. */
   std::vector<std::string>
-  scene_fields(const ModelParameters &model);
+  scene_fields(const Scene &scene);
 
   /** The terms that a scene contains, in words. */
   std::vector<std::string>
-  scene_terms(const Parameters &parameters);
+  scene_terms(const Scene &scene);
 } // namespace ThermoContact
 
 #endif

@@ -3,9 +3,9 @@
 #ifndef thermocontact_simulation_contact_transition_h
 #define thermocontact_simulation_contact_transition_h
 
+#include <thermocontact/space/body.h>
 #include <thermocontact/space/direct_solver.h>
-#include <thermocontact/space/energy.h>
-#include <thermocontact/time/step_solver.h>
+#include <thermocontact/time/stage_solver.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -23,17 +23,8 @@ namespace ThermoContact
   class ContactTransition
   {
   public:
-    /**
-     * The references are borrowed.
-     *
-     * @param has_contact_mass false: the contact nodes have no mass, and with
-     *   it no momentum
-     */
-    ContactTransition(const Discretization<dim>             &discretization,
-                      const ThermoviscoelasticOperator<dim> &stage_operator,
-                      const Energy<dim>                     &energy,
-                      const ContactLaw                      &law,
-                      const bool                             has_contact_mass);
+    /** @param body borrowed */
+    explicit ContactTransition(const Body<dim> &body);
 
     /**
      * Impact of all contact nodes on a rigid obstacle: they are put on it, and
@@ -72,15 +63,11 @@ namespace ThermoContact
     restore(const SolverCounters &counters);
 
   private:
-    const Discretization<dim>             &discretization;
-    const ThermoviscoelasticOperator<dim> &stage_operator;
-    const Energy<dim>                     &energy;
-    const ContactLaw                       law;
-    const bool                             has_contact_mass;
-    SolverCounters                         counters_;
-    std::unique_ptr<DirectSolver>          mass_solver;
-    std::vector<Vector>                    impulse_responses;
-    FullMatrix<double>                     inverse_receptance;
+    const Body<dim>              &body;
+    SolverCounters                counters_;
+    std::unique_ptr<DirectSolver> mass_solver;
+    std::vector<Vector>           impulse_responses;
+    FullMatrix<double>            inverse_receptance;
 
     /** Velocities, and those of the contact nodes, per unit impulse. */
     void

@@ -3,7 +3,7 @@
 #ifndef thermocontact_simulation_energy_watch_h
 #define thermocontact_simulation_energy_watch_h
 
-#include <thermocontact/input/parameters.h>
+#include <thermocontact/scene/scene.h>
 #include <thermocontact/space/energy.h>
 
 #include <string>
@@ -20,8 +20,8 @@ namespace ThermoContact
   class EnergyWatch
   {
   public:
-    /** @param has_work true: the energy may grow, and nothing is watched */
-    EnergyWatch(const Parameters &parameters, const bool has_work);
+    /** Watches nothing if something does work in the scene. */
+    explicit EnergyWatch(const Scene &scene);
 
     /** Begins anew from a state with energy @p terms. */
     void

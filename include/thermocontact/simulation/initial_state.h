@@ -3,13 +3,8 @@
 #ifndef thermocontact_simulation_initial_state_h
 #define thermocontact_simulation_initial_state_h
 
-#include <thermocontact/input/parameters.h>
-#include <thermocontact/method/contact_law.h>
-#include <thermocontact/space/discretization.h>
-#include <thermocontact/space/loads.h>
-#include <thermocontact/space/problem_data.h>
+#include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
-#include <thermocontact/space/thermoviscoelastic_operator.h>
 
 #include <string>
 #include <vector>
@@ -18,7 +13,7 @@ namespace ThermoContact
 {
   /**
    * The state at $t=0$: the projection $P_E$ of the initial values, the fixed
-   * end at its temperature, and the pressure of the compliance law. Without
+   * end at its temperature, and the pressure of the contact law. Without
    * inertia it is completed, and contact nodes that are to be in equilibrium
    * are put there, doc/model.md sections 12 and 13.
    *
@@ -31,14 +26,9 @@ namespace ThermoContact
    */
   template <int dim>
   State
-  initial_state(const Parameters                      &parameters,
-                const ProblemData<dim>                &data,
-                const Discretization<dim>             &discretization,
-                const ThermoviscoelasticOperator<dim> &stage_operator,
-                const ContactLaw                      &law,
-                const double                           first_step_size,
-                Loads<dim>                            &loads,
-                std::vector<std::string>              &warnings);
+  initial_state(Body<dim>                &body,
+                const double              first_step_size,
+                std::vector<std::string> &warnings);
 } // namespace ThermoContact
 
 #endif

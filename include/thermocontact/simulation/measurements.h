@@ -3,9 +3,8 @@
 #ifndef thermocontact_simulation_measurements_h
 #define thermocontact_simulation_measurements_h
 
-#include <thermocontact/method/contact_law.h>
-#include <thermocontact/space/discretization.h>
-#include <thermocontact/space/energy.h>
+#include <thermocontact/space/body.h>
+#include <thermocontact/space/state.h>
 
 #include <utility>
 #include <vector>
@@ -63,26 +62,18 @@ namespace ThermoContact
   class Measurements
   {
   public:
-    Measurements(const Discretization<dim>             &discretization,
-                 const ThermoviscoelasticOperator<dim> &stage_operator,
-                 const ContactLaw                      &law,
-                 const Parameters                      &parameters);
+    /** @param body borrowed; the time of its sources is set from here */
+    explicit Measurements(Body<dim> &body);
 
     /**
      * Fills the members of @p record that are functions of @p state alone: the
      * end and mid values, gap, penetration, force, heat flux, mean temperature.
-     *
-     * @param data sources, for the traction of the end stress; their time is
-     *   set
      */
     void
-    measure(const State &state, ProblemData<dim> &data, StepRecord &record);
+    measure(const State &state, StepRecord &record);
 
   private:
-    const Discretization<dim> &discretization;
-    const ContactLaw           law;
-    const BoundaryParameters   boundary;
-    const bool                 has_no_initial_velocity; ///< $b=\zeta=0$
+    Body<dim> &body;
 
     /** Position in the local vector and weight; empty on other ranks. */
     std::vector<std::pair<unsigned int, double>> mid_weights;
@@ -90,12 +81,20 @@ namespace ThermoContact
     std::vector<double>                          contact_values;
 
     void
-    find_mid_point(const double width);
+    find_mid_point();
+
+    /** Weights of the displacements of a cell in that at @p point. */
+    std::vector<std::pair<types::global_dof_index, double>>
+    weights_at(
+      const Point<dim>                                     &point,
+      const typename DoFHandler<dim>::active_cell_iterator &cell) const;
 
     void
-    measure_displacement(const State            &state,
-                         const ProblemData<dim> &data,
-                         StepRecord             &record);
+    measure_displacement(const State &state, StepRecord &record);
+
+    /** Mean traction on the contact end; 0 if there is none. */
+    double
+    mean_traction();
 
     void
     measure_temperature(const State &state, StepRecord &record);

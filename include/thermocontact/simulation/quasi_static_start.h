@@ -3,11 +3,8 @@
 #ifndef thermocontact_simulation_quasi_static_start_h
 #define thermocontact_simulation_quasi_static_start_h
 
-#include <thermocontact/method/contact_law.h>
-#include <thermocontact/space/discretization.h>
-#include <thermocontact/space/loads.h>
+#include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
-#include <thermocontact/space/thermoviscoelastic_operator.h>
 
 namespace ThermoContact
 {
@@ -24,13 +21,7 @@ namespace ThermoContact
    */
   template <int dim>
   void
-  complete_quasi_static_state(
-    const ModelParameters                 &model,
-    const Discretization<dim>             &discretization,
-    const ThermoviscoelasticOperator<dim> &stage_operator,
-    const ContactLaw                      &law,
-    Loads<dim>                            &loads,
-    State                                 &state);
+  complete_quasi_static_state(Body<dim> &body, State &state);
 } // namespace ThermoContact
 
 #endif

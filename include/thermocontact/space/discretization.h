@@ -4,7 +4,9 @@
 #define thermocontact_space_discretization_h
 
 #include <thermocontact/base/types.h>
-#include <thermocontact/input/parameters.h>
+#include <thermocontact/scene/scene.h>
+#include <thermocontact/space/contact_end.h>
+#include <thermocontact/space/geometry.h>
 #include <thermocontact/space/state.h>
 
 #include <deal.II/base/index_set.h>
@@ -17,36 +19,17 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
-#include <array>
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace ThermoContact
 {
-  /** A node of the contact end, which can meet the obstacle. */
-  template <int dim>
-  struct ContactNode
-  {
-    Point<dim> position;
-
-    /**
-     * Temperature and normal displacement there, each within its block;
-     * invalid for a field that the scene does not have.
-     */
-    std::array<types::global_dof_index, 2> dofs;
-
-    /** $w_i=\int_{\Gamma_C}\varphi_i$, the lumped boundary mass. */
-    double weight;
-  };
-
-
-
   /**
    * Mesh, finite element space and constraints of the body
    * $(0,1)\times(0,\text{width})^{dim-1}$.
    *
    * One DoFHandler for the FESystem of temperature and displacement, numbered
-   * by field: block 0 is the temperature, block 1 the displacement. A field
+   * by field, the temperature first. A field
    * that the scene does not have is absent from the FESystem, and its block is
    * empty. The constraints are those of rates: homogeneous, temperature and
    * displacement at the fixed end, normal displacement at rollers.
@@ -55,7 +38,13 @@ namespace ThermoContact
   class Discretization
   {
   public:
-    Discretization(const Parameters &parameters, const MPI_Comm communicator);
+    Discretization(const Scene &scene, const MPI_Comm communicator);
+
+    const Geometry<dim> &
+    geometry() const
+    {
+      return geometry_;
+    }
 
     MPI_Comm
     communicator() const
@@ -81,11 +70,11 @@ namespace ThermoContact
       return mapping_;
     }
 
-    /** False if block 0 (temperature) or 1 (displacement) is empty. */
+    /** False if the scene does not have it; its block is empty then. */
     bool
-    has_field(const unsigned int block) const
+    has_field(const Field::Block field) const
     {
-      return owned_by_block_[block].size() > 0;
+      return owned_by_block_[field].size() > 0;
     }
 
     /** Number of components of the FESystem. */
@@ -97,21 +86,29 @@ namespace ThermoContact
 
     /** First component of a field that the scene has. */
     unsigned int
-    first_component(const unsigned int block) const
+    first_component(const Field::Block field) const
     {
-      return block == 1 && has_field(0) ? 1 : 0;
+      return field == Field::displacement && has_field(Field::temperature) ? 1 :
+                                                                             0;
+    }
+
+    /** First degree of freedom of a field in the whole system. */
+    types::global_dof_index
+    first_dof(const Field::Block field) const
+    {
+      return field == Field::displacement ? n_temperature_dofs() : 0;
     }
 
     FEValuesExtractors::Scalar
     temperature_extractor() const
     {
-      return FEValuesExtractors::Scalar(first_component(0));
+      return FEValuesExtractors::Scalar(first_component(Field::temperature));
     }
 
     FEValuesExtractors::Vector
     displacement_extractor() const
     {
-      return FEValuesExtractors::Vector(first_component(1));
+      return FEValuesExtractors::Vector(first_component(Field::displacement));
     }
 
     unsigned int
@@ -157,13 +154,13 @@ namespace ThermoContact
     types::global_dof_index
     n_temperature_dofs() const
     {
-      return owned_by_block_[0].size();
+      return owned_by_block_[Field::temperature].size();
     }
 
     types::global_dof_index
     n_displacement_dofs() const
     {
-      return owned_by_block_[1].size();
+      return owned_by_block_[Field::displacement].size();
     }
 
     unsigned int
@@ -172,71 +169,35 @@ namespace ThermoContact
       return triangulation->n_global_active_cells();
     }
 
-    /** Nodes of the contact end in order of their position; on all ranks. */
-    const std::vector<ContactNode<dim>> &
-    contact_nodes() const
+    /** Its end at the obstacle. */
+    const ContactEnd<dim> &
+    contact_end() const
     {
-      return contact_nodes_;
+      return *contact_end_;
     }
 
-    /**
-     * Locally owned contact nodes of a block: index of the node, position in
-     * the local part of the block's vectors.
-     */
-    const std::vector<std::pair<unsigned int, unsigned int>> &
-    contact_entries(const unsigned int block) const
-    {
-      return contact_entries_[block];
-    }
-
-    /**
-     * Values of a field at the contact nodes, gathered on all ranks.
-     *
-     * @param block 0: @p field is a temperature; 1: the normal component of a
-     *   displacement or velocity is taken
-     * @param values out: one per contact node; zeros if the field is absent
-     */
-    void
-    contact_values(const unsigned int   block,
-                   const Vector        &field,
-                   std::vector<double> &values) const;
-
-    /** Mean over the contact end of a field with these nodal values. */
-    double
-    contact_mean(const std::vector<double> &values) const;
-
-    /** Area of the contact end (1 in 1-D), by which results are scaled. */
-    double
-    cross_section() const
-    {
-      return cross_section_;
-    }
-
-    /**
-     * Locally owned degrees of freedom of a block whose rate vanishes.
-     */
+    /** Locally owned degrees of freedom of a field whose rate vanishes. */
     const IndexSet &
-    constrained(const unsigned int block) const
+    constrained(const Field::Block field) const
     {
-      return constrained_[block];
+      return constrained_[field];
     }
 
     /** Their positions within the locally owned part of the block. */
     const std::vector<unsigned int> &
-    constrained_entries(const unsigned int block) const
+    constrained_entries(const Field::Block field) const
     {
-      return constrained_entries_[block];
+      return constrained_entries_[field];
     }
 
     /**
-     * A vector of zeros for one field (block 0: temperature, 1: displacement)
-     * or for the whole system. All of them share one map, which makes their
-     * assignment a copy instead of an import.
+     * A vector of zeros for one field or for the whole system. All of them
+     * share one map, which makes their assignment a copy instead of an import.
      */
     Vector
-    make_vector(const unsigned int block) const
+    make_vector(const Field::Block field) const
     {
-      return prototypes[block];
+      return prototypes[field];
     }
 
     Vector
@@ -265,26 +226,21 @@ namespace ThermoContact
           Vector       &displacement) const;
 
   private:
-    const MPI_Comm communicator_;
+    const MPI_Comm      communicator_;
+    const Geometry<dim> geometry_;
     const std::unique_ptr<typename DimensionTraits<dim>::Triangulation>
-                                  triangulation;
-    const FESystem<dim>           finite_element_;
-    const MappingQ<dim>           mapping_;
-    DoFHandler<dim>               dof_handler_;
-    AffineConstraints<double>     constraints_;
-    IndexSet                      owned_;
-    IndexSet                      relevant_;
-    std::vector<IndexSet>         owned_by_block_;
-    std::vector<IndexSet>         relevant_by_block_;
-    std::vector<Vector>           prototypes;
-    Vector                        system_prototype;
-    std::vector<ContactNode<dim>> contact_nodes_;
-
-    /** Contact node and position in the local part, per block. */
-    std::array<std::vector<std::pair<unsigned int, unsigned int>>, 2>
-           contact_entries_;
-    double cross_section_;
-
+                                           triangulation;
+    const FESystem<dim>                    finite_element_;
+    const MappingQ<dim>                    mapping_;
+    DoFHandler<dim>                        dof_handler_;
+    AffineConstraints<double>              constraints_;
+    IndexSet                               owned_;
+    IndexSet                               relevant_;
+    std::vector<IndexSet>                  owned_by_block_;
+    std::vector<IndexSet>                  relevant_by_block_;
+    std::vector<Vector>                    prototypes;
+    Vector                                 system_prototype;
+    std::unique_ptr<const ContactEnd<dim>> contact_end_;
     std::vector<IndexSet>                  constrained_;
     std::vector<std::vector<unsigned int>> constrained_entries_;
 
@@ -292,13 +248,14 @@ namespace ThermoContact
     make_grid(const MeshParameters &mesh);
 
     void
-    distribute_dofs(const ModelParameters &model);
+    distribute_dofs(const SceneFields &fields);
 
     void
     make_constraints(const bool has_rollers);
 
+    /** Finds the constrained degrees of freedom of each field. */
     void
-    find_contact_nodes();
+    collect_constrained();
   };
 } // namespace ThermoContact
 

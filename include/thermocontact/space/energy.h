@@ -46,11 +46,11 @@ namespace ThermoContact
   class Energy
   {
   public:
-    Energy(const Discretization<dim>             &discretization,
+    /** The references are borrowed. */
+    Energy(const Scene                           &scene,
+           const Discretization<dim>             &discretization,
            const ThermoviscoelasticOperator<dim> &stage_operator,
-           const Loads<dim>                      &loads,
-           const ContactLaw                      &law,
-           const Parameters                      &parameters);
+           const Loads<dim>                      &loads);
 
     /** $\hat E$ of (M.8). */
     EnergyTerms
@@ -87,7 +87,10 @@ namespace ThermoContact
 
     /** True if anything does work: sources, or heat that drives the rod. */
     bool
-    has_work() const;
+    has_work() const
+    {
+      return has_work_;
+    }
 
     /**
      * Rate of work of the sources and, if thermoelastic heating is off, of the
@@ -114,8 +117,9 @@ namespace ThermoContact
     const Discretization<dim>             &discretization;
     const ThermoviscoelasticOperator<dim> &stage_operator;
     const Loads<dim>                      &loads;
-    const ContactLaw                       law;
-    const ModelParameters                  model;
+    const ContactLaw                      &law;
+    const Material                        &material;
+    const bool                             has_work_;
     Vector                                 steady_profile_;
     Vector                                 steady_stress; ///< $D^T\theta_s$
     mutable Vector                         heat_scratch;
@@ -124,16 +128,17 @@ namespace ThermoContact
     mutable Vector                         momentum_product;
     mutable std::vector<double>            end_displacement;
     mutable std::vector<double>            old_end_displacement;
+    mutable std::vector<double>            old_penetration;
+
+    /** $b/2\|v\|^2$ */
+    double
+    kinetic_energy(const Vector &velocity) const;
 
     double
     heat_form(const SparseMatrix &matrix, const Vector &vector) const;
 
     double
     momentum_form(const SparseMatrix &matrix, const Vector &vector) const;
-
-    /** The thermal stress works and takes no heat for it. */
-    bool
-    is_driven_by_heat() const;
 
     double
     contact_dissipation(const State &old_state, const State &state) const;

@@ -4,7 +4,7 @@
 #define thermocontact_space_field_matrices_h
 
 #include <thermocontact/base/types.h>
-#include <thermocontact/input/parameters.h>
+#include <thermocontact/scene/scene.h>
 #include <thermocontact/space/discretization.h>
 
 namespace ThermoContact
@@ -21,19 +21,15 @@ namespace ThermoContact
   template <int dim>
   struct FieldMatrices
   {
-    /** The reference is borrowed. */
-    FieldMatrices(const Discretization<dim> &discretization,
-                  const Parameters          &parameters);
+    /** Both references are borrowed. */
+    FieldMatrices(const Scene               &scene,
+                  const Discretization<dim> &discretization);
 
   private:
+    const Scene               &scene;
     const Discretization<dim> &discretization;
-    const ModelParameters      model;
-    const double               heat_exchange;
-    const bool                 is_lumped;
-    const bool                 has_massless_contact;
 
   public:
-    const bool        has_own_viscous_stiffness;
     BlockSparseMatrix mass;      ///< $M$, $M_u$
     BlockSparseMatrix stiffness; ///< $K+kB$, $S$
 

@@ -43,6 +43,10 @@ namespace ThermoContact
     const Discretization<dim>    &discretization;
     std::unique_ptr<DirectSolver> laplace_solver;
 
+    /** Without entries; components do not act on each other. */
+    SparseMatrix
+    make_matrix() const;
+
     void
     assemble_laplace_matrix();
 

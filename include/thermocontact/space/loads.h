@@ -4,7 +4,6 @@
 #define thermocontact_space_loads_h
 
 #include <thermocontact/base/types.h>
-#include <thermocontact/input/parameters.h>
 #include <thermocontact/space/discretization.h>
 #include <thermocontact/space/problem_data.h>
 
@@ -28,8 +27,8 @@ namespace ThermoContact
   {
   public:
     /** The references are borrowed; the time of @p data is set from here. */
-    Loads(const Discretization<dim> &discretization,
-          const Parameters          &parameters,
+    Loads(const Scene               &scene,
+          const Discretization<dim> &discretization,
           ProblemData<dim>          &data);
 
     /** The part of $\ell_\theta$ that is no source: the obstacle's heat. */

@@ -14,11 +14,6 @@
 
 namespace ThermoContact
 {
-  /** True if a face of @p cell belongs to the contact end. */
-  template <int dim>
-  bool
-  is_at_contact_end(const typename DoFHandler<dim>::active_cell_iterator &cell);
-
   /** Rule for mass matrices; lumped: the nodes of FE_Q, a diagonal matrix. */
   template <int dim>
   Quadrature<dim>

@@ -3,7 +3,7 @@
 #ifndef thermocontact_space_point_values_h
 #define thermocontact_space_point_values_h
 
-#include <thermocontact/input/parameters.h>
+#include <thermocontact/scene/scene.h>
 #include <thermocontact/space/discretization.h>
 #include <thermocontact/space/state.h>
 
@@ -33,12 +33,10 @@ namespace ThermoContact
    * Places along the axis of the body: degree + 1 in each cell, equidistant and
    * in order of x, the last one of a cell where the first one of the next is.
    * Collective; the same on all ranks.
-   *
-   * @param width of the body; no matter in 1-D
    */
   template <int dim>
   std::vector<Place<dim>>
-  places_on_axis(const Discretization<dim> &discretization, const double width);
+  places_on_axis(const Discretization<dim> &discretization);
 
 
 
@@ -57,24 +55,28 @@ namespace ThermoContact
   class PointValues
   {
   public:
-    enum Field
+    enum Quantity
     {
       temperature,
       displacement,
       velocity,
       stress,
-      n_fields
+      n_quantities
     };
 
-    /** @param places in the body; the same on all ranks */
-    PointValues(const Discretization<dim>     &discretization,
-                const ModelParameters         &model,
+    /**
+     * The references are borrowed.
+     *
+     * @param places in the body; the same on all ranks
+     */
+    PointValues(const Scene                   &scene,
+                const Discretization<dim>     &discretization,
                 const std::vector<Place<dim>> &places);
 
     /**
      * @return on all ranks, valid until the next call: the values of the first
-     *   field at all places, then those of the next. NaN for a field that the
-     *   scene does not have, and for the velocity at $t=0$ if $b=\zeta=0$.
+     *   quantity at all places, then those of the next. NaN for a field that
+     * the scene does not have, and for the velocity at $t=0$ if $b=\zeta=0$.
      */
     const std::vector<double> &
     evaluate(const State &state);
@@ -113,8 +115,8 @@ namespace ThermoContact
       }
     };
 
+    const Scene                           &scene;
     const Discretization<dim>             &discretization;
-    const ModelParameters                  model;
     const unsigned int                     n_places;
     std::array<std::vector<Term>, n_forms> terms;
     std::vector<double>                    values;
@@ -134,10 +136,14 @@ namespace ThermoContact
     local_shares(const std::vector<Place<dim>> &places) const;
 
     void
-    add_values(const Form    form,
-               const Vector &vector,
-               const double  factor,
-               const Field   field);
+    add_values(const Form     form,
+               const Vector  &vector,
+               const double   factor,
+               const Quantity quantity);
+
+    /** The values of a quantity are NaN. */
+    void
+    set_absent(const Quantity quantity);
   };
 } // namespace ThermoContact
 

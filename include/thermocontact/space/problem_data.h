@@ -4,7 +4,7 @@
 #define thermocontact_space_problem_data_h
 
 #include <thermocontact/base/types.h>
-#include <thermocontact/input/parameters.h>
+#include <thermocontact/scene/scene.h>
 
 #include <deal.II/base/function.h>
 #include <deal.II/base/function_parser.h>
@@ -29,7 +29,7 @@ namespace ThermoContact
      *   has the wrong number of components, or is not finite at a sample of
      *   points at $t=0$
      */
-    explicit ProblemData(const Parameters &parameters);
+    explicit ProblemData(const Scene &scene);
 
     /**
      * Initial values $(\theta_0, u_0)$ of the fields that the scene has, with

@@ -4,7 +4,7 @@
 #define thermocontact_space_thermoviscoelastic_operator_h
 
 #include <thermocontact/base/types.h>
-#include <thermocontact/input/parameters.h>
+#include <thermocontact/scene/scene.h>
 #include <thermocontact/space/discretization.h>
 #include <thermocontact/space/field_matrices.h>
 #include <thermocontact/space/state.h>
@@ -30,8 +30,8 @@ namespace ThermoContact
   {
   public:
     /** Both references are borrowed and must outlive this object. */
-    ThermoviscoelasticOperator(const Discretization<dim> &discretization,
-                               const Parameters          &parameters);
+    ThermoviscoelasticOperator(const Scene               &scene,
+                               const Discretization<dim> &discretization);
 
     /** $M$, $\int\eta_i\eta_j$. */
     const SparseMatrix &
@@ -78,22 +78,22 @@ namespace ThermoContact
     }
 
     /**
-     * $S_\zeta$, without the viscosity $\zeta$: $S$, but for the scheme energy
-     * conserving, whose contact nodes have no viscous stress (M.37).
+     * $S_\zeta$, without the viscosity $\zeta$: $S$, but where the contact
+     * nodes have no viscous stress (M.37).
      */
     const SparseMatrix &
     viscous_stiffness() const
     {
-      return matrices.has_own_viscous_stiffness ?
+      return has_own_viscous_stiffness ?
                last_block(matrices.viscous_stiffness) :
                stiffness();
     }
 
-    /** $a$ of the heat equation; 0 if no heat comes from the motion. */
-    double
-    heating_coefficient() const
+    /** True if the motion heats the body: one stage matrix for both fields. */
+    bool
+    is_coupled() const
     {
-      return model.thermoelastic_heating();
+      return material.has_heating();
     }
 
     /**
@@ -148,11 +148,12 @@ namespace ThermoContact
 
     /** Sets the entries of constrained degrees of freedom to zero. */
     void
-    zero_constrained(const unsigned int block, Vector &vector) const;
+    zero_constrained(const Field::Block field, Vector &vector) const;
 
   private:
     const Discretization<dim> &discretization;
-    const ModelParameters      model;
+    const Material            &material;
+    const bool                 has_own_viscous_stiffness;
     const FieldMatrices<dim>   matrices;
     mutable Vector             heat_scratch;
     mutable Vector             momentum_scratch;
@@ -170,7 +171,7 @@ namespace ThermoContact
             const double        first_factor,
             const SparseMatrix &second,
             const double        second_factor,
-            const unsigned int  block) const;
+            const Field::Block  field) const;
   };
 } // namespace ThermoContact
 

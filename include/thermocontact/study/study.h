@@ -5,7 +5,7 @@
 
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/study/trajectory.h>
-#include <thermocontact/time/step_solver.h>
+#include <thermocontact/time/stage_solver.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -3,11 +3,8 @@
 #ifndef thermocontact_time_contact_equilibrium_h
 #define thermocontact_time_contact_equilibrium_h
 
-#include <thermocontact/method/contact_law.h>
-#include <thermocontact/space/discretization.h>
-#include <thermocontact/space/loads.h>
+#include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
-#include <thermocontact/space/thermoviscoelastic_operator.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -16,8 +13,7 @@ namespace ThermoContact
   /** $S_{NN}$, the stiffness between the contact nodes. */
   template <int dim>
   FullMatrix<double>
-  contact_stiffness(const Discretization<dim>             &discretization,
-                    const ThermoviscoelasticOperator<dim> &stage_operator);
+  contact_stiffness(const Body<dim> &body);
 
   /**
    * $X=K^{-1}\mathrm{diag}(w)$ of (M.39), displacements of the contact nodes
@@ -25,8 +21,8 @@ namespace ThermoContact
    */
   template <int dim>
   FullMatrix<double>
-  contact_receptance(const Discretization<dim> &discretization,
-                     const FullMatrix<double>  &stiffness);
+  contact_receptance(const ContactEnd<dim>    &end,
+                     const FullMatrix<double> &stiffness);
 
   /**
    * Puts contact nodes without mass and viscosity into equilibrium with the
@@ -36,11 +32,7 @@ namespace ThermoContact
    */
   template <int dim>
   void
-  settle_contact_nodes(const Discretization<dim>             &discretization,
-                       const ThermoviscoelasticOperator<dim> &stage_operator,
-                       const ContactLaw                      &law,
-                       Loads<dim>                            &loads,
-                       State                                 &state);
+  settle_contact_nodes(Body<dim> &body, State &state);
 } // namespace ThermoContact
 
 #endif

@@ -4,8 +4,6 @@
 #define thermocontact_time_dirk_integrator_h
 
 #include <thermocontact/method/butcher_tableau.h>
-#include <thermocontact/space/loads.h>
-#include <thermocontact/space/thermoviscoelastic_operator.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <vector>
@@ -30,14 +28,8 @@ namespace ThermoContact
   class DirkIntegrator : public TimeIntegrator
   {
   public:
-    /** The references are borrowed. */
-    DirkIntegrator(const Discretization<dim>             &discretization,
-                   const ThermoviscoelasticOperator<dim> &stage_operator,
-                   const Energy<dim>                     &energy,
-                   const ContactLaw                      &law,
-                   const ButcherTableau                  &tableau,
-                   Loads<dim>                            &loads,
-                   StepSolver                            &step_solver);
+    /** @param body borrowed; its scheme names the tableau */
+    explicit DirkIntegrator(Body<dim> &body);
 
     /** (M.27), (M.28). */
     void
@@ -52,20 +44,28 @@ namespace ThermoContact
                     const TimeStep &time_step,
                     StepResult     &result) override;
 
+    StageSolver &
+    stage_solver() override
+    {
+      return *solver;
+    }
+
+    const StageSolver &
+    stage_solver() const override
+    {
+      return *solver;
+    }
+
   private:
-    const Discretization<dim>             &discretization;
-    const ThermoviscoelasticOperator<dim> &stage_operator;
-    const Energy<dim>                     &energy;
-    const ContactLaw                       law;
-    const ButcherTableau                  &tableau;
-    Loads<dim>                            &loads;
-    StepSolver                            &step_solver;
-    std::vector<StageRates>                stages;
-    std::vector<Vector>                    accelerations; ///< $v'$ of a stage
-    State                                  known;
-    State                                  difference;
-    Vector                                 heat_load;
-    Vector                                 momentum_load;
+    Body<dim>                         &body;
+    const ButcherTableau              &tableau;
+    const std::unique_ptr<StageSolver> solver;
+    std::vector<StageRates>            stages;
+    std::vector<Vector>                accelerations; ///< $v'$ of a stage
+    State                              known;
+    State                              difference;
+    Vector                             heat_load;
+    Vector                             momentum_load;
 
     /** The known values of stage @p i of a step by @p step_size. */
     void
@@ -76,6 +76,10 @@ namespace ThermoContact
     /** The difference to the embedded scheme, (M.29). */
     void
     estimate_error(const double step_size, StepResult &result);
+
+    /** The temperature rate of the paper's first step. */
+    void
+    solve_heat_alone(const State &state, const double tau, Vector &rate);
 
     /** Adds what the stage that ends in @p stage_state weighs. */
     void

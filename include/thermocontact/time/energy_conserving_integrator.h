@@ -4,9 +4,7 @@
 #define thermocontact_time_energy_conserving_integrator_h
 
 #include <thermocontact/method/conserving_contact.h>
-#include <thermocontact/space/energy.h>
-#include <thermocontact/space/loads.h>
-#include <thermocontact/time/stage_solver.h>
+#include <thermocontact/time/monolithic_solver.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <memory>
@@ -30,14 +28,8 @@ namespace ThermoContact
   class EnergyConservingIntegrator : public TimeIntegrator
   {
   public:
-    /** The references are borrowed. */
-    EnergyConservingIntegrator(
-      const Discretization<dim>             &discretization,
-      const ThermoviscoelasticOperator<dim> &stage_operator,
-      const Energy<dim>                     &energy,
-      const ContactLaw                      &law,
-      Loads<dim>                            &loads,
-      StageSolver<dim>                      &stage_solver);
+    /** @param body borrowed */
+    explicit EnergyConservingIntegrator(Body<dim> &body);
 
     void
     step(const State      &state,
@@ -46,13 +38,21 @@ namespace ThermoContact
          const ContactMode mode,
          StepResult       &result) override;
 
+    StageSolver &
+    stage_solver() override
+    {
+      return solver;
+    }
+
+    const StageSolver &
+    stage_solver() const override
+    {
+      return solver;
+    }
+
   private:
-    const Discretization<dim>             &discretization;
-    const ThermoviscoelasticOperator<dim> &stage_operator;
-    const Energy<dim>                     &energy;
-    const ContactLaw                       law;
-    Loads<dim>                            &loads;
-    StageSolver<dim>                      &stage_solver;
+    Body<dim>            &body;
+    MonolithicSolver<dim> solver;
 
     StageRates         rates;
     State              midpoint;
@@ -70,6 +70,17 @@ namespace ThermoContact
     /** Computes $X$ and what goes with it. */
     void
     set_up_contact();
+
+    /**
+     * Takes from a stiffness between the contact nodes what their motion gives
+     * back by heating the body at fixed entropy.
+     */
+    void
+    add_heating(FullMatrix<double> &stiffness);
+
+    /** Penetrations of contact nodes at these positions. */
+    std::vector<double>
+    beyond_gap(const std::vector<double> &position) const;
 
     /** Work of loads and of heat that drives the body, (M.25). */
     double

@@ -3,10 +3,9 @@
 #ifndef thermocontact_time_fixed_point_solver_h
 #define thermocontact_time_fixed_point_solver_h
 
-#include <thermocontact/method/contact_law.h>
+#include <thermocontact/space/body.h>
 #include <thermocontact/space/direct_solver.h>
-#include <thermocontact/space/thermoviscoelastic_operator.h>
-#include <thermocontact/time/step_solver.h>
+#include <thermocontact/time/stage_solver.h>
 
 #include <memory>
 
@@ -25,14 +24,11 @@ namespace ThermoContact
    * as nothing moves).
    */
   template <int dim>
-  class FixedPointSolver : public StepSolver
+  class FixedPointSolver : public StageSolver
   {
   public:
-    /** The references are borrowed. */
-    FixedPointSolver(const Discretization<dim>             &discretization,
-                     const ThermoviscoelasticOperator<dim> &stage_operator,
-                     const ContactLaw                      &law,
-                     const Parameters                      &parameters);
+    /** @param body borrowed */
+    explicit FixedPointSolver(const Body<dim> &body);
 
     void
     solve(const State  &known,
@@ -45,11 +41,11 @@ namespace ThermoContact
     types::global_dof_index
     n_factorized_unknowns() const override;
 
-    SolverMemory
-    memory() const override;
+    RetainedFactorizations
+    retained() const override;
 
     void
-    restore(const SolverMemory &memory) override;
+    restore(const RetainedFactorizations &retained) override;
 
     /**
      * The contraction factor (M.20) of the contact part at stage length
@@ -61,12 +57,9 @@ namespace ThermoContact
     contraction_factor(const double tau);
 
   private:
-    const Discretization<dim>             &discretization;
-    const ThermoviscoelasticOperator<dim> &stage_operator;
-    const ContactLaw                       law;
-    const ModelParameters                  model;
-    const double                           tolerance;
-    const unsigned int                     max_iterations;
+    const Body<dim>   &body;
+    const double       tolerance;
+    const unsigned int max_iterations;
 
     double                        factorized_tau;
     std::unique_ptr<DirectSolver> heat_solver;

@@ -55,13 +55,6 @@ namespace ThermoContact
       return (whole ? 1 : 0) + (heat ? 1 : 0) + (momentum ? 1 : 0);
     }
 
-    /** True if one matrix holds both fields. */
-    static bool
-    is_coupled(const ThermoviscoelasticOperator<dim> &stage_operator)
-    {
-      return stage_operator.heating_coefficient() != 0.;
-    }
-
   private:
     const Discretization<dim>             &discretization;
     const ThermoviscoelasticOperator<dim> &stage_operator;

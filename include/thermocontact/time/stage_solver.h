@@ -3,112 +3,135 @@
 #ifndef thermocontact_time_stage_solver_h
 #define thermocontact_time_stage_solver_h
 
-#include <thermocontact/method/contact_solver.h>
-#include <thermocontact/space/thermoviscoelastic_operator.h>
-#include <thermocontact/time/stage_factorization.h>
-#include <thermocontact/time/step_solver.h>
+#include <thermocontact/base/types.h>
+#include <thermocontact/method/contact_law.h>
+#include <thermocontact/space/state.h>
 
-#include <deal.II/lac/full_matrix.h>
-
-#include <list>
+#include <string>
+#include <vector>
 
 namespace ThermoContact
 {
+  /** The solution of one implicit stage, doc/model.md (M.14). */
+  struct StageRates
+  {
+    Vector              temperature_rate; ///< $\theta'$
+    Vector              velocity;         ///< $v=u'$
+    std::vector<double> pressure;         ///< $p_i$ at the contact nodes
+    unsigned int        n_iterations = 0; ///< active sets or fixed point
+    std::string         failure;          ///< empty: solved
+  };
+
+
+
+  /** What a run has spent. */
+  struct SolverCounters
+  {
+    unsigned int factorizations = 0;
+    unsigned int solves         = 0; ///< back-substitutions of stages
+    unsigned int responses      = 0; ///< back-substitutions for $W$
+
+    double factorization_seconds = 0.; ///< assembly of stage matrices, too
+    double solve_seconds         = 0.; ///< with factorisations
+    double contact_seconds       = 0.; ///< pressures and responses
+
+    SolverCounters &
+    operator+=(const SolverCounters &other)
+    {
+      factorizations += other.factorizations;
+      solves += other.solves;
+      responses += other.responses;
+      factorization_seconds += other.factorization_seconds;
+      solve_seconds += other.solve_seconds;
+      contact_seconds += other.contact_seconds;
+      return *this;
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &factorizations &solves &responses;
+    }
+  };
+
+
+
+  /** What a stage solver retains from one stage to the next. */
+  struct RetainedFactorizations
+  {
+    SolverCounters counters;
+
+    /** Stage lengths that are factorised, the one used last in front. */
+    std::vector<double> taus;
+
+    /** Whether the response to pressures is known for them. */
+    std::vector<bool> has_response;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &counters &taus &has_response;
+    }
+  };
+
+
+
   /**
-   * The monolithic stage: both fields at once and contact exactly, doc/model.md
-   * (M.15)-(M.18). One factorisation per stage length; those used last are
-   * kept, since error-controlled steps come back to few sizes. The response to
-   * unit pressures is computed when a node first reaches the obstacle.
+   * Solves one implicit stage of length tau: finds the rates with
+   * $\theta=\tilde\theta+\tau\theta'$, $u=\tilde u+\tau v$,
+   * $v=\tilde v+\tau v'$ that satisfy the semidiscrete equations (M.11),
+   * (M.12) with contact.
    */
-  template <int dim>
-  class StageSolver : public StepSolver
+  class StageSolver
   {
   public:
-    /** The references are borrowed. */
-    StageSolver(const Discretization<dim>             &discretization,
-                const ThermoviscoelasticOperator<dim> &stage_operator,
-                const ContactLaw                      &law);
+    virtual ~StageSolver() = default;
 
-    void
+    /**
+     * @param known $(\tilde\theta,\tilde u,\tilde v)$ and, to start the search,
+     *   nearby contact pressures
+     * @param tau stage length, positive; a new value costs a factorisation
+     * @param heat_load,momentum_load loads at the stage time
+     * @param mode unilateral: the contact law; open, closed: one of its two
+     *   branches, which makes the stage linear
+     * @param rates out; its vectors have been given their layout by the caller;
+     *   a stage that did not converge has a non-empty failure
+     * @throw ComputationError if a matrix cannot be factorised or the active
+     *   set of several contact nodes does not settle
+     */
+    virtual void
     solve(const State  &known,
           const double  tau,
           const Vector &heat_load,
           const Vector &momentum_load,
           ContactMode   mode,
-          StageRates   &rates) override;
+          StageRates   &rates) = 0;
 
-    types::global_dof_index
-    n_factorized_unknowns() const override;
+    /** Number of unknowns of the largest matrix that is factorised. */
+    virtual types::global_dof_index
+    n_factorized_unknowns() const = 0;
 
-    SolverMemory
-    memory() const override;
+    const SolverCounters &
+    counters() const
+    {
+      return counters_;
+    }
 
-    void
-    restore(const SolverMemory &memory) override;
+    /** What the solver retains between stages, for checkpoints. */
+    virtual RetainedFactorizations
+    retained() const = 0;
 
     /**
-     * The rates of a stage for zero pressures, to be followed by
-     * apply_pressure(); parameters as for solve().
+     * Makes again what was retained and goes on counting from there, so that a
+     * run that goes on spends what an uninterrupted one does. Collective.
      */
-    void
-    solve_without_contact(const State  &known,
-                          const double  tau,
-                          const Vector &heat_load,
-                          const Vector &momentum_load,
-                          StageRates   &rates);
+    virtual void
+    restore(const RetainedFactorizations &retained) = 0;
 
-    /** $W$ of (M.16) for the stage that was solved last. */
-    const FullMatrix<double> &
-    response();
-
-    /**
-     * Adds the response to @p rates.pressure to the rates of the stage that was
-     * solved last without contact.
-     */
-    void
-    apply_pressure(StageRates &rates) const;
-
-  private:
-    const Discretization<dim>             &discretization;
-    const ThermoviscoelasticOperator<dim> &stage_operator;
-    const ContactLaw                       law;
-    const ContactSolver                    contact_solver;
-
-    /** Rates per unit pressure at a node, with the sign reversed. */
-    struct UnitResponse
-    {
-      Vector temperature_rate;
-      Vector velocity;
-    };
-
-    /** The stage matrix for one stage length and what goes with it. */
-    struct Factorization
-    {
-      StageFactorization<dim>   matrix;
-      std::vector<UnitResponse> unit_responses;
-      FullMatrix<double>        response; ///< $W$
-    };
-
-    const unsigned int       max_factorizations;
-    std::list<Factorization> factorizations; ///< the one used last in front
-
-    Vector              heat_rhs;
-    Vector              momentum_rhs;
-    std::vector<double> known_displacement;
-    std::vector<double> free_displacement;
-
-    /** Puts the factorisation for @p tau in front. */
-    void
-    provide_factorization(const double tau);
-
-    void
-    compute_response(Factorization &factorization);
-
-    /** Pressures from the displacements without contact. */
-    void
-    solve_contact(const State      &known,
-                  const ContactMode mode,
-                  StageRates       &rates);
+  protected:
+    SolverCounters counters_;
   };
 } // namespace ThermoContact
 

@@ -74,8 +74,13 @@ namespace ThermoContact
   class StepController
   {
   public:
-    /** @param order order of the scheme, for error-controlled steps */
-    StepController(const Parameters &parameters, const unsigned int order);
+    /**
+     * @param output whose intervals steps may have to end on
+     * @param order of the scheme, for error-controlled steps
+     */
+    StepController(const TimeParameters   &time,
+                   const OutputParameters &output,
+                   const unsigned int      order);
 
     /** The step to be tried from @p time on; @p time < $T$. */
     TimeStep

@@ -4,11 +4,12 @@
 #define thermocontact_time_time_integrator_h
 
 #include <thermocontact/method/contact_law.h>
-#include <thermocontact/space/energy.h>
+#include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
+#include <thermocontact/time/stage_solver.h>
 #include <thermocontact/time/step_controller.h>
-#include <thermocontact/time/step_solver.h>
 
+#include <memory>
 #include <string>
 
 namespace ThermoContact
@@ -19,6 +20,7 @@ namespace ThermoContact
     State        state;                      ///< at the end of the step
     EnergyTerms  energy;                     ///< of that state
     EnergyTerms  error;                      ///< its estimate, (M.29)
+    double       old_energy            = 0.; ///< where the step starts
     double       work                  = 0.; ///< $W$
     double       dissipation           = 0.; ///< $D$
     double       numerical_dissipation = 0.; ///< $N$
@@ -26,6 +28,14 @@ namespace ThermoContact
     unsigned int n_iterations          = 0;  ///< of the stages, added up
     bool         is_prescribed = false;      ///< the paper's first step, (M.26)
     std::string  failure;                    ///< empty: the step is solved
+
+    /**
+     * All ranks take the scalars of rank 0, and the failure of any: sums over
+     * ranks may differ in rounding from one to the other, and what is decided
+     * from them must not. Collective.
+     */
+    void
+    agree(const MPI_Comm communicator);
   };
 
 
@@ -45,7 +55,7 @@ namespace ThermoContact
      * @param result out; its error is set if the scheme has an estimate; reuses
      *   the memory of an earlier result; if a stage did not converge only its
      *   failure has a meaning
-     * @throw ComputationError as StepSolver::solve() does
+     * @throw ComputationError as StageSolver::solve() does
      */
     virtual void
     step(const State      &state,
@@ -70,22 +80,73 @@ namespace ThermoContact
       Assert(false, dealii::ExcNotImplemented());
     }
 
-    /** What was spent beside the step solver. */
+    /** The solver of its stages. */
+    virtual StageSolver &
+    stage_solver() = 0;
+
+    virtual const StageSolver &
+    stage_solver() const = 0;
+
+    /** What was spent beside the stage solver. */
     const SolverCounters &
-    counters() const
+    own_counters() const
     {
       return counters_;
     }
 
     /** Goes on counting from there, for a run that goes on. */
     void
-    restore(const SolverCounters &counters)
+    restore_own_counters(const SolverCounters &counters)
     {
       counters_ = counters;
     }
 
   protected:
     SolverCounters counters_;
+  };
+
+
+
+  /** Makes the integrator of a scheme for a body, which is borrowed. */
+  class IntegratorMaker
+  {
+  public:
+    virtual ~IntegratorMaker() = default;
+
+    virtual std::unique_ptr<TimeIntegrator>
+    make(Body<1> &body) const = 0;
+
+    virtual std::unique_ptr<TimeIntegrator>
+    make(Body<2> &body) const = 0;
+
+    virtual std::unique_ptr<TimeIntegrator>
+    make(Body<3> &body) const = 0;
+  };
+
+
+
+  /** Makes `Integrator<dim>(body)`. */
+  template <template <int> class Integrator>
+  class MakerOf : public IntegratorMaker
+  {
+  public:
+    std::unique_ptr<TimeIntegrator>
+    make(Body<1> &body) const override
+    {
+      return std::make_unique<Integrator<1>>(body);
+    }
+
+    std::unique_ptr<TimeIntegrator>
+    make(Body<2> &body) const override
+    {
+      return std::make_unique<Integrator<2>>(body);
+    }
+
+    std::unique_ptr<TimeIntegrator>
+    make(Body<3> &body) const override
+    {
+      return std::make_unique<Integrator<3>>(body);
+    }
   };
 } // namespace ThermoContact
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// What a Simulation remembers, for checkpoints.
+// What a Simulation saves of itself, for checkpoints.
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/simulation/simulation.h>
@@ -19,26 +19,25 @@ namespace ThermoContact
   void
   Simulation<dim>::archive_progress(Archive &archive)
   {
-    archive &state_ &record_ &events_               &warnings_;
-    archive &n_rejected_steps_                      &n_retakes;
-    archive &max_energy_increase_ &max_penetration_ &max_contact_force_;
-    archive &controller &error_norm &energy_watch   &event_locator;
+    archive &state_                               &history_;
+    archive &controller &error_norm &energy_watch &tracker;
   }
 
 
 
   template <int dim>
   std::string
-  Simulation<dim>::memory() const
+  Simulation<dim>::save() const
   {
     std::ostringstream              stream;
     boost::archive::binary_oarchive archive(stream, boost::archive::no_header);
     // one function says what is written and read; writing changes nothing
     const_cast<Simulation<dim> *>(this)->archive_progress(archive);
-    const SolverMemory   solver        = step_solver->memory();
-    const SolverCounters of_integrator = integrator->counters();
-    const SolverCounters of_transition = transition.counters();
-    archive << solver << of_integrator << of_transition;
+    const RetainedFactorizations retained =
+      integrator->stage_solver().retained();
+    const SolverCounters of_integrator = integrator->own_counters();
+    const SolverCounters of_tracker    = tracker.counters();
+    archive << retained << of_integrator << of_tracker;
     return stream.str();
   }
 
@@ -46,18 +45,18 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Simulation<dim>::restore(const std::string &memory)
+  Simulation<dim>::restore(const std::string &saved)
   {
-    SolverMemory   solver;
-    SolverCounters of_integrator, of_transition;
-    std::string    fault;
+    RetainedFactorizations retained;
+    SolverCounters         of_integrator, of_tracker;
+    std::string            fault;
     try
       {
-        std::istringstream              stream(memory);
+        std::istringstream              stream(saved);
         boost::archive::binary_iarchive archive(stream,
                                                 boost::archive::no_header);
         archive_progress(archive);
-        archive >> solver >> of_integrator >> of_transition;
+        archive >> retained >> of_integrator >> of_tracker;
       }
     catch (const std::exception &error)
       {
@@ -65,21 +64,21 @@ namespace ThermoContact
       }
     // perhaps on one rank alone
     const auto faults =
-      Utilities::MPI::all_gather(discretization_.communicator(), fault);
+      Utilities::MPI::all_gather(discretization().communicator(), fault);
     for (const std::string &message : faults)
       if (!message.empty())
         throw InputError("--resume: the checkpoint does not fit this scene: " +
                          message + "\n  remedy:  run without --resume");
-    step_solver->restore(solver);
-    integrator->restore(of_integrator);
-    transition.restore(of_transition);
+    integrator->stage_solver().restore(retained);
+    integrator->restore_own_counters(of_integrator);
+    tracker.restore(of_tracker);
     is_restored = true;
   }
 
 
 
-#define INSTANTIATE(dim)                                \
-  template std::string Simulation<dim>::memory() const; \
+#define INSTANTIATE(dim)                              \
+  template std::string Simulation<dim>::save() const; \
   template void        Simulation<dim>::restore(const std::string &)
 
   INSTANTIATE(1);

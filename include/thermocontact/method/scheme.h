@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_method_scheme_h
+#define thermocontact_method_scheme_h
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  class IntegratorMaker;
+
+  /**
+   * A time integration scheme: all that the rest of the program may ask about
+   * it. Each stands in the file of its integrator, with what makes that.
+   */
+  struct Scheme
+  {
+    std::string  name; ///< value of Time/Scheme
+    std::string  text; ///< what it is, for the parameter reference
+    unsigned int order = 1;
+
+    /** Its steps can follow a tolerance. */
+    bool has_error_estimate = false;
+
+    /** Its errors can increase the energy of a body that nothing drives. */
+    bool can_create_energy = true;
+
+    /** It needs a body with inertia. */
+    bool needs_inertia = false;
+
+    /** Its contact nodes have no mass. */
+    bool needs_massless_contact = false;
+
+    /** It knows what linear contact laws store, and no others. */
+    bool needs_linear_contact = false;
+
+    /** The viscosity acts on its contact nodes. */
+    bool has_viscous_contact = true;
+
+    /**
+     * A step can hold the state of contact, so that steps can end where it
+     * changes.
+     */
+    bool can_hold_contact = true;
+
+    /**
+     * It is the one of the paper: with its prescribed first step and its fixed
+     * point iteration.
+     */
+    bool is_of_paper = false;
+
+    /** Steps under a tolerance $\epsilon$ are about as many as $\epsilon^{-e}$.
+     */
+    double step_exponent = 0.25;
+
+    /** Makes its TimeIntegrator; lives as long as the program. */
+    const IntegratorMaker *integrator = nullptr;
+  };
+
+
+
+  /**
+   * The schemes of the program. The list stands in the room `time`, beside the
+   * integrators.
+   */
+  const std::vector<Scheme> &
+  schemes();
+
+  /** The scheme of that name, which exists. */
+  const Scheme &
+  scheme(const std::string &name);
+
+  /** The one for all purposes: steps from a tolerance. */
+  const Scheme &
+  default_scheme();
+
+  /** The first that @p is_wanted, or nullptr. */
+  const Scheme *
+  find_scheme(const std::function<bool(const Scheme &)> &is_wanted);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_scene_scene_h
+#define thermocontact_scene_scene_h
+
+#include <thermocontact/input/parameters.h>
+#include <thermocontact/method/contact_law.h>
+#include <thermocontact/method/scheme.h>
+
+#include <memory>
+#include <string>
+
+namespace ThermoContact
+{
+  /** The fields of a scene; an absent one has no unknowns and no matrices. */
+  struct SceneFields
+  {
+    bool has_temperature;
+    bool has_displacement;
+
+    /** Number of scalar unknowns per node. */
+    unsigned int
+    n_components(const unsigned int dim) const
+    {
+      return (has_temperature ? 1 : 0) + (has_displacement ? dim : 0);
+    }
+  };
+
+
+
+  /** The coefficients that a scene has, doc/model.md (M.1), (M.2), (M.6). */
+  struct Material
+  {
+    double inertia;        ///< $b\ge0$
+    double viscosity;      ///< $\zeta\ge0$
+    double thermal_stress; ///< $a$ of $-a\theta$; 0 if a field is absent
+    double heating;        ///< $a$ of $-a\,\mathrm{div}\,u_t$; 0 if it is off
+    double lambda;         ///< Lame coefficients of unit P-wave modulus
+    double two_mu;
+
+    bool
+    has_inertia() const
+    {
+      return inertia > 0.;
+    }
+
+    bool
+    has_viscosity() const
+    {
+      return viscosity > 0.;
+    }
+
+    bool
+    has_thermal_stress() const
+    {
+      return thermal_stress != 0.;
+    }
+
+    /** True if the motion heats the body, so that fields act on each other. */
+    bool
+    has_heating() const
+    {
+      return heating != 0.;
+    }
+
+    /** The thermal stress works and takes no heat for it. */
+    bool
+    is_driven_by_heat() const
+    {
+      return has_thermal_stress() && !has_heating();
+    }
+
+    /** True if displacements are in equilibrium at every time, $b=\zeta=0$. */
+    bool
+    is_static() const
+    {
+      return !has_inertia() && !has_viscosity();
+    }
+  };
+
+
+
+  /**
+   * Heat between the contact end and the obstacle, (M.3), and the steady
+   * profile $\theta_s=\theta_A-c(\theta_A-\theta_{obs})x$ that it makes, (M.7).
+   */
+  struct HeatExchange
+  {
+    double coefficient;           ///< $k\ge0$
+    double fixed_end_temperature; ///< $\theta_A$
+    double obstacle_temperature;  ///< $\theta_{obs}$
+
+    /** Heat that leaves the end, $k(\theta-\theta_{obs})$. */
+    double
+    flux(const double temperature_end) const
+    {
+      return coefficient * (temperature_end - obstacle_temperature);
+    }
+
+    /** $k\theta_{obs}$, what the obstacle gives by its temperature alone. */
+    double
+    obstacle_heat() const
+    {
+      return coefficient * obstacle_temperature;
+    }
+
+    /** $c=k/(k+1)$, the part of the way to the obstacle's temperature. */
+    double
+    steady_drop() const
+    {
+      return coefficient / (coefficient + 1.);
+    }
+
+    /** $\theta_s(x)$. */
+    double
+    steady_temperature(const double x) const
+    {
+      return fixed_end_temperature -
+             steady_drop() * (fixed_end_temperature - obstacle_temperature) * x;
+    }
+  };
+
+
+
+  /** The contact end and the obstacle. */
+  struct SceneContact
+  {
+    std::unique_ptr<const ContactLaw> law;
+    double                            gap; ///< $g$, of the undeformed body
+
+    /** How the contact nodes move; meaningless without obstacle. */
+    ContactNodes nodes;
+
+    /** The mass of the contact nodes is moved to others, (M.36). */
+    bool has_massless_nodes;
+
+    /**
+     * The contact nodes are in equilibrium at all times, since they, or the
+     * whole body, have neither mass nor viscous stress.
+     */
+    bool is_in_equilibrium;
+
+    /** Steps end where contact begins or ends. */
+    bool locates_events;
+
+    bool
+    has_mass() const
+    {
+      return nodes == ContactNodes::with_mass;
+    }
+
+    /** A node that meets the obstacle loses its velocity at once. */
+    bool
+    has_impacts() const
+    {
+      return law->is_rigid() && has_mass();
+    }
+  };
+
+
+
+  /** Which sources act on a field of the scene. */
+  struct SceneSources
+  {
+    bool has_heat_source;
+    bool has_body_force;
+    bool has_end_traction;
+    bool has_end_heat_flux;
+
+    bool
+    any() const
+    {
+      return has_heat_source || has_body_force || has_end_traction ||
+             has_end_heat_flux;
+    }
+  };
+
+
+
+  /**
+   * What a run has, resolved once from what the user wrote: every question such
+   * as whether the obstacle is rigid or the body static is answered here, and
+   * what is absent is not asked for again.
+   */
+  struct Scene
+  {
+    /** @param parameters may be ones that check_scene() refuses */
+    explicit Scene(const Parameters &parameters);
+
+    const Parameters   parameters; ///< as written: for files and words
+    const SceneFields  fields;
+    const Material     material;
+    const HeatExchange heat;
+    const SceneSources sources;
+    const Scheme      &scheme;
+
+    /** The first step has the prescribed velocity of the paper, (M.26). */
+    const bool has_prescribed_start;
+
+    const SceneContact contact;
+
+    /** Lateral faces have no normal displacement; dim > 1. */
+    const bool has_rollers;
+
+    const bool has_lumped_mass;
+
+    /** Stages are solved by the iteration of the paper. */
+    const bool is_fixed_point;
+
+    /** True if anything does work: sources, or heat that drives the body. */
+    bool
+    has_work() const
+    {
+      return sources.any() || material.is_driven_by_heat();
+    }
+
+    /**
+     * The viscosity leaves out the contact nodes, whose forces are elastic and
+     * thermal alone, (M.37).
+     */
+    bool
+    has_elastic_contact_nodes() const
+    {
+      return contact.has_massless_nodes && !scheme.has_viscous_contact &&
+             material.has_viscosity();
+    }
+  };
+} // namespace ThermoContact
+
+#endif

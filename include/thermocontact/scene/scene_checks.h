@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_scene_scene_checks_h
+#define thermocontact_scene_scene_checks_h
+
+#include <thermocontact/input/parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** An entry that a scene cannot use, and the setting that says so. */
+  struct UnusedEntry
+  {
+    std::string path;   ///< "Section/Entry"
+    std::string reason; ///< e.g. "Contact/Condition = rigid"
+  };
+
+
+
+  /** The entries that the scene of these parameters cannot use. */
+  std::vector<UnusedEntry>
+  unused_entries(const Parameters &parameters);
+
+  /**
+   * Refuses values that the scene would ignore.
+   *
+   * @param prm bound to @p parameters
+   * @throw InputError if an entry of unused_entries() differs from its default
+   */
+  void
+  check_unused_entries(const Parameters       &parameters,
+                       const ParameterHandler &prm);
+
+  /**
+   * Checks what a pattern for one entry cannot: limits that exclude their
+   * bound, combinations, the number of steps and of unknowns.
+   *
+   * @throw InputError naming section path, value, what is allowed, remedy
+   */
+  void
+  check_scene(const Parameters &parameters);
+} // namespace ThermoContact
+
+#endif

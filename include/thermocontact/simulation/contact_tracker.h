@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_simulation_contact_tracker_h
+#define thermocontact_simulation_contact_tracker_h
+
+#include <thermocontact/method/event_locator.h>
+#include <thermocontact/simulation/contact_transition.h>
+#include <thermocontact/space/body.h>
+#include <thermocontact/time/step_controller.h>
+#include <thermocontact/time/time_integrator.h>
+
+#include <optional>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** What contact says of a step that has been computed and is accurate. */
+  struct ContactVerdict
+  {
+    enum Kind
+    {
+      accept,          ///< contact is what was supposed
+      accept_with_law, ///< and its end is to be taken from the law
+      to_time,         ///< contact changes within: take it again to @p time
+      in_other_state,  ///< contact changes at its start: take it again
+      with_law         ///< take it again, with the law in every stage
+    };
+
+    Kind   kind = accept;
+    double time = 0.;
+  };
+
+
+
+  /**
+   * The discrete part of the motion: which state of contact an attempt at a
+   * step supposes, from where it starts, and whether what it shows fits.
+   * Between attempts nothing that was accepted changes: an impact at the start
+   * of a step acts on a copy of the state, which counts when the step from it
+   * is accepted and is dropped when its event is taken back.
+   */
+  template <int dim>
+  class ContactTracker
+  {
+  public:
+    /** @param body borrowed */
+    explicit ContactTracker(const Body<dim> &body);
+
+    /** Forgets all and takes the initial state. */
+    void
+    start(const State &initial, std::vector<ContactEvent> &events);
+
+    /** The state of contact that the next attempt supposes. */
+    ContactMode
+    mode() const
+    {
+      return locator.mode();
+    }
+
+    /** Where the next attempt starts: @p accepted, or what an impact makes. */
+    const State &
+    start_state(const State &accepted) const
+    {
+      return impacted ? impacted->state : accepted;
+    }
+
+    /** Energy there. */
+    double
+    start_energy(const EnergyTerms &accepted) const
+    {
+      return (impacted ? impacted->energy : accepted).sum();
+    }
+
+    /**
+     * Judges a step and prepares the next attempt.
+     *
+     * @param accepted,energy the state that was accepted last
+     * @param is_prescribed the step of the paper, which supposes nothing
+     * @param mechanical_energy largest elastic or kinetic energy so far
+     */
+    ContactVerdict
+    judge(const TimeStep    &time_step,
+          const StepResult  &result,
+          const State       &accepted,
+          const EnergyTerms &energy,
+          const bool         is_prescribed,
+          const double       mechanical_energy);
+
+    /**
+     * The step that was judged last is accepted: makes its end a state that the
+     * next one can start from, books what impacts have cost, and appends its
+     * events.
+     *
+     * @param verdict with which it is accepted; @p result was computed anew if
+     *   that says so
+     */
+    void
+    accept(const ContactVerdict      &verdict,
+           StepResult                &result,
+           std::vector<ContactEvent> &events);
+
+    /** What impacts have spent. */
+    const SolverCounters &
+    counters() const
+    {
+      return transition.counters();
+    }
+
+    /** What changes during a run, for checkpoints; after accept(). */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &locator;
+    }
+
+    /** Makes again what impacts need and goes on counting from there. */
+    void
+    restore(const SolverCounters &counters)
+    {
+      transition.restore(counters);
+    }
+
+  private:
+    /** A state after an impact at its time, and what that has cost. */
+    struct Impacted
+    {
+      State       state;
+      EnergyTerms energy;
+      double      impulse               = 0.;
+      double      numerical_dissipation = 0.;
+    };
+
+    const Body<dim>        &body;
+    ContactTransition<dim>  transition;
+    EventLocator            locator;
+    EventLocator::Finding   finding;   ///< of the step that was judged last
+    ContactValues           next;      ///< at its end
+    std::optional<Impacted> impacted;  ///< at its start
+    unsigned int            n_retakes; ///< to the next event
+
+    void
+    get_values(const State &state, ContactValues &values) const;
+
+    /** Contact changes at the start of the step. */
+    ContactVerdict
+    switch_state(const State &accepted, const EnergyTerms &energy);
+
+    ContactVerdict
+    hold_nothing();
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_simulation_run_history_h
+#define thermocontact_simulation_run_history_h
+
+#include <thermocontact/method/event_locator.h>
+#include <thermocontact/simulation/measurements.h>
+#include <thermocontact/time/step_controller.h>
+#include <thermocontact/time/time_integrator.h>
+
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** What a run has shown up to the state that was accepted last. */
+  struct RunHistory
+  {
+    /** The quantities of that state and the balances up to it. */
+    StepRecord record;
+
+    /** Contact events in order of time. */
+    std::vector<ContactEvent> events;
+
+    /**
+     * For observers: the attempts that the present step took, of which the last
+     * one was accepted; none at the initial state. After a failure the attempts
+     * at the step that failed.
+     */
+    std::vector<StepAttempt> attempts;
+
+    /** Attempts that were not accepted, for whatever reason. */
+    unsigned int n_rejected_steps = 0;
+
+    /**
+     * Largest $\hat E^n-\hat E^{n-1}-W$ of a step that solved a stage, where
+     * it is positive; 0 if the scheme always dissipated.
+     */
+    double max_energy_increase = 0.;
+
+    // of the states so far
+    double max_penetration   = 0.;
+    double max_contact_force = 0.;
+
+    /** What the user should know although the run goes on. */
+    std::vector<std::string> warnings;
+
+    /** Takes the quantities of the present state into the largest so far. */
+    void
+    add_maxima();
+
+    /** Books a step that is accepted, with its cost; not what it measures. */
+    void
+    add_step(const TimeStep &time_step, const StepResult &result);
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &record &events &n_rejected_steps &max_energy_increase
+        &max_penetration &max_contact_force &warnings;
+    }
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_body_h
+#define thermocontact_space_body_h
+
+#include <thermocontact/scene/scene.h>
+#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/energy.h>
+#include <thermocontact/space/loads.h>
+#include <thermocontact/space/problem_data.h>
+#include <thermocontact/space/thermoviscoelastic_operator.h>
+
+namespace ThermoContact
+{
+  /**
+   * The body of a scene, discretised in space: spaces, matrices, loads and
+   * energy of the semidiscrete equations, doc/model.md (M.11), (M.12), with
+   * what the scene says of them. What happens in time needs no more.
+   *
+   * Constant but for the time at which the loads were evaluated last.
+   */
+  template <int dim>
+  struct Body
+  {
+    /**
+     * Collective.
+     *
+     * @param scene borrowed
+     * @throw InputError if an expression of the scene cannot be evaluated
+     */
+    Body(const Scene &scene, const MPI_Comm communicator)
+      : scene(scene)
+      , data(scene)
+      , discretization(scene, communicator)
+      , equations(scene, discretization)
+      , loads(scene, discretization, data)
+      , energy(scene, discretization, equations, loads)
+    {}
+
+    const Scene                          &scene;
+    ProblemData<dim>                      data;
+    const Discretization<dim>             discretization;
+    const ThermoviscoelasticOperator<dim> equations;
+    Loads<dim>                            loads;
+    const Energy<dim>                     energy;
+
+    /** The contact law, which every node has. */
+    const ContactLaw &
+    law() const
+    {
+      return *scene.contact.law;
+    }
+
+    const ContactEnd<dim> &
+    contact_end() const
+    {
+      return discretization.contact_end();
+    }
+  };
+} // namespace ThermoContact
+
+#endif

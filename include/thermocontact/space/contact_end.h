@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_contact_end_h
+#define thermocontact_space_contact_end_h
+
+#include <thermocontact/base/types.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace ThermoContact
+{
+  template <int dim>
+  class Discretization;
+
+
+
+  /** A node of the contact end, which can meet the obstacle. */
+  template <int dim>
+  struct ContactNode
+  {
+    Point<dim> position;
+
+    /**
+     * Temperature and normal displacement there, each within its block;
+     * invalid for a field that the scene does not have.
+     */
+    std::array<types::global_dof_index, 2> dofs;
+
+    /** $w_i=\int_{\Gamma_C}\varphi_i$, the lumped boundary mass. */
+    double weight;
+
+    /** $g$ of the undeformed body there. */
+    double gap;
+  };
+
+
+
+  /**
+   * The contact end $x=1$ of the body: its nodes, and what fields are there.
+   * Contact nodes are few: all ranks know their positions, weights and
+   * pressures, in an order that does not depend on the number of ranks.
+   */
+  template <int dim>
+  class ContactEnd
+  {
+  public:
+    /**
+     * @param discretization borrowed; its degrees of freedom are distributed
+     * @param gap $g$
+     */
+    ContactEnd(const Discretization<dim> &discretization, const double gap);
+
+    /** In order of their position; on all ranks. */
+    const std::vector<ContactNode<dim>> &
+    nodes() const
+    {
+      return nodes_;
+    }
+
+    unsigned int
+    n_nodes() const
+    {
+      return nodes_.size();
+    }
+
+    /**
+     * Locally owned nodes: index of the node, position of its value (for the
+     * displacement: of the normal one) in the local part of a vector of
+     * @p field.
+     */
+    const std::vector<std::pair<unsigned int, unsigned int>> &
+    entries(const Field::Block field) const
+    {
+      return entries_[field];
+    }
+
+    /**
+     * Values at the nodes, gathered on all ranks.
+     *
+     * @param field of which @p vector is; of displacements and velocities the
+     *   normal component is taken
+     * @param values out: one per node; zeros if the field is absent
+     */
+    void
+    get_values(const Field::Block   field,
+               const Vector        &vector,
+               std::vector<double> &values) const;
+
+    /** Penetrations $u_n-g$ of a displacement, likewise. */
+    void
+    get_penetrations(const Vector        &displacement,
+                     std::vector<double> &penetrations) const;
+
+    /** Sets the locally owned values of a vector. */
+    void
+    set_values(const Field::Block         field,
+               const std::vector<double> &values,
+               Vector                    &vector) const;
+
+    /** Mean over the contact end of a field with these nodal values. */
+    double
+    mean(const std::vector<double> &values) const;
+
+    /** Part of the contact end that a node stands for, $w_i$ over its area. */
+    double
+    share(const unsigned int node) const
+    {
+      return nodes_[node].weight / cross_section;
+    }
+
+    /**
+     * The matrix whose column j has the normal displacements of the nodes that
+     * @p respond returns for a unit load at node j. Collective.
+     *
+     * @param respond vector of the displacement's layout for a node; valid until
+     *   the next call
+     */
+    template <typename Respond>
+    FullMatrix<double>
+    response_matrix(const Respond &respond) const
+    {
+      FullMatrix<double>  matrix(n_nodes(), n_nodes());
+      std::vector<double> column;
+      for (unsigned int j = 0; j < n_nodes(); ++j)
+        {
+          get_values(Field::displacement, respond(j), column);
+          for (unsigned int i = 0; i < n_nodes(); ++i)
+            matrix(i, j) = column[i];
+        }
+      return matrix;
+    }
+
+  private:
+    const MPI_Comm                communicator;
+    const double                  cross_section;
+    std::vector<ContactNode<dim>> nodes_;
+    std::array<std::vector<std::pair<unsigned int, unsigned int>>, 2> entries_;
+
+    void
+    find_nodes(const Discretization<dim> &discretization, const double gap);
+  };
+
+
+
+  /**
+   * The face of @p cell on the contact end, or numbers::invalid_unsigned_int.
+   */
+  template <int dim>
+  unsigned int
+  contact_face(const typename DoFHandler<dim>::active_cell_iterator &cell);
+
+
+
+  /** True if a face of @p cell belongs to the contact end. */
+  template <int dim>
+  bool
+  touches_contact_end(
+    const typename DoFHandler<dim>::active_cell_iterator &cell)
+  {
+    return contact_face<dim>(cell) != numbers::invalid_unsigned_int;
+  }
+
+
+
+  /** Calls @p visit(cell, face) for the locally owned faces of the end. */
+  template <int dim, typename Visit>
+  void
+  for_each_contact_face(const DoFHandler<dim> &dof_handler, const Visit &visit)
+  {
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->at_boundary())
+        if (const unsigned int face = contact_face<dim>(cell);
+            face != numbers::invalid_unsigned_int)
+          visit(cell, face);
+  }
+} // namespace ThermoContact
+
+#endif

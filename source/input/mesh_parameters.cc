@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/input/parameters.h>
+
+#include <cmath>
+
+namespace ThermoContact
+{
+  std::vector<double>
+  MeshParameters::cell_sizes() const
+  {
+    const double factor =
+      cells > 1 ? std::pow(grading, -1. / (cells - 1.)) : 1.;
+    std::vector<double> sizes(cells);
+    double              sum = 0.;
+    for (unsigned int i = 0; i < cells; ++i)
+      sum += sizes[i] = std::pow(factor, i);
+    for (double &size : sizes)
+      size /= sum;
+    return sizes;
+  }
+
+
+
+  double
+  MeshParameters::contact_spacing() const
+  {
+    return std::ldexp(cell_sizes().back(), -static_cast<int>(refinements)) /
+           degree;
+  }
+} // namespace ThermoContact

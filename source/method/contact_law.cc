@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/method/contact_law.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+
+namespace ThermoContact
+{
+  double
+  ContactLaw::numerical_dissipation(const double change,
+                                    const double,
+                                    const double old_pressure,
+                                    const double pressure) const
+  {
+    return pressure * change - (energy(pressure) - energy(old_pressure));
+  }
+
+
+
+  const std::vector<ContactLawKind> &
+  contact_laws()
+  {
+    static const std::vector<ContactLawKind> kinds = {normal_compliance(),
+                                                      rigid_obstacle(),
+                                                      no_obstacle()};
+    return kinds;
+  }
+
+
+
+  const ContactLawKind &
+  contact_law(const std::string &name)
+  {
+    const auto &kinds = contact_laws();
+    const auto  kind =
+      std::find_if(kinds.begin(), kinds.end(), [&](const ContactLawKind &k) {
+        return k.name == name;
+      });
+    Assert(kind != kinds.end(), dealii::ExcInternalError());
+    return *kind;
+  }
+} // namespace ThermoContact

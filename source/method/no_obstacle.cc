@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/method/contact_law.h>
+
+#include <limits>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** A free end: an obstacle that yields to no pressure. */
+    class NoObstacle : public ContactLaw
+    {
+    public:
+      bool
+      is_active() const override
+      {
+        return false;
+      }
+
+      double
+      pressure(const double) const override
+      {
+        return 0.;
+      }
+
+      double
+      penetration(const double) const override
+      {
+        return 0.;
+      }
+
+      double
+      tangent(const double) const override
+      {
+        return std::numeric_limits<double>::infinity();
+      }
+
+      double
+      energy(const double) const override
+      {
+        return 0.;
+      }
+
+      double
+      penetration_of_energy(const double) const override
+      {
+        return 0.;
+      }
+
+      double
+      local_pressure(const double, const double) const override
+      {
+        return 0.;
+      }
+
+      double
+      local_closed_pressure(const double, const double) const override
+      {
+        return 0.;
+      }
+    };
+  } // namespace
+
+
+
+  ContactLawKind
+  no_obstacle()
+  {
+    return {"none", "free end", {}, [](const ContactLawParameters &) {
+              return std::make_unique<NoObstacle>();
+            }};
+  }
+} // namespace ThermoContact

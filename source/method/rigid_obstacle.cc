@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/method/contact_law.h>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Signorini condition, $s=0$ under any pressure, doc/model.md (M.5). */
+    class RigidObstacle : public ContactLaw
+    {
+    public:
+      bool
+      is_rigid() const override
+      {
+        return true;
+      }
+
+      double
+      pressure(const double) const override
+      {
+        return 0.;
+      }
+
+      double
+      penetration(const double) const override
+      {
+        return 0.;
+      }
+
+      double
+      tangent(const double) const override
+      {
+        return 0.;
+      }
+
+      double
+      energy(const double) const override
+      {
+        return 0.;
+      }
+
+      double
+      penetration_of_energy(const double) const override
+      {
+        return 0.;
+      }
+
+      double
+      local_pressure(const double free_penetration,
+                     const double receptance) const override
+      {
+        return free_penetration > 0. ? free_penetration / receptance : 0.;
+      }
+
+      double
+      local_closed_pressure(const double free_penetration,
+                            const double receptance) const override
+      {
+        return free_penetration / receptance;
+      }
+
+      double
+      numerical_dissipation(const double,
+                            const double old_penetration,
+                            const double,
+                            const double pressure) const override
+      {
+        // the way to the obstacle, which a node in contact has gone to its end
+        return pressure * -old_penetration;
+      }
+    };
+  } // namespace
+
+
+
+  ContactLawKind
+  rigid_obstacle()
+  {
+    return {"rigid", "Signorini", {}, [](const ContactLawParameters &) {
+              return std::make_unique<RigidObstacle>();
+            }};
+  }
+} // namespace ThermoContact

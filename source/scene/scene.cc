@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/input/parameter_file.h>
+#include <thermocontact/scene/scene.h>
+
+#include <cmath>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    SceneFields
+    resolve_fields(const ModelParameters &model)
+    {
+      return {model.fields != "displacement", model.fields != "temperature"};
+    }
+
+
+
+    Material
+    resolve_material(const ModelParameters &model, const SceneFields &fields)
+    {
+      const double nu = model.poisson_ratio;
+      const double stress =
+        fields.has_temperature && fields.has_displacement ? model.coupling : 0.;
+      return {model.inertia,
+              model.viscosity,
+              stress,
+              model.heating ? stress : 0.,
+              nu / (1. - nu),
+              (1. - 2. * nu) / (1. - nu)};
+    }
+
+
+
+    SceneSources
+    resolve_sources(const SourceParameters &sources, const SceneFields &fields)
+    {
+      const auto acts = [](const bool has_field, const std::string &text) {
+        return has_field && !equal_values(text, "0");
+      };
+      return {acts(fields.has_temperature, sources.heat_source),
+              acts(fields.has_displacement, sources.body_force),
+              acts(fields.has_displacement, sources.end_traction),
+              acts(fields.has_temperature, sources.end_heat_flux)};
+    }
+
+
+
+    bool
+    resolve_prescribed_start(const Parameters  &parameters,
+                             const SceneFields &fields,
+                             const Scheme      &scheme)
+    {
+      return fields.has_displacement && parameters.model.inertia > 0. &&
+             (parameters.time.start == "paper" ||
+              (parameters.time.start == "automatic" && scheme.is_of_paper &&
+               parameters.contact.massless_nodes != "on"));
+    }
+
+
+
+    /**
+     * Contact nodes have no mass, (M.36), where the viscosity does not damp the
+     * oscillations of one node on its obstacle, $\zeta/\sqrt b$ below the
+     * spacing of the nodes; on a rigid obstacle that several nodes meet one by
+     * one; and if the scheme needs it.
+     */
+    bool
+    resolve_massless_nodes(const Parameters &parameters,
+                           const ContactLaw &law,
+                           const Scheme     &scheme,
+                           const bool        has_prescribed_start)
+    {
+      const MeshParameters  &mesh  = parameters.mesh;
+      const ModelParameters &model = parameters.model;
+      const bool             has_other_nodes =
+        mesh.degree * std::ldexp(mesh.cells, mesh.refinements) > 1.;
+      if (!law.is_active() || model.inertia == 0. || !has_other_nodes)
+        return false;
+      if (parameters.contact.massless_nodes != "automatic")
+        return parameters.contact.massless_nodes == "on";
+      if (has_prescribed_start)
+        return false; // the paper's scheme, as it is
+      return scheme.needs_massless_contact ||
+             (parameters.dimension > 1 && law.is_rigid()) ||
+             model.viscosity <
+               std::sqrt(model.inertia) * mesh.contact_spacing();
+    }
+
+
+
+    SceneContact
+    resolve_contact(const Parameters  &parameters,
+                    const SceneFields &fields,
+                    const Material    &material,
+                    const Scheme      &scheme,
+                    const bool         has_prescribed_start)
+    {
+      SceneContact contact;
+      contact.law =
+        (fields.has_displacement ? contact_law(parameters.contact.condition) :
+                                   no_obstacle())
+          .make(parameters.contact);
+      contact.gap                = parameters.contact.gap;
+      contact.has_massless_nodes = resolve_massless_nodes(parameters,
+                                                          *contact.law,
+                                                          scheme,
+                                                          has_prescribed_start);
+      const bool has_mass =
+        material.has_inertia() && !contact.has_massless_nodes;
+      contact.nodes = material.is_static() ? ContactNodes::of_static_body :
+                      has_mass             ? ContactNodes::with_mass :
+                                             ContactNodes::massless;
+      const bool has_viscous_stress =
+        material.has_viscosity() && scheme.has_viscous_contact;
+      contact.is_in_equilibrium =
+        contact.law->is_active() && !has_mass && !has_viscous_stress;
+      contact.locates_events =
+        contact.law->is_active() && parameters.time.locates_contact_events();
+      return contact;
+    }
+  } // namespace
+
+
+
+  Scene::Scene(const Parameters &parameters)
+    : parameters(parameters)
+    , fields(resolve_fields(parameters.model))
+    , material(resolve_material(parameters.model, fields))
+    , heat({parameters.boundary.heat_exchange,
+            parameters.boundary.fixed_end_temperature,
+            parameters.boundary.obstacle_temperature})
+    , sources(resolve_sources(parameters.sources, fields))
+    , scheme(ThermoContact::scheme(parameters.time.scheme))
+    , has_prescribed_start(resolve_prescribed_start(parameters, fields, scheme))
+    , contact(resolve_contact(parameters,
+                              fields,
+                              material,
+                              scheme,
+                              has_prescribed_start))
+    , has_rollers(parameters.boundary.lateral_support == "rollers")
+    , has_lumped_mass(parameters.mesh.mass_matrix == "lumped")
+    , is_fixed_point(parameters.solver.step_solver == "fixed point")
+  {}
+} // namespace ThermoContact

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/input/probe_positions.h>
+#include <thermocontact/scene/scene.h>
+#include <thermocontact/scene/scene_checks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /**
+     * Throws for an entry whose value a pattern accepts but the program does
+     * not.
+     */
+    template <typename Value>
+    [[noreturn]] void
+    refuse(const std::string &path,
+           const Value       &value,
+           const std::string &allowed,
+           const std::string &remedy)
+    {
+      std::ostringstream message;
+      message << path << " = " << value << "\n  allowed: " << allowed
+              << "\n  remedy:  " << remedy;
+      throw InputError(message.str());
+    }
+
+
+
+    void
+    check_start(const Scene &scene)
+    {
+      const Parameters     &parameters = scene.parameters;
+      const TimeParameters &time       = parameters.time;
+      const bool            is_paper   = time.start == "paper";
+      if (is_paper && !scene.scheme.is_of_paper)
+        refuse("Time/Start",
+               time.start,
+               "consistent or automatic, since Time/Scheme = " + time.scheme,
+               "the prescribed first step of the paper is of order 1");
+      if (is_paper && !scene.material.has_inertia())
+        refuse("Time/Start",
+               time.start,
+               "consistent or automatic, since Model/Inertia = 0",
+               "Time/Start = automatic: a body without inertia has no velocity "
+               "to start with");
+      if (is_paper && parameters.contact.massless_nodes == "on")
+        refuse("Time/Start",
+               time.start,
+               "consistent or automatic, since Contact/Massless nodes = on",
+               "Contact/Massless nodes = automatic, which leaves the paper's "
+               "start its mass");
+    }
+
+
+
+    void
+    check_scheme(const Scene &scene)
+    {
+      const Parameters     &parameters = scene.parameters;
+      const TimeParameters &time       = parameters.time;
+      if (scene.scheme.needs_inertia && !scene.material.has_inertia())
+        refuse("Time/Scheme",
+               time.scheme,
+               "a scheme of another name, since Model/Inertia = 0",
+               "Time/Scheme = " + default_scheme().name +
+                 ": without inertia there is no energy of motion to conserve");
+      if (!scene.contact.law->is_active())
+        return;
+      if (scene.scheme.needs_massless_contact &&
+          parameters.contact.massless_nodes == "off")
+        refuse("Contact/Massless nodes",
+               parameters.contact.massless_nodes,
+               "on or automatic, since Time/Scheme = " + time.scheme,
+               "Contact/Massless nodes = automatic");
+      if (scene.scheme.needs_linear_contact && !scene.contact.law->is_linear())
+        refuse("Time/Scheme",
+               time.scheme,
+               "a scheme of another name, since Contact/Condition = " +
+                 parameters.contact.condition,
+               "Time/Scheme = " + default_scheme().name +
+                 ": the scheme knows the potential of linear laws only");
+      if (!scene.scheme.can_hold_contact && time.locates_contact_events())
+        refuse("Time/Locate contact events",
+               time.locate_contact_events,
+               "false or automatic, since Time/Scheme = " + time.scheme,
+               "the scheme conserves energy through contact in steps of any "
+               "size; " +
+                 default_scheme().name + " can end its steps at events");
+    }
+
+
+
+    void
+    check_fixed_point(const Scene &scene)
+    {
+      const Parameters &parameters   = scene.parameters;
+      const auto        refuse_since = [&](const std::string &reason,
+                                    const std::string &remedy) {
+        refuse("Solver/Step solver",
+               parameters.solver.step_solver,
+               "monolithic, since " + reason,
+               remedy);
+      };
+      if (!scene.scheme.is_of_paper)
+        refuse_since("Time/Scheme = " + scene.scheme.name,
+                     "the iteration of the paper belongs to Time/Scheme = " +
+                       find_scheme([](const Scheme &s) {
+                         return s.is_of_paper;
+                       })->name);
+      if (scene.contact.law->is_rigid())
+        refuse_since("Contact/Condition = rigid",
+                     "the iteration of the paper needs an elastic obstacle");
+      if (!scene.fields.has_temperature || !scene.material.has_inertia())
+        refuse_since(
+          !scene.material.has_inertia() ?
+            "Model/Inertia = 0" :
+            "Model/Fields = " + parameters.model.fields,
+          "Solver/Step solver = monolithic: the iteration of the paper "
+          "belongs to its full model");
+      if (parameters.time.locates_contact_events())
+        refuse("Time/Locate contact events",
+               parameters.time.locate_contact_events,
+               "false or automatic, since Solver/Step solver = fixed point",
+               "Solver/Step solver = monolithic, which can hold a contact "
+               "state fixed");
+    }
+
+
+
+    void
+    check_error_control(const Scene &scene)
+    {
+      const TimeParameters &time = scene.parameters.time;
+      if (!scene.scheme.has_error_estimate)
+        refuse("Time/Step size",
+               "automatic",
+               "a number, since Time/Scheme = " + time.scheme +
+                 " has no error estimate",
+               "Time/Step size = 0.001, or Time/Scheme = " +
+                 default_scheme().name);
+      if (time.first_step_size && !(*time.first_step_size > 0.))
+        refuse("Time/First step size",
+               *time.first_step_size,
+               "dt > 0",
+               "Time/First step size = automatic");
+      if (time.first_step_size &&
+          *time.first_step_size < time.minimum_step_size)
+        refuse("Time/First step size",
+               *time.first_step_size,
+               "not below Time/Minimum step size",
+               "Time/First step size = automatic");
+      if (!(time.maximum_step_size > 0.) ||
+          time.maximum_step_size < time.minimum_step_size)
+        refuse("Time/Maximum step size",
+               time.maximum_step_size,
+               "positive and not below Time/Minimum step size",
+               "Time/Maximum step size = infinity");
+    }
+
+
+
+    void
+    check_fixed_steps(const TimeParameters &time)
+    {
+      if (!(*time.step_size > 0.))
+        refuse("Time/Step size",
+               *time.step_size,
+               "dt > 0, or automatic",
+               "the paper uses 0.001");
+      if (time.end_time / *time.step_size > 1e9)
+        refuse("Time/Step size",
+               *time.step_size,
+               "at most 1e9 steps up to Time/End time",
+               "enlarge the step or shorten the run");
+    }
+
+
+
+    void
+    check_number_of_unknowns(const MeshParameters &mesh, const unsigned int dim)
+    {
+      const double along =
+        mesh.degree * std::ldexp(mesh.cells, mesh.refinements);
+      const double across =
+        mesh.degree * std::ldexp(mesh.cells_across, mesh.refinements);
+      if ((1. + dim) * (along + 1.) * std::pow(across + 1., dim - 1.) > 1e9)
+        refuse("Mesh/Cells",
+               mesh.cells,
+               "at most 1e9 unknowns with Mesh/Degree = " +
+                 std::to_string(mesh.degree) +
+                 ", Mesh/Refinements = " + std::to_string(mesh.refinements) +
+                 (dim > 1 ? ", Mesh/Cells across = " +
+                              std::to_string(mesh.cells_across) :
+                            ""),
+               "a coarser mesh");
+    }
+
+
+
+    /** The mass of massless nodes moves to neighbours. */
+    void
+    check_neighbours(const Scene &scene)
+    {
+      const Parameters     &parameters = scene.parameters;
+      const MeshParameters &mesh       = parameters.mesh;
+      if (mesh.degree * std::ldexp(mesh.cells, mesh.refinements) == 1. &&
+          scene.contact.law->is_active() && scene.material.has_inertia() &&
+          (parameters.contact.massless_nodes == "on" ||
+           scene.scheme.needs_massless_contact))
+        refuse("Mesh/Cells",
+               mesh.cells,
+               "at least 2, or Mesh/Degree above 1, for massless contact nodes",
+               "a finer mesh: their mass moves to nodes that are not held");
+    }
+  } // namespace
+
+
+
+  void
+  check_scene(const Parameters &parameters)
+  {
+    const Scene  scene(parameters);
+    const double nu = parameters.model.poisson_ratio;
+    if (!(nu > -1. && nu < 0.5))
+      refuse("Model/Poisson ratio",
+             nu,
+             "-1 < nu < 0.5",
+             "stay below 0.5, the incompressible limit");
+    const auto &entries = contact_law(parameters.contact.condition).entries;
+    if (std::find(entries.begin(), entries.end(), "Compliance") !=
+          entries.end() &&
+        !(parameters.contact.compliance > 0.))
+      refuse("Contact/Compliance",
+             parameters.contact.compliance,
+             "epsilon > 0",
+             "for a rigid obstacle set Contact/Condition = rigid");
+    check_number_of_unknowns(parameters.mesh, parameters.dimension);
+    parse_probe_positions(parameters.output.probes,
+                          parameters.dimension,
+                          parameters.mesh.width);
+    if (parameters.time.has_error_control())
+      check_error_control(scene);
+    else
+      check_fixed_steps(parameters.time);
+    check_start(scene);
+    if (scene.is_fixed_point)
+      check_fixed_point(scene);
+    check_scheme(scene);
+    check_neighbours(scene);
+  }
+} // namespace ThermoContact

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/input/declared_entries.h>
+#include <thermocontact/input/parameter_file.h>
+#include <thermocontact/scene/scene.h>
+#include <thermocontact/scene/scene_checks.h>
+
+#include <algorithm>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    using Paths = std::vector<std::string>;
+
+    /** Collects entries with the reason why they are not used. */
+    class Collector
+    {
+    public:
+      std::vector<UnusedEntry> entries;
+
+      void
+      add_if(const bool         condition,
+             const Paths       &paths,
+             const std::string &reason)
+      {
+        if (condition)
+          for (const std::string &path : paths)
+            entries.push_back({path, reason});
+      }
+    };
+
+
+
+    /** What means a field or a term that the scene does not have. */
+    void
+    add_by_model(const Scene &scene, Collector &unused)
+    {
+      const ModelParameters &model  = scene.parameters.model;
+      const std::string      fields = "Model/Fields = " + model.fields;
+      unused.add_if(!scene.fields.has_displacement,
+                    {"Model/Inertia",
+                     "Model/Viscosity",
+                     "Model/Coupling",
+                     "Model/Thermoelastic heating",
+                     "Model/Poisson ratio",
+                     "Boundary/Lateral support",
+                     "Contact/Condition",
+                     "Contact/Compliance",
+                     "Contact/Gap",
+                     "Contact/Massless nodes",
+                     "Initial values/Displacement",
+                     "Initial values/Velocity",
+                     "Sources/Body force",
+                     "Sources/End traction",
+                     "Time/Start",
+                     "Time/Locate contact events"},
+                    fields);
+      unused.add_if(!scene.fields.has_temperature,
+                    {"Model/Coupling",
+                     "Model/Thermoelastic heating",
+                     "Boundary/Fixed end temperature",
+                     "Boundary/Heat exchange",
+                     "Boundary/Obstacle temperature",
+                     "Initial values/Temperature",
+                     "Sources/Heat source",
+                     "Sources/End heat flux"},
+                    fields);
+      unused.add_if(model.coupling == 0.,
+                    {"Model/Thermoelastic heating"},
+                    "Model/Coupling = 0");
+      unused.add_if(!scene.material.has_inertia() &&
+                      !scene.fields.has_temperature,
+                    {"Mesh/Mass matrix"},
+                    "Model/Inertia = 0");
+      unused.add_if(!scene.fields.has_displacement,
+                    {"Study/Target error"},
+                    fields);
+      unused.add_if(!scene.material.has_inertia(),
+                    {"Initial values/Velocity", "Contact/Massless nodes"},
+                    "Model/Inertia = 0");
+      unused.add_if(scene.material.is_static(),
+                    {"Initial values/Displacement"},
+                    "Model/Inertia = 0 and Viscosity = 0");
+    }
+
+
+
+    /** The entries that other contact laws use, but not this one. */
+    Paths
+    foreign_to_law(const ContactLawKind &law)
+    {
+      Paths paths;
+      for (const ContactLawKind &other : contact_laws())
+        for (const std::string &entry : other.entries)
+          if (std::find(law.entries.begin(), law.entries.end(), entry) ==
+              law.entries.end())
+            paths.push_back("Contact/" + entry);
+      return paths;
+    }
+  } // namespace
+
+
+
+  std::vector<UnusedEntry>
+  unused_entries(const Parameters &parameters)
+  {
+    const Scene scene(parameters);
+    Collector   unused;
+    add_by_model(scene, unused);
+    unused.add_if(parameters.dimension == 1,
+                  {"Model/Poisson ratio",
+                   "Boundary/Lateral support",
+                   "Mesh/Width",
+                   "Mesh/Cells across"},
+                  "Dimension = 1");
+    const ContactLawKind &law       = contact_law(parameters.contact.condition);
+    const std::string     condition = "Contact/Condition = " + law.name;
+    unused.add_if(true, foreign_to_law(law), condition);
+    unused.add_if(!law.make(parameters.contact)->is_active(),
+                  {"Contact/Gap",
+                   "Contact/Massless nodes",
+                   "Time/Locate contact events"},
+                  condition);
+    unused.add_if(scene.heat.coefficient == 0.,
+                  {"Boundary/Obstacle temperature"},
+                  "Boundary/Heat exchange = 0");
+    unused.add_if(!parameters.time.has_error_control(),
+                  {"Time/Tolerance",
+                   "Time/First step size",
+                   "Time/Minimum step size",
+                   "Time/Maximum step size"},
+                  "Time/Step size = a number");
+    const OutputParameters &output = parameters.output;
+    unused.add_if(output.fields_interval == 0. &&
+                    output.contact_interval == 0. &&
+                    output.space_time_interval == 0.,
+                  {"Output/Land on output times"},
+                  "Output/Contact interval = 0 and no other interval is set");
+    unused.add_if(!parameters.study.is_active(),
+                  {"Study/Reference",
+                   "Study/Repetitions",
+                   "Study/Target error",
+                   "Study/Keep files"},
+                  "Study/Vary = (empty)");
+    unused.add_if(!scene.is_fixed_point,
+                  {"Solver/Fixed point tolerance",
+                   "Solver/Fixed point iterations"},
+                  "Solver/Step solver = monolithic");
+    return unused.entries;
+  }
+
+
+
+  void
+  check_unused_entries(const Parameters       &parameters,
+                       const ParameterHandler &prm)
+  {
+    const std::vector<DeclaredEntry> entries = declared_entries(prm);
+    for (const UnusedEntry &unused : unused_entries(parameters))
+      for (const DeclaredEntry &entry : entries)
+        if (entry.path == unused.path &&
+            !equal_values(entry.value, entry.default_value))
+          throw InputError(entry.path + " = " + quote(entry.value) +
+                           " has no effect, since " + unused.reason +
+                           "\n  remedy:  remove the entry or change " +
+                           unused.reason.substr(0, unused.reason.find(" =")));
+  }
+} // namespace ThermoContact

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/simulation/contact_tracker.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Interpolants that miss a zero so often are not to be trusted. */
+    constexpr unsigned int max_retakes = 10;
+
+    /** Relative accuracy of events where no tolerance is given. */
+    constexpr double fixed_step_tolerance = 1e-13;
+  } // namespace
+
+
+
+  template <int dim>
+  ContactTracker<dim>::ContactTracker(const Body<dim> &body)
+    : body(body)
+    , transition(body)
+    , locator(body.law(),
+              body.scene.contact.locates_events,
+              body.scene.contact.nodes,
+              body.scene.parameters.time.has_error_control() ?
+                body.scene.parameters.time.tolerance :
+                fixed_step_tolerance)
+    , n_retakes(0)
+  {}
+
+
+
+  template <int dim>
+  void
+  ContactTracker<dim>::start(const State               &initial,
+                             std::vector<ContactEvent> &events)
+  {
+    get_values(initial, next);
+    locator.start(next, events);
+    impacted.reset();
+    n_retakes = 0;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactTracker<dim>::get_values(const State   &state,
+                                  ContactValues &values) const
+  {
+    const ContactEnd<dim> &end = body.contact_end();
+    values.time                = state.time;
+    end.get_values(Field::displacement,
+                   state.displacement,
+                   values.displacement);
+    end.get_penetrations(state.displacement, values.penetration);
+    end.get_values(Field::displacement, state.velocity, values.velocity);
+    values.pressure = state.contact_pressure;
+  }
+
+
+
+  template <int dim>
+  ContactVerdict
+  ContactTracker<dim>::hold_nothing()
+  {
+    locator.hold_nothing();
+    return {ContactVerdict::with_law};
+  }
+
+
+
+  template <int dim>
+  ContactVerdict
+  ContactTracker<dim>::switch_state(const State       &accepted,
+                                    const EnergyTerms &energy)
+  {
+    impacted.reset();
+    if (!locator.switch_at_start(finding.time))
+      return {ContactVerdict::with_law};
+    if (body.law().is_rigid() && !body.scene.contact.is_in_equilibrium &&
+        locator.mode() == ContactMode::closed)
+      {
+        impacted.emplace(Impacted{accepted, energy});
+        transition.impact(impacted->state,
+                          impacted->energy,
+                          impacted->impulse,
+                          impacted->numerical_dissipation);
+      }
+    return {ContactVerdict::in_other_state};
+  }
+
+
+
+  template <int dim>
+  ContactVerdict
+  ContactTracker<dim>::judge(const TimeStep    &time_step,
+                             const StepResult  &result,
+                             const State       &accepted,
+                             const EnergyTerms &energy,
+                             const bool         is_prescribed,
+                             const double       mechanical_energy)
+  {
+    get_values(result.state, next);
+    finding = EventLocator::Finding();
+    if (is_prescribed)
+      locator.hold_nothing();
+    if (locator.mode() != ContactMode::unilateral)
+      finding = locator.examine(next,
+                                time_step.target == TimeStep::event,
+                                {mechanical_energy,
+                                 std::sqrt(2. * body.scene.material.inertia *
+                                           mechanical_energy)});
+    switch (finding.kind)
+      {
+        case EventLocator::Finding::at_start:
+          return finding.is_of_all_nodes ? switch_state(accepted, energy) :
+                                           hold_nothing();
+        case EventLocator::Finding::within:
+          if (++n_retakes < max_retakes)
+            return {ContactVerdict::to_time, finding.time};
+          return hold_nothing();
+        case EventLocator::Finding::at_end:
+          if (body.scene.contact.is_in_equilibrium)
+            return {ContactVerdict::accept_with_law};
+          return {};
+        default:
+          return {};
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactTracker<dim>::accept(const ContactVerdict      &verdict,
+                              StepResult                &result,
+                              std::vector<ContactEvent> &events)
+  {
+    const ContactMode mode = locator.mode();
+    locator.accept(next, finding, events);
+    n_retakes = 0;
+    if (verdict.kind == ContactVerdict::accept_with_law)
+      {
+        get_values(result.state, next);
+        locator.set_present(next);
+      }
+    else
+      {
+        const bool begins_contact =
+          finding.kind == EventLocator::Finding::at_end &&
+          mode == ContactMode::open;
+        transition.finish_pressure(begins_contact, result);
+        if (body.law().is_rigid() && mode != ContactMode::closed &&
+            locator.mode() == ContactMode::closed)
+          transition.impact(result.state,
+                            result.energy,
+                            result.impulse,
+                            result.numerical_dissipation);
+      }
+    if (!impacted)
+      return;
+    result.impulse += impacted->impulse;
+    result.numerical_dissipation += impacted->numerical_dissipation;
+    impacted.reset();
+  }
+
+
+
+  template class ContactTracker<1>;
+  template class ContactTracker<2>;
+  template class ContactTracker<3>;
+} // namespace ThermoContact

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/simulation/run_history.h>
+
+#include <algorithm>
+
+namespace ThermoContact
+{
+  void
+  RunHistory::add_maxima()
+  {
+    max_penetration   = std::max(max_penetration, record.penetration);
+    max_contact_force = std::max(max_contact_force, record.contact_force);
+  }
+
+
+
+  void
+  RunHistory::add_step(const TimeStep &time_step, const StepResult &result)
+  {
+    ++record.step;
+    record.step_size    = time_step.size;
+    record.iterations   = result.n_iterations;
+    record.energy_terms = result.energy;
+    record.energy       = result.energy.sum();
+    record.work += result.work;
+    record.dissipation += result.dissipation;
+    record.numerical_dissipation += result.numerical_dissipation;
+    record.contact_impulse += result.impulse;
+    if (!result.is_prescribed)
+      max_energy_increase =
+        std::max(max_energy_increase,
+                 record.energy - result.old_energy - result.work);
+  }
+} // namespace ThermoContact

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/space/contact_end.h>
+#include <thermocontact/space/discretization.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    // dofs, weight and position of every face share; nodes between cells and
+    // between ranks collect several
+    using Dofs = std::array<types::global_dof_index, 2>;
+
+    template <int dim>
+    using Share = std::tuple<Dofs, double, Point<dim>>;
+
+
+
+    /** The dof of a field at the node of the cell's basis function @p i. */
+    template <int dim>
+    types::global_dof_index
+    dof_of_field(const Discretization<dim>                  &discretization,
+                 const std::vector<types::global_dof_index> &cell_dofs,
+                 const unsigned int                          i,
+                 const Field::Block                          field)
+    {
+      if (!discretization.has_field(field))
+        return numbers::invalid_dof_index;
+      const FiniteElement<dim> &fe = discretization.finite_element();
+      return cell_dofs[fe.component_to_system_index(
+               discretization.first_component(field),
+               fe.system_to_component_index(i).second)] -
+             discretization.first_dof(field);
+    }
+
+
+
+    /** The shares of the cells that this rank owns. */
+    template <int dim>
+    std::vector<Share<dim>>
+    local_shares(const Discretization<dim> &discretization)
+    {
+      const FiniteElement<dim> &fe = discretization.finite_element();
+      FEFaceValues<dim>         face_values(
+        discretization.mapping(),
+        fe,
+        DimensionTraits<dim>::nodal_face_quadrature(fe.degree),
+        update_values | update_quadrature_points | update_JxW_values);
+      std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
+      std::vector<Share<dim>>              shares;
+      for_each_contact_face<dim>(
+        discretization.dof_handler(),
+        [&](const auto &cell, const unsigned int f) {
+          face_values.reinit(cell, f);
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            {
+              if (fe.system_to_component_index(i).first != 0 ||
+                  !fe.has_support_on_face(i, f))
+                continue;
+              double weight = 0.;
+              for (const unsigned int q :
+                   face_values.quadrature_point_indices())
+                weight += face_values.shape_value_component(i, q, 0) *
+                          discretization.geometry().weight(face_values, q);
+              Dofs node_dofs;
+              for (const Field::Block field : all_fields)
+                node_dofs[field] = dof_of_field(discretization, dofs, i, field);
+              shares.emplace_back(
+                node_dofs,
+                weight,
+                discretization.mapping().transform_unit_to_real_cell(
+                  cell, fe.unit_support_point(i)));
+            }
+        });
+      return shares;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  unsigned int
+  contact_face(const typename DoFHandler<dim>::active_cell_iterator &cell)
+  {
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary() &&
+          cell->face(f)->boundary_id() == contact_boundary_id)
+        return f;
+    return numbers::invalid_unsigned_int;
+  }
+
+
+
+  template <int dim>
+  ContactEnd<dim>::ContactEnd(const Discretization<dim> &discretization,
+                              const double               gap)
+    : communicator(discretization.communicator())
+    , cross_section(discretization.geometry().cross_section())
+  {
+    find_nodes(discretization, gap);
+    for (const Field::Block field : all_fields)
+      for (unsigned int i = 0; discretization.has_field(field) && i < n_nodes();
+           ++i)
+        if (const IndexSet &owned = discretization.owned_by_block()[field];
+            owned.is_element(nodes_[i].dofs[field]))
+          entries_[field].emplace_back(
+            i, owned.index_within_set(nodes_[i].dofs[field]));
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEnd<dim>::find_nodes(const Discretization<dim> &discretization,
+                              const double               gap)
+  {
+    std::map<Dofs, ContactNode<dim>> nodes;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(communicator, local_shares(discretization)))
+      for (const auto &[dofs, weight, position] : of_rank)
+        {
+          ContactNode<dim> &node =
+            nodes.emplace(dofs, ContactNode<dim>{position, dofs, 0., gap})
+              .first->second;
+          node.weight += weight;
+        }
+    for (const auto &[dofs, node] : nodes)
+      nodes_.push_back(node);
+
+    // the numbering depends on the number of ranks, the position does not
+    std::sort(nodes_.begin(),
+              nodes_.end(),
+              [](const ContactNode<dim> &a, const ContactNode<dim> &b) {
+                for (unsigned int d = dim - 1; d > 0; --d)
+                  if (std::abs(a.position[d] - b.position[d]) > 1e-12)
+                    return a.position[d] < b.position[d];
+                return false;
+              });
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEnd<dim>::get_values(const Field::Block   field,
+                              const Vector        &vector,
+                              std::vector<double> &values) const
+  {
+    values.assign(n_nodes(), 0.);
+    for (const auto &[node, entry] : entries_[field])
+      values[node] = vector.begin()[entry];
+    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+      Utilities::MPI::sum(values, communicator, values);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEnd<dim>::get_penetrations(const Vector        &displacement,
+                                    std::vector<double> &penetrations) const
+  {
+    get_values(Field::displacement, displacement, penetrations);
+    for (unsigned int i = 0; i < n_nodes(); ++i)
+      penetrations[i] -= nodes_[i].gap;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEnd<dim>::set_values(const Field::Block         field,
+                              const std::vector<double> &values,
+                              Vector                    &vector) const
+  {
+    for (const auto &[node, entry] : entries_[field])
+      vector.begin()[entry] = values[node];
+  }
+
+
+
+  template <int dim>
+  double
+  ContactEnd<dim>::mean(const std::vector<double> &values) const
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < n_nodes(); ++i)
+      sum += nodes_[i].weight * values[i];
+    return sum / cross_section;
+  }
+
+
+
+#define INSTANTIATE(dim)                   \
+  template class ContactEnd<dim>;          \
+  template unsigned int contact_face<dim>( \
+    const typename DoFHandler<dim>::active_cell_iterator &)
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace ThermoContact

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/time/time_integrator.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <array>
+
+namespace ThermoContact
+{
+  void
+  StepResult::agree(const MPI_Comm communicator)
+  {
+    using namespace Utilities::MPI;
+    if (n_mpi_processes(communicator) == 1)
+      return;
+    if (max(failure.empty() ? 0 : 1, communicator) == 1 && failure.empty())
+      failure = "another rank has failed";
+    std::vector<double> values;
+    const auto          visit = [this](const auto &act) {
+      for (EnergyTerms *terms : {&energy, &error})
+        for (double *term : {&terms->thermal,
+                             &terms->kinetic,
+                             &terms->elastic,
+                             &terms->obstacle,
+                             &terms->coupling})
+          act(*term);
+      for (double *value :
+           {&work, &dissipation, &numerical_dissipation, &impulse})
+        act(*value);
+    };
+    visit([&](const double value) { values.push_back(value); });
+    values              = broadcast(communicator, values);
+    unsigned int n_read = 0;
+    visit([&](double &value) { value = values[n_read++]; });
+  }
+} // namespace ThermoContact
