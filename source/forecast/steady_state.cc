@@ -7,7 +7,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
-#include <iomanip>
 #include <limits>
 
 namespace ThermoContact
@@ -106,8 +105,9 @@ namespace ThermoContact
     if (model.has_displacement() && model.inertia > 0. && model.viscosity == 0.)
       forecast.remark =
         text("damped by heat conduction alone, over times of the order of ",
-             std::setprecision(1),
-             2. * (model.inertia + 0.4) / std::pow(model.thermal_stress(), 2));
+             significant(2. * (model.inertia + 0.4) /
+                           std::pow(model.thermal_stress(), 2),
+                         1));
     return forecast;
   }
 } // namespace ThermoContact

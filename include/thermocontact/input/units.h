@@ -63,6 +63,16 @@ namespace ThermoContact
      */
     double
     expansion() const;
+
+  private:
+    void
+    add_rod(dealii::ParameterHandler &prm);
+
+    void
+    add_temperatures(dealii::ParameterHandler &prm);
+
+    void
+    add_obstacle(dealii::ParameterHandler &prm);
   };
 
 
