@@ -98,6 +98,8 @@ namespace ThermoContact
         command.print_parameters.empty() ?
           scene_from_units(command.file_name, assignments) :
           "";
+      if (!scene.empty())
+        check_scene_text(scene, "scene of " + command.file_name);
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
         return;
       if (scene.empty())

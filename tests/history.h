@@ -40,16 +40,16 @@ namespace ThermoContact
     parameters.time.tolerance = tolerance;
     History       history;
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto    observe = [&](const Simulation<1> &s) {
       const StepRecord &r = s.record();
       history.steps.push_back(
         {r.time, r.displacement_end, r.velocity_end, r.gap});
       raise(history.max_displacement, std::abs(r.displacement_end));
       raise(history.max_velocity, std::abs(r.velocity_end));
-    });
+    };
     try
       {
-        simulation.run();
+        simulation.run({observe});
         history.is_complete = true;
       }
     catch (const ComputationError &)

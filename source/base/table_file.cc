@@ -10,14 +10,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    /** Bytes that are collected before they are written. */
-    constexpr std::size_t piece_size = 1 << 16;
-  } // namespace
-
-
-
   TableFile::~TableFile()
   {
     close();
@@ -95,18 +87,6 @@ namespace ThermoContact
     fault += "\n  remedy:  check free space and rights, then go on with "
              "--resume if the run has checkpoints; or give another "
              "Output/Directory";
-  }
-
-
-
-  void
-  TableFile::write_row(const char *row, const std::size_t length)
-  {
-    if (descriptor < 0)
-      return;
-    rows.append(row, length);
-    if (rows.size() >= piece_size)
-      write_rows();
   }
 
 

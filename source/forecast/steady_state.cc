@@ -6,7 +6,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
-#include <iomanip>
 #include <limits>
 
 namespace ThermoContact
@@ -84,9 +83,9 @@ namespace ThermoContact
         !material.has_viscosity())
       forecast.remark =
         text("damped by heat conduction alone, over times of the order of ",
-             std::setprecision(1),
-             2. * (material.inertia + 0.4) /
-               std::pow(material.thermal_stress, 2));
+             significant(2. * (material.inertia + 0.4) /
+                           std::pow(material.thermal_stress, 2),
+                         1));
     return forecast;
   }
 } // namespace ThermoContact

@@ -32,90 +32,123 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
 
 
 
-  CommandLine
-  parse_command_line(const int argc, char **argv)
+  namespace
   {
     enum Option
     {
-      set = 1,
-      output,
-      check,
-      print_parameters,
-      resume,
-      units,
-      quiet,
-      help,
-      version
+      set_option = 1,
+      output_option,
+      check_option,
+      print_parameters_option,
+      resume_option,
+      units_option,
+      quiet_option,
+      help_option,
+      version_option
     };
-    const option options[] = {
-      {"set", required_argument, nullptr, set},
-      {"output", required_argument, nullptr, output},
-      {"check", no_argument, nullptr, check},
-      {"print-parameters", optional_argument, nullptr, print_parameters},
-      {"resume", no_argument, nullptr, resume},
-      {"units", no_argument, nullptr, units},
-      {"quiet", no_argument, nullptr, quiet},
-      {"help", no_argument, nullptr, help},
-      {"version", no_argument, nullptr, version},
-      {nullptr, 0, nullptr, 0}};
-    const std::string place  = std::string(command_line_place) + ": ";
-    const std::string remedy = "\n  remedy:  --help lists the options";
 
+    const option options[] = {
+      {"set", required_argument, nullptr, set_option},
+      {"output", required_argument, nullptr, output_option},
+      {"check", no_argument, nullptr, check_option},
+      {"print-parameters", optional_argument, nullptr, print_parameters_option},
+      {"resume", no_argument, nullptr, resume_option},
+      {"units", no_argument, nullptr, units_option},
+      {"quiet", no_argument, nullptr, quiet_option},
+      {"help", no_argument, nullptr, help_option},
+      {"version", no_argument, nullptr, version_option},
+      {nullptr, 0, nullptr, 0}};
+
+
+
+    [[noreturn]] void
+    refuse_argument(const std::string &argument, const std::string &fault)
+    {
+      throw InputError(std::string(command_line_place) + ": " +
+                       quote(argument) + ": " + fault +
+                       "\n  remedy:  --help lists the options");
+    }
+
+
+
+    /**
+     * @param argument of the option, or null
+     * @param word as typed
+     */
+    void
+    apply_option(const int    option,
+                 const char  *argument,
+                 const char  *word,
+                 CommandLine &command_line)
+    {
+      switch (option)
+        {
+          case set_option:
+            command_line.overrides.push_back(parse_override(argument));
+            break;
+          case output_option:
+            command_line.overrides.push_back(
+              {command_line_place, "Output/Directory", argument});
+            break;
+          case check_option:
+            command_line.check_only = true;
+            break;
+          case print_parameters_option:
+            command_line.print_parameters = argument ? argument : "prm";
+            break;
+          case resume_option:
+            command_line.is_resumed = true;
+            break;
+          case units_option:
+            command_line.reads_units = true;
+            break;
+          case quiet_option:
+            command_line.is_quiet = true;
+            break;
+          case help_option:
+            command_line.show_help = true;
+            break;
+          case version_option:
+            command_line.show_version = true;
+            break;
+          case ':':
+            refuse_argument(word, "its argument is missing");
+          default:
+            refuse_argument(word, "unknown or ambiguous option");
+        }
+    }
+
+
+
+    void
+    check_format(const std::string &format)
+    {
+      if (!format.empty() && format != "prm" && format != "json" &&
+          format != "description" && format != "markdown")
+        throw InputError(
+          std::string(command_line_place) +
+          ": --print-parameters=" + quote(format) +
+          ": unknown format\n  allowed: prm | json | description | markdown");
+    }
+  } // namespace
+
+
+
+  CommandLine
+  parse_command_line(const int argc, char **argv)
+  {
     CommandLine command_line;
     command_line.program_name = argv[0];
     opterr                    = 0; // messages are ours
     optind                    = 1;
     for (int o; (o = getopt_long(argc, argv, ":", options, nullptr)) != -1;)
-      switch (o)
-        {
-          case set:
-            command_line.overrides.push_back(parse_override(optarg));
-            break;
-          case output:
-            command_line.overrides.push_back(
-              {command_line_place, "Output/Directory", optarg});
-            break;
-          case check:
-            command_line.check_only = true;
-            break;
-          case print_parameters:
-            command_line.print_parameters = optarg != nullptr ? optarg : "prm";
-            break;
-          case resume:
-            command_line.is_resumed = true;
-            break;
-          case units:
-            command_line.reads_units = true;
-            break;
-          case quiet:
-            command_line.is_quiet = true;
-            break;
-          case help:
-            command_line.show_help = true;
-            break;
-          case version:
-            command_line.show_version = true;
-            break;
-          case ':':
-            throw InputError(place + quote(argv[optind - 1]) +
-                             ": its argument is missing" + remedy);
-          default:
-            throw InputError(place + quote(argv[optind - 1]) +
-                             ": unknown or ambiguous option" + remedy);
-        }
+      apply_option(o, optarg, argv[optind - 1], command_line);
 
     if (argc - optind > 1)
-      throw InputError(place + quote(argv[optind + 1]) +
-                       ": only one parameter file is read" + remedy);
+      refuse_argument(argv[optind + 1], "only one parameter file is read");
     if (optind < argc)
       command_line.file_name = argv[optind];
-
-    const std::string &format = command_line.print_parameters;
-    if (!format.empty() && format != "prm" && format != "json" &&
-        format != "description" && format != "markdown")
-      throw InputError(
-        place + "--print-parameters=" + quote(format) +
-        ": unknown format\n  allowed: prm | json | description | markdown");
+    check_format(command_line.print_parameters);
     return command_line;
   }
 } // namespace ThermoContact

@@ -5,13 +5,14 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameter_text.h>
 
+#include <deal.II/base/mu_parser_internal.h>
 #include <deal.II/base/utilities.h>
+
+#include <muParser.h>
 
 #include <cctype>
 #include <cmath>
-#include <iostream>
 #include <regex>
-#include <sstream>
 
 namespace ThermoContact
 {
@@ -124,35 +125,53 @@ namespace ThermoContact
 
 
 
-    /** Collects what deal.II prints to std::cerr before it throws. */
-    class ErrorStreamCatcher
+    /**
+     * The text that deal.II hands to muParser, which wants no blank between the
+     * name of a function and its parenthesis.
+     */
+    std::string
+    without_blanks_behind_names(std::string text)
     {
-    public:
-      ErrorStreamCatcher()
-        : old_buffer(std::cerr.rdbuf(caught.rdbuf()))
-      {}
+      for (const std::string &name :
+           dealii::internal::FunctionParser::get_function_names())
+        for (auto at = text.find(name); at != nowhere;
+             at      = text.find(name, at + name.size()))
+          {
+                 const std::size_t end = at + name.size();
+                 text.erase(end, text.find_first_not_of(" \t", end) - end);
+          }
+      return text;
+    }
 
-      ~ErrorStreamCatcher()
-      {
-        std::cerr.rdbuf(old_buffer);
-      }
 
-      /** What stands between "<" and ">" after @p label. */
-      std::string
-      value(const std::string &label) const
-      {
-        const std::string text  = caught.str();
-        const auto        begin = text.find(label);
-        if (begin == std::string::npos)
-          return "";
-        const auto first = text.find('<', begin) + 1;
-        return text.substr(first, text.find(">\n", first) - first);
-      }
 
-    private:
-      std::ostringstream    caught;
-      std::streambuf *const old_buffer;
-    };
+    /**
+     * Tells a muParser the names that deal.II's FunctionParser adds to its own.
+     * Only their numbers of arguments matter where expressions are checked.
+     */
+    void
+    define_functions(mu::Parser &parser)
+    {
+      const auto none  = []() { return 0.; };
+      const auto one   = [](double) { return 0.; };
+      const auto two   = [](double, double) { return 0.; };
+      const auto three = [](double, double, double) { return 0.; };
+      for (const char *name : {"int",
+                               "ceil",
+                               "cot",
+                               "csc",
+                               "floor",
+                               "sec",
+                               "log",
+                               "erfc",
+                               "rand_seed"})
+        parser.DefineFun(name, +one);
+      parser.DefineFun("rand", +none);
+      parser.DefineFun("pow", +two);
+      parser.DefineFun("if", +three);
+      parser.DefineOprt("|", +two, 1);
+      parser.DefineOprt("&", +two, 2);
+    }
 
 
 
@@ -185,32 +204,61 @@ namespace ThermoContact
 
 
 
-    /** Says what the parser did not understand. */
-    [[noreturn]] void
-    refuse_component(const Expression         &expression,
-                     const Component          &component,
-                     const ErrorStreamCatcher &errors,
-                     const std::string        &known_names)
+    /** The coordinates, and t if it is known. */
+    std::vector<std::string>
+    variable_names(const unsigned int dim, const ExpressionNames &names)
     {
-      // the parser counts from 0, and in what deal.II has made of the text
-      const std::string fault =
-        std::regex_replace(errors.value("Message:"),
-                           std::regex(
-                             " *(found )?at (expression )?position -?[0-9]+"),
-                           "");
-      const std::string position = errors.value("Position:");
-      const bool        has_position =
-        !position.empty() &&
-        position.find_first_not_of("0123456789") == std::string::npos &&
-        position.size() < 9;
-      refuse(expression,
-             "cannot be read: " + quote(fault),
-             "an expression in " + known_names + ", e.g. 20*x*(x-1)^2",
-             has_position ?
-               component.begin + find_position(component.text,
-                                               errors.value("Formula:"),
-                                               std::stoul(position)) :
-               nowhere);
+      std::vector<std::string> variables = {"x", "y", "z"};
+      variables.resize(dim);
+      if (names.has_time)
+        variables.push_back("t");
+      return variables;
+    }
+
+
+
+    /** What muParser says of a fault, but for its place. */
+    std::string
+    describe_fault(const mu::ParserError &error)
+    {
+      static const std::regex place(
+        " *(found )?at (expression )?position -?[0-9]+");
+      return std::regex_replace(error.GetMsg(), place, "");
+    }
+
+
+
+    /** Refuses what muParser, and thus FunctionParser, does not understand. */
+    void
+    check_syntax(const Expression               &expression,
+                 const Component                &component,
+                 const std::vector<std::string> &variables,
+                 const ExpressionNames          &names,
+                 const std::string              &known_names)
+    {
+      mu::Parser parser;
+      double     value = 0.;
+      for (const auto &[name, constant] : names.constants)
+        parser.DefineConst(name, constant);
+      for (const std::string &name : variables)
+        parser.DefineVar(name, &value);
+      define_functions(parser);
+      try
+        {
+          parser.SetExpr(without_blanks_behind_names(component.text));
+          parser.Eval();
+        }
+      catch (const mu::ParserError &error)
+        {
+          refuse(expression,
+                 "cannot be read: " + quote(describe_fault(error)),
+                 "an expression in " + known_names + ", e.g. 20*x*(x-1)^2",
+                 error.GetPos() < 0 ?
+                   nowhere :
+                   component.begin + find_position(component.text,
+                                                   error.GetExpr(),
+                                                   error.GetPos()));
+        }
     }
   } // namespace
 
@@ -228,16 +276,12 @@ namespace ThermoContact
   std::unique_ptr<FunctionParser<dim>>
   make_function(const std::string &text, const ExpressionNames &names)
   {
-    static const std::map<int, std::string> coordinates = {{1, "x"},
-                                                           {2, "x,y"},
-                                                           {3, "x,y,z"}};
-
+    std::string variables;
+    for (const std::string &name : variable_names(dim, names))
+      variables += (variables.empty() ? "" : ",") + name;
     auto function = std::make_unique<FunctionParser<dim>>(
       Utilities::split_string_list(text, ';').size());
-    function->initialize(coordinates.at(dim) + (names.has_time ? ",t" : ""),
-                         text,
-                         names.constants,
-                         names.has_time);
+    function->initialize(variables, text, names.constants, names.has_time);
     return function;
   }
 
@@ -262,29 +306,22 @@ namespace ThermoContact
     check_signs(expression);
     check_determinism(expression);
 
-    std::string known_names = dim == 1 ? "x" : dim == 2 ? "x, y" : "x, y, z";
-    known_names += names.has_time ? ", t" : "";
+    const std::vector<std::string> variables = variable_names(dim, names);
+    std::string                    known_names;
+    for (const std::string &name : variables)
+      known_names += (known_names.empty() ? "" : ", ") + name;
     for (const auto &constant : names.constants)
       known_names += ", " + constant.first;
 
     for (const Component &component : components)
       {
+        check_syntax(expression, component, variables, names, known_names);
         const auto function = make_function<dim>(component.text, names);
         for (unsigned int i = 0; i <= 16; ++i)
           {
             Point<dim> point;
-            point[0]                       = i / 16.;
-            double                   value = 0.;
-            const ErrorStreamCatcher errors;
-            try
-              {
-                value = function->value(point);
-              }
-            catch (const ExceptionBase &)
-              {
-                refuse_component(expression, component, errors, known_names);
-              }
-            if (!std::isfinite(value))
+            point[0] = i / 16.;
+            if (!std::isfinite(function->value(point)))
               refuse(expression,
                      "not finite at x = " + Utilities::to_string(point[0]) +
                        (names.has_time ? ", t = 0" : ""),

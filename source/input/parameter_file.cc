@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/number_text.h>
 #include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 
 namespace ThermoContact
 {
@@ -146,22 +146,19 @@ namespace ThermoContact
   {
     if (a == b)
       return true;
-    std::istringstream stream_a(a), stream_b(b);
-    double             number_a = 0., number_b = 0.;
-    return (stream_a >> number_a) && (stream_b >> number_b) &&
-           stream_a.peek() == EOF && stream_b.peek() == EOF &&
-           number_a == number_b;
+    const auto number = parse_number(a);
+    return number && number == parse_number(b);
   }
 
 
 
   void
-  write_entries(const ParameterHandler      &prm,
-                const std::set<std::string> &omit,
-                std::ostream                &output)
+  write_entries(const std::vector<DeclaredEntry> &entries,
+                const std::set<std::string>      &omit,
+                std::ostream                     &output)
   {
     std::string open_section;
-    for (const DeclaredEntry &entry : declared_entries(prm))
+    for (const DeclaredEntry &entry : entries)
       {
         if (omit.count(entry.path) != 0)
           continue;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/probe_positions.h>
 
-#include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
 #include <sstream>
@@ -32,17 +32,16 @@ namespace ThermoContact
            const unsigned int dim,
            const double       width)
     {
-      std::ostringstream message;
-      message << "Output/Probes = " << text << ": '" << position << "' "
-              << fault << "\n  allowed: "
-              << (dim == 1 ? "x" : (dim == 2 ? "x, y" : "x, y, z"))
-              << " with 0 <= x <= 1";
+      std::string limits = dim == 1 ? "x" : dim == 2 ? "x, y" : "x, y, z";
+      limits += " with 0 <= x <= 1";
       if (dim > 1)
-        message << (dim == 2 ? ", 0 <= y <= " : ", 0 <= y, z <= ") << width
-                << " (Mesh/Width)";
-      message << "; ';' between positions\n  remedy:  e.g. Output/Probes = "
-              << (dim == 1 ? "0.5; 1" : (dim == 2 ? "0.5, 0" : "0.5, 0, 0"));
-      throw InputError(message.str());
+        limits += (dim == 2 ? ", 0 <= y <= " : ", 0 <= y, z <= ") +
+                  ThermoContact::text(width, " (Mesh/Width)");
+      throw InputError(
+        "Output/Probes = " + text + ": '" + position + "' " + fault +
+        "\n  allowed: " + limits +
+        "; ';' between positions\n  remedy:  e.g. Output/Probes = " +
+        (dim == 1 ? "0.5; 1" : (dim == 2 ? "0.5, 0" : "0.5, 0, 0")));
     }
   } // namespace
 
@@ -56,7 +55,6 @@ namespace ThermoContact
     std::vector<std::array<double, 3>> positions;
     if (dealii::Utilities::trim(text).empty())
       return positions;
-    const dealii::Patterns::Double number;
     for (const std::string &part : split(text, ';'))
       {
         const auto coordinates = split(part, ',');
@@ -70,18 +68,12 @@ namespace ThermoContact
         positions.push_back({{0., 0., 0.}});
         for (unsigned int d = 0; d < dim; ++d)
           {
-            if (!number.match(coordinates[d]))
+            const auto x = parse_number(coordinates[d]);
+            if (!x)
               refuse(text, part, "is no position", dim, width);
-            double x = -1.;
-            try
-              {
-                x = dealii::Utilities::string_to_double(coordinates[d]);
-              }
-            catch (const std::exception &) // too large or too small
-              {}
-            if (!(x >= 0. && x <= (d == 0 ? 1. : width)))
+            if (!(*x >= 0. && *x <= (d == 0 ? 1. : width)))
               refuse(text, part, "is not in the body", dim, width);
-            positions.back()[d] = x;
+            positions.back()[d] = *x;
           }
       }
     return positions;

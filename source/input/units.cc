@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/number_or_word.h>
 #include <thermocontact/input/parameter_file.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 
 namespace ThermoContact
@@ -57,11 +57,9 @@ namespace ThermoContact
 
 
     std::string
-    number(const double value, const int precision = 12)
+    number(const double value)
     {
-      std::ostringstream text;
-      text << std::setprecision(precision) << value;
-      return text.str();
+      return significant(value, 12);
     }
 
 
@@ -70,10 +68,13 @@ namespace ThermoContact
     std::string
     row(const std::string &name, const double value, const std::string &unit)
     {
-      std::ostringstream text;
-      text << "#   " << std::left << std::setw(38) << name << ' '
-           << std::setw(20) << number(value) << ' ' << unit << '\n';
-      return text.str();
+      return text("#   ",
+                  align_left(name, 38),
+                  ' ',
+                  align_left(number(value), 20),
+                  ' ',
+                  unit,
+                  '\n');
     }
 
 
@@ -161,20 +162,7 @@ namespace ThermoContact
       return text + "end\nsubsection Time\n  set End time = " +
              number(scaled.end_time) + " # T; " + number(rod.end_time) +
              " s\nend\nsubsection Output\n  set Fields interval = " +
-             number(scaled.end_time / 20., 6) + "\nend\n";
-    }
-
-
-
-    /** Throws if the program would refuse the scene. */
-    void
-    check_scene(const std::string &file_name, const std::string &text)
-    {
-      Parameters       parameters;
-      ParameterHandler prm;
-      parameters.add_parameters(prm);
-      std::istringstream stream(text);
-      assign_entries(read_assignments(stream, "scene of " + file_name), prm);
+             significant(scaled.end_time / 20., 6) + "\nend\n";
     }
   } // namespace
 
@@ -190,6 +178,20 @@ namespace ThermoContact
                       "kept.",
                       Selection("dropped|kept"));
 
+    add_rod(prm);
+    add_temperatures(prm);
+    add_obstacle(prm);
+
+    prm.enter_subsection("Time");
+    prm.add_parameter("End time", end_time, "End time, s.", not_negative);
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  RodInUnits::add_rod(ParameterHandler &prm)
+  {
     prm.enter_subsection("Rod");
     prm.add_parameter("Length", length, "Length L of the rod, m.", positive);
     prm.add_parameter("Cross-section area",
@@ -227,7 +229,13 @@ namespace ThermoContact
                       "Specific heat capacity c, J/(kg K).",
                       positive);
     prm.leave_subsection();
+  }
 
+
+
+  void
+  RodInUnits::add_temperatures(ParameterHandler &prm)
+  {
     prm.enter_subsection("Temperatures");
     prm.add_parameter("Reference",
                       reference_temperature,
@@ -246,7 +254,13 @@ namespace ThermoContact
                       "Temperature of the obstacle, K.",
                       kelvin);
     prm.leave_subsection();
+  }
 
+
+
+  void
+  RodInUnits::add_obstacle(ParameterHandler &prm)
+  {
     prm.enter_subsection("Obstacle");
     prm.add_parameter("Gap",
                       gap,
@@ -267,10 +281,6 @@ namespace ThermoContact
                       "Heat exchange between the end and the obstacle, "
                       "W/(m^2 K).",
                       not_negative);
-    prm.leave_subsection();
-
-    prm.enter_subsection("Time");
-    prm.add_parameter("End time", end_time, "End time, s.", not_negative);
     prm.leave_subsection();
   }
 
@@ -351,7 +361,6 @@ namespace ThermoContact
         prm));
     const UnitScales  scales(rod);
     const std::string scene = write_scene(rod, ScaledRod(rod));
-    check_scene(file_name, scene);
     return write_scales(scales) + write_factors(rod, scales) + scene;
   }
 } // namespace ThermoContact

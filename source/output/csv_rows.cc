@@ -2,73 +2,65 @@
 
 #include <thermocontact/output/csv_rows.h>
 
-#include <cstdio>
-
 namespace ThermoContact
 {
-  void
-  add_row(const StepRecord &r, TableFile &file)
+  template <>
+  const CsvColumns<StepRecord> &
+  columns_of<StepRecord>()
   {
-    char      row[640];
-    const int length = std::snprintf(
-      row,
-      sizeof(row),
-      "%u,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,"
-      "%.17g,%.17g,%.17g,%.17g,%d,%u,%.17g,%.17g\n",
-      r.step,
-      r.time,
-      r.step_size,
-      r.displacement_end,
-      r.displacement_mid,
-      r.velocity_end,
-      r.stress_end,
-      r.gap,
-      r.penetration,
-      r.contact_force,
-      r.contact_impulse,
-      r.temperature_end,
-      r.heat_flux_end,
-      r.energy,
-      r.dissipation,
-      r.numerical_dissipation,
-      r.in_contact ? 1 : 0,
-      r.iterations,
-      r.work,
-      r.temperature_mean);
-    file.write_row(row, length);
+    static const CsvColumns<StepRecord> columns = {
+      {"step", &StepRecord::step},
+      {"time", &StepRecord::time},
+      {"step_size", &StepRecord::step_size},
+      {"displacement_end", &StepRecord::displacement_end},
+      {"displacement_mid", &StepRecord::displacement_mid},
+      {"velocity_end", &StepRecord::velocity_end},
+      {"stress_end", &StepRecord::stress_end},
+      {"gap", &StepRecord::gap},
+      {"penetration", &StepRecord::penetration},
+      {"contact_force", &StepRecord::contact_force},
+      {"contact_impulse", &StepRecord::contact_impulse},
+      {"temperature_end", &StepRecord::temperature_end},
+      {"heat_flux_end", &StepRecord::heat_flux_end},
+      {"energy", &StepRecord::energy},
+      {"dissipation", &StepRecord::dissipation},
+      {"numerical_dissipation", &StepRecord::numerical_dissipation},
+      {"in_contact", &StepRecord::in_contact},
+      {"iterations", &StepRecord::iterations},
+      {"work", &StepRecord::work},
+      {"temperature_mean", &StepRecord::temperature_mean}};
+    return columns;
   }
 
 
 
-  void
-  add_row(const ContactEvent &event, TableFile &file)
+  template <>
+  const CsvColumns<ContactEvent> &
+  columns_of<ContactEvent>()
   {
-    char      row[80];
-    const int length =
-      std::snprintf(row,
-                    sizeof(row),
-                    "%.17g,%s,%.17g\n",
-                    event.time,
-                    event.kind == ContactEvent::begin ? "begin" : "end",
-                    event.velocity);
-    file.write_row(row, length);
+    static const CsvColumns<ContactEvent> columns = {
+      {"time", &ContactEvent::time},
+      {"kind",
+       [](const ContactEvent &event) {
+         return event.kind == ContactEvent::begin ? "begin" : "end";
+       }},
+      {"velocity", &ContactEvent::velocity}};
+    return columns;
   }
 
 
 
-  void
-  add_row(const StepAttempt &a, TableFile &file)
+  template <>
+  const CsvColumns<StepAttempt> &
+  columns_of<StepAttempt>()
   {
-    char      row[160];
-    const int length = std::snprintf(row,
-                                     sizeof(row),
-                                     "%.17g,%.17g,%.6g,%d,%s,%.6g\n",
-                                     a.time,
-                                     a.size,
-                                     a.error,
-                                     a.is_accepted ? 1 : 0,
-                                     a.reason,
-                                     a.wall_seconds);
-    file.write_row(row, length);
+    static const CsvColumns<StepAttempt> columns = {
+      {"time", &StepAttempt::time},
+      {"step_size", &StepAttempt::size},
+      {"error", &StepAttempt::error, few_digits},
+      {"accepted", &StepAttempt::is_accepted},
+      {"reason", &StepAttempt::reason},
+      {"wall_seconds", &StepAttempt::wall_seconds, few_digits}};
+    return columns;
   }
 } // namespace ThermoContact

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/output/field_output.h>
 #include <thermocontact/output/output_directory.h>
 
@@ -11,7 +12,6 @@
 #include <deal.II/numerics/data_postprocessor.h>
 
 #include <cstdio>
-#include <iomanip>
 #include <sstream>
 
 namespace ThermoContact
@@ -185,10 +185,7 @@ namespace ThermoContact
     std::string
     snapshot_name(const unsigned int i)
     {
-      std::ostringstream name;
-      name << "fields/fields-" << std::setw(5) << std::setfill('0') << i
-           << ".vtu";
-      return name.str();
+      return "fields/fields-" + align_right(text(i), 5, '0') + ".vtu";
     }
   } // namespace
 
@@ -353,10 +350,9 @@ namespace ThermoContact
     std::ostringstream text;
     text << "<?xml version=\"1.0\"?>\n"
             "<VTKFile type=\"Collection\" version=\"0.1\">\n"
-            "  <Collection>\n"
-         << std::setprecision(17);
+            "  <Collection>\n";
     for (unsigned int i = 0; i < times_.size(); ++i)
-      text << "    <DataSet timestep=\"" << times_[i]
+      text << "    <DataSet timestep=\"" << significant(times_[i], all_digits)
            << "\" group=\"\" part=\"0\" file=\"" << snapshot_name(i)
            << "\"/>\n";
     text << "  </Collection>\n</VTKFile>\n";

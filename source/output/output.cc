@@ -64,11 +64,10 @@ namespace ThermoContact
     field_timer.reset();
     const std::string &title = simulation.parameters().title;
     const OutputMemory sizes = memory ? *memory : OutputMemory();
-    open(
-      contact_file, "contact.csv", title, contact_columns, sizes.contact_size);
-    open(events_file, "events.csv", title, event_columns, sizes.events_size);
+    open<StepRecord>(contact_file, "contact.csv", title, sizes.contact_size);
+    open<ContactEvent>(events_file, "events.csv", title, sizes.events_size);
     if (has_attempts)
-      open(steps_file, "steps.csv", title, step_columns, sizes.steps_size);
+      open<StepAttempt>(steps_file, "steps.csv", title, sizes.steps_size);
     if (is_writer && parameters.fields_interval > 0.)
       {
         std::error_code error; // a fault shows when the first file is opened
@@ -83,11 +82,11 @@ namespace ThermoContact
 
 
   template <int dim>
+  template <typename Record>
   void
   Output<dim>::open(TableFile          &file,
                     const std::string  &name,
                     const std::string  &title,
-                    const std::string  &columns,
                     const std::uint64_t size)
   {
     if (!is_writer)
@@ -95,7 +94,7 @@ namespace ThermoContact
     if (size > 0)
       return file.reopen(directory + "/" + name, size);
     file.open(directory + "/" + name);
-    file.write_row(head_comments(title) + columns + '\n');
+    file.write_row(head_comments(title) + csv_head(columns_of<Record>()));
   }
 
 

@@ -224,20 +224,21 @@ namespace ThermoContact
   void
   write_used_parameters(const std::string           &directory,
                         const std::set<std::string> &omit,
-                        ParameterHandler            &prm,
+                        const ParameterHandler      &prm,
                         const MPI_Comm               communicator)
   {
     std::string fault;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        prm.enter_subsection("Output");
-        prm.set("Directory", directory);
-        prm.leave_subsection();
+        std::vector<DeclaredEntry> entries = declared_entries(prm);
+        for (DeclaredEntry &entry : entries)
+          if (entry.path == "Output/Directory")
+            entry.value = directory;
 
         const std::string  path = directory + "/used.prm";
         std::ostringstream text;
         text << "# thermocontact " << version() << ": every entry as used\n";
-        write_entries(prm, omit, text);
+        write_entries(entries, omit, text);
         fault = write_atomically(path, text.str());
       }
     throw_everywhere<ComputationError>(fault, communicator);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/probe_positions.h>
 #include <thermocontact/output/probe_output.h>
-
-#include <cstdio>
 
 namespace ThermoContact
 {
@@ -24,16 +23,6 @@ namespace ThermoContact
         }
       return places;
     }
-
-
-
-    void
-    append(std::string &row, const char *format, const double number)
-    {
-      char      text[40];
-      const int length = std::snprintf(text, sizeof(text), format, number);
-      row.append(text, length);
-    }
   } // namespace
 
 
@@ -46,7 +35,30 @@ namespace ThermoContact
                   body.discretization.communicator()) == 0)
     , places(places_of<dim>(body.scene.parameters))
     , point_values(body.scene, body.discretization, places)
+    , columns(make_columns(places.size()))
   {}
+
+
+
+  template <int dim>
+  CsvColumns<typename ProbeOutput<dim>::Record>
+  ProbeOutput<dim>::make_columns(const unsigned int n_places)
+  {
+    const std::pair<const char *, unsigned int> fields[] = {
+      {"temperature", PointValues<dim>::temperature},
+      {"displacement", PointValues<dim>::displacement},
+      {"velocity", PointValues<dim>::velocity},
+      {"stress", PointValues<dim>::stress}};
+
+    CsvColumns<Record> columns = {{"time", &Record::time}};
+    for (unsigned int i = 0; i < n_places; ++i)
+      for (const auto &[name, field] : fields)
+        columns.emplace_back(text(name, '_', i + 1),
+                             [k = field * n_places + i](const Record &record) {
+                               return record.values[k];
+                             });
+    return columns;
+  }
 
 
 
@@ -59,25 +71,19 @@ namespace ThermoContact
     if (size > 0)
       return table_file.reopen(path, size);
     table_file.open(path);
-    row = comments;
+    std::string head = comments;
     for (unsigned int i = 0; i < places.size(); ++i)
       {
-        row += "# probe " + std::to_string(i + 1) + ": x = ";
+        head += text("# probe ", i + 1, ": x = ");
         for (unsigned int d = 0; d < dim; ++d)
           {
             if (d > 0)
-              row += d == 1 ? ", y = " : ", z = ";
-            append(row, "%.17g", places[i].position[d]);
+              head += d == 1 ? ", y = " : ", z = ";
+            append_number(head, places[i].position[d]);
           }
-        row += '\n';
+        head += '\n';
       }
-    row += "time";
-    for (unsigned int i = 1; i <= places.size(); ++i)
-      for (const char *name :
-           {"temperature", "displacement", "velocity", "stress"})
-        row += std::string(",") + name + '_' + std::to_string(i);
-    row += '\n';
-    table_file.write_row(row);
+    table_file.write_row(head + csv_head(columns));
   }
 
 
@@ -86,17 +92,9 @@ namespace ThermoContact
   void
   ProbeOutput<dim>::write(const State &state)
   {
-    const std::vector<double> &values = point_values.evaluate(state);
-    if (!is_writer)
-      return;
-    row.clear();
-    append(row, "%.17g", state.time);
-    for (unsigned int i = 0; i < places.size(); ++i)
-      for (unsigned int field = 0; field < PointValues<dim>::n_quantities;
-           ++field)
-        append(row, ",%.17g", values[field * places.size() + i]);
-    row += '\n';
-    table_file.write_row(row);
+    const Record record{state.time, point_values.evaluate(state)};
+    table_file.append_row(
+      [&](std::string &rows) { append_csv_row(columns, record, rows); });
   }
 
 

@@ -3,9 +3,6 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/report/progress.h>
 
-#include <cstdio>
-#include <iomanip>
-
 namespace ThermoContact
 {
   namespace
@@ -16,18 +13,15 @@ namespace ThermoContact
     {
       if (!(seconds < 3.6e6))
         return "1000 h or more";
-      const auto whole = static_cast<unsigned int>(seconds + 0.5);
-      char       words[40];
-      if (whole < 3600)
-        std::snprintf(words, sizeof(words), "%u:%02u", whole / 60, whole % 60);
-      else
-        std::snprintf(words,
-                      sizeof(words),
-                      "%u:%02u:%02u",
-                      whole / 3600,
-                      whole / 60 % 60,
-                      whole % 60);
-      return words;
+      const auto whole      = static_cast<unsigned int>(seconds + 0.5);
+      const auto two_digits = [](const unsigned int n) {
+        return align_right(text(n), 2, '0');
+      };
+      const unsigned int minutes = whole / 60;
+      return (whole < 3600 ?
+                text(minutes) :
+                text(minutes / 60, ':', two_digits(minutes % 60))) +
+             ':' + two_digits(whole % 60);
     }
 
 
@@ -93,14 +87,11 @@ namespace ThermoContact
     if (tenths(record.time) == tenths(record.time - record.step_size))
       return;
     std::string line = text("  ",
-                            std::setw(3),
-                            10 * tenths(record.time),
+                            align_right(text(10 * tenths(record.time)), 3),
                             " %   t = ",
-                            std::setw(10),
-                            std::left,
-                            record.time);
+                            align_left(text(record.time), 10));
     const auto  add  = [&line](const char *name, const double value) {
-      line += text("  ", name, " = ", std::setw(12), std::left, value);
+      line += text("  ", name, " = ", align_left(text(value), 12));
     };
     const Scene &scene = simulation.scene();
     if (scene.fields.has_displacement)
@@ -142,14 +133,12 @@ namespace ThermoContact
     const double left =
       seconds_between(start, now) * (end_time - record.time) / done;
     const auto field = [](const char *name, const double value) {
-      return text("  ", name, ' ', std::setw(12), std::left, value);
+      return text("  ", name, ' ', align_left(text(value), 12));
     };
-    std::string line =
-      text("  ",
-           std::setw(3),
-           static_cast<unsigned int>(100. * record.time / end_time + 1e-9),
-           " %") +
-      field(" t", record.time) + field("dt", record.step_size);
+    const auto percent =
+      static_cast<unsigned int>(100. * record.time / end_time + 1e-9);
+    std::string line = text("  ", align_right(text(percent), 3), " %") +
+                       field(" t", record.time) + field("dt", record.step_size);
     if (scene.contact.law->is_active())
       line += record.in_contact ? field("force", record.contact_force) :
                                   field("gap  ", record.gap);
@@ -157,12 +146,11 @@ namespace ThermoContact
       line += field("u(1)", record.displacement_end);
     else
       line += field("theta(1)", record.temperature_end);
-    char speed[40];
-    std::snprintf(speed,
-                  sizeof(speed),
-                  steps_per_second < 10. ? "%8.2g" : "%8.0f",
-                  steps_per_second);
-    log.live_line(line + speed + " steps/s  " + clock_time(left) + " left");
+    const std::string speed = steps_per_second < 10. ?
+                                significant(steps_per_second, 2) :
+                                fixed_point(steps_per_second, 0);
+    log.live_line(line + align_right(speed, 8) + " steps/s  " +
+                  clock_time(left) + " left");
   }
 
 

@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <iomanip>
 #include <utility>
 
 namespace ThermoContact
@@ -57,8 +55,7 @@ namespace ThermoContact
             line += text(line.back() == 's' ? " in " : ", ",
                          name,
                          " by ",
-                         std::setprecision(2),
-                         value - predicted);
+                         significant(value - predicted, 2));
         };
       add("u(1)", record.displacement_end, rest.displacement_end);
       add("theta(1)", record.temperature_end, rest.temperature_end);
@@ -85,8 +82,7 @@ namespace ThermoContact
                   " + lost to the scheme ",
                   record.numerical_dissipation,
                   "; defect ",
-                  std::setprecision(2),
-                  defect);
+                  significant(defect, 2));
     }
 
 
@@ -112,15 +108,14 @@ namespace ThermoContact
       const char *title = "time";
       for (const auto &[name, seconds] : sections)
         {
-          char line[100];
-          std::snprintf(line,
-                        sizeof(line),
-                        "  %-10s%-29s%9.3f s %5.1f %%",
-                        title,
-                        name,
-                        std::max(0., seconds),
-                        100. * std::max(0., seconds) / times.wall);
-          log.line(line);
+          const double share = 100. * std::max(0., seconds) / times.wall;
+          log.line(text("  ",
+                        align_left(title, 10),
+                        align_left(name, 29),
+                        align_right(fixed_point(std::max(0., seconds), 3), 9),
+                        " s ",
+                        align_right(fixed_point(share, 1), 5),
+                        " %"));
           title = "";
         }
     }
@@ -146,18 +141,18 @@ namespace ThermoContact
     if (const auto rest = steady_state(scene).state)
       log.line("  at rest   " + compare_with_rest(*rest, record, scene));
     log.line("  energy    " + describe_energy(record, initial_energy));
-    log.line(text("  cost      ",
-                  record.step,
-                  " steps, ",
-                  simulation.history().n_rejected_steps,
-                  " rejected, ",
-                  counters.factorizations,
-                  " factorisations, ",
-                  counters.solves,
-                  " solves; ",
-                  std::setprecision(3),
-                  record.step == 0 ? 0. : 1e6 * times.loop / record.step,
-                  " us per step"));
+    log.line(text(
+      "  cost      ",
+      record.step,
+      " steps, ",
+      simulation.history().n_rejected_steps,
+      " rejected, ",
+      counters.factorizations,
+      " factorisations, ",
+      counters.solves,
+      " solves; ",
+      significant(record.step == 0 ? 0. : 1e6 * times.loop / record.step, 3),
+      " us per step"));
     report_times(times, counters, log);
   }
 

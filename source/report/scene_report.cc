@@ -8,9 +8,6 @@
 #include <thermocontact/scene/scene_terms.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <iomanip>
 
 namespace ThermoContact
 {
@@ -137,9 +134,7 @@ namespace ThermoContact
     std::string
     about(const double value)
     {
-      char number[40];
-      std::snprintf(number, sizeof(number), "%.1e", value);
-      return text(std::setprecision(12), std::strtod(number, nullptr));
+      return significant(round_to_digits(value, 2), 12);
     }
 
 
@@ -190,7 +185,7 @@ namespace ThermoContact
     {
       const auto count = [&cost](const double n) {
         if (cost.is_exact)
-          return text(std::setprecision(12), n);
+          return significant(n, 12);
         return "about " + about(n);
       };
       std::string line = count(cost.steps) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/probe_positions.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
@@ -253,5 +254,19 @@ namespace ThermoContact
       check_fixed_point(scene);
     check_scheme(scene);
     check_neighbours(scene);
+  }
+
+
+
+  void
+  check_scene_text(const std::string &text, const std::string &name)
+  {
+    Parameters       parameters;
+    ParameterHandler prm;
+    parameters.add_parameters(prm);
+    std::istringstream stream(text);
+    assign_entries(read_assignments(stream, name), prm);
+    check_unused_entries(parameters, prm);
+    check_scene(parameters);
   }
 } // namespace ThermoContact

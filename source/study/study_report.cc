@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/csv_columns.h>
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/study/study_report.h>
@@ -10,46 +12,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <functional>
 #include <limits>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace ThermoContact
 {
   namespace
   {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-
-    /** A field of a CSV row; quoted where it has to be. */
-    std::string
-    field(std::string text)
-    {
-      for (char &c : text)
-        if (c == '\n')
-          c = ' ';
-      if (text.find_first_of(",\"") == std::string::npos)
-        return text;
-      std::string quoted = "\"";
-      for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-      return quoted + '"';
-    }
-
-
-
-    std::string
-    number(const double value)
-    {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.17g", value);
-      return text;
-    }
-
-
 
     double
     minimum(const std::vector<double> &sorted)
@@ -83,51 +56,86 @@ namespace ThermoContact
 
 
     // study.csv has its errors in this order
-    const Trajectory::Quantity columns[] = {Trajectory::displacement_end,
-                                            Trajectory::velocity_end,
-                                            Trajectory::contact_force,
-                                            Trajectory::temperature_end};
+    const Trajectory::Quantity quantities[] = {Trajectory::displacement_end,
+                                               Trajectory::velocity_end,
+                                               Trajectory::contact_force,
+                                               Trajectory::temperature_end};
 
 
 
-    void
-    write_header(const Study &study, std::ostream &file)
+    /** What a row of study.csv is made of. */
+    struct StudyRow
     {
-      file << "run";
-      for (const std::string &path : study.varied())
-        file << ',' << field(path);
-      file << ",status,dofs,steps,rejected_steps,factorizations,solves,"
-              "loop_seconds";
-      for (const auto q : columns)
-        file << ",error_" << Trajectory::names[q];
-      file << ",error_first_contact_time,error_energy,loop_seconds_median";
-      for (const auto q : columns)
-        file << ",final_error_" << Trajectory::names[q];
-      file << ",final_error_energy\n";
+      unsigned int           number; ///< of the run
+      const StudyRun        &run;
+      Trajectory::Difference error;
+    };
+
+
+
+    /** A column with a member of StudyRun. */
+    template <typename Value>
+    CsvColumn<StudyRow>
+    run_column(const std::string &name, Value StudyRun::*const member)
+    {
+      return {name, [member](const StudyRow &row) { return row.run.*member; }};
     }
 
 
 
-    void
-    write_row(const unsigned int i, const StudyRun &run, std::ostream &file)
+    /** A column with an error of a quantity. */
+    CsvColumn<StudyRow>
+    error_column(const std::string &prefix,
+                 Trajectory::Values Trajectory::Difference::*const error,
+                 const Trajectory::Quantity                        quantity)
     {
-      const Trajectory::Difference error = error_of(run);
-      file << i;
-      for (const std::string &value : run.entries)
-        file << ',' << field(value);
-      file << ','
-           << (run.failure.empty() ? "done" : field("failed: " + run.failure))
-           << ',' << run.n_dofs << ',' << run.n_steps << ','
-           << run.n_rejected_steps << ',' << run.n_factorizations << ','
-           << run.n_solves << ',' << number(minimum(run.loop_seconds));
-      for (const auto q : columns)
-        file << ',' << number(error.maximum[q]);
-      file << ',' << number(error.first_contact_time) << ','
-           << number(error.maximum[Trajectory::energy]) << ','
-           << number(median(run.loop_seconds));
-      for (const auto q : columns)
-        file << ',' << number(error.final_value[q]);
-      file << ',' << number(error.final_value[Trajectory::energy]) << '\n';
+      return {prefix + Trajectory::names[quantity],
+              [error, quantity](const StudyRow &row) {
+                return (row.error.*error)[quantity];
+              }};
+    }
+
+
+
+    /** The columns of study.csv. */
+    CsvColumns<StudyRow>
+    make_columns(const Study &study)
+    {
+      const auto maximum     = &Trajectory::Difference::maximum;
+      const auto final_value = &Trajectory::Difference::final_value;
+
+      CsvColumns<StudyRow> columns = {{"run", &StudyRow::number}};
+      for (unsigned int e = 0; e < study.varied().size(); ++e)
+        columns.emplace_back(study.varied()[e], [e](const StudyRow &row) {
+          return row.run.entries[e];
+        });
+      columns.emplace_back("status", [](const StudyRow &row) {
+        return row.run.failure.empty() ? "done" : "failed: " + row.run.failure;
+      });
+      columns.push_back(run_column("dofs", &StudyRun::n_dofs));
+      columns.push_back(run_column("steps", &StudyRun::n_steps));
+      columns.push_back(
+        run_column("rejected_steps", &StudyRun::n_rejected_steps));
+      columns.push_back(
+        run_column("factorizations", &StudyRun::n_factorizations));
+      columns.push_back(run_column("solves", &StudyRun::n_solves));
+      columns.emplace_back("loop_seconds", [](const StudyRow &row) {
+        return minimum(row.run.loop_seconds);
+      });
+      for (const auto q : quantities)
+        columns.push_back(error_column("error_", maximum, q));
+      columns.emplace_back("error_first_contact_time", [](const StudyRow &row) {
+        return row.error.first_contact_time;
+      });
+      columns.push_back(error_column("error_", maximum, Trajectory::energy));
+      columns.emplace_back("loop_seconds_median", [](const StudyRow &row) {
+        return median(row.run.loop_seconds);
+      });
+      for (const auto q : quantities)
+        columns.push_back(error_column("final_error_", final_value, q));
+      columns.push_back(
+        error_column("final_error_", final_value, Trajectory::energy));
+      return columns;
     }
 
 
@@ -136,9 +144,7 @@ namespace ThermoContact
     double
     to_number(const std::string &text)
     {
-      std::istringstream stream(text);
-      double             value = 0.;
-      return stream >> value && stream.peek() == EOF ? value : nan;
+      return parse_number(text).value_or(nan);
     }
 
 
@@ -217,7 +223,7 @@ namespace ThermoContact
       std::vector<
         std::pair<std::string, std::function<double(const StudyRun &)>>>
         errors;
-      for (const auto q : columns)
+      for (const auto q : quantities)
         {
           errors.emplace_back(Trajectory::names[q], [q](const StudyRun &run) {
             return run.error->maximum[q];
@@ -310,9 +316,13 @@ namespace ThermoContact
         std::ofstream csv(directory + "/study.csv");
         csv << "# " << title << "\n# thermocontact " << version()
             << ", deal.II " << DEAL_II_PACKAGE_VERSION << '\n';
-        write_header(study, csv);
+        const CsvColumns<StudyRow> columns = make_columns(study);
+        std::string                rows    = csv_head(columns);
         for (unsigned int i = 0; i < study.runs().size(); ++i)
-          write_row(i, study.runs()[i], csv);
+          append_csv_row(columns,
+                         {i, study.runs()[i], error_of(study.runs()[i])},
+                         rows);
+        csv << rows;
 
         std::ofstream table(directory + "/study.txt");
         write_tables(study, table);
@@ -336,29 +346,31 @@ namespace ThermoContact
     unsigned int n_failed = 0;
     for (const StudyRun &run : study.runs())
       n_failed += !run.failure.empty();
-    std::ostringstream line;
-    line << "  study     " << study.runs().size() << " runs, " << n_failed
-         << " failed";
-    log.line(line.str());
-    if (!(study.parameters().target_error > 0.))
+    log.line(text(
+      "  study     ", study.runs().size(), " runs, ", n_failed, " failed"));
+    const double target = study.parameters().target_error;
+    if (!(target > 0.))
       return;
 
-    line.str("");
-    line << "  cheapest  ";
-    if (const StudyRun *best = cheapest(study); best != nullptr)
-      {
-        line << "The cheapest run with an error of displacement_end of at most "
-             << study.parameters().target_error << " has";
-        for (unsigned int e = 0; e < best->entries.size(); ++e)
-          line << (e > 0 ? ", " : " ") << study.varied()[e] << " = "
-               << best->entries[e];
-        line << ": error " << best->error->maximum[Trajectory::displacement_end]
-             << ", " << best->n_solves << " solves, "
-             << minimum(best->loop_seconds) << " s.";
-      }
-    else
-      line << "No run has an error of displacement_end of at most "
-           << study.parameters().target_error << '.';
-    log.line(line.str());
+    const StudyRun *best = cheapest(study);
+    if (best == nullptr)
+      return log.line(text("  cheapest  No run has an error of "
+                           "displacement_end of at most ",
+                           target,
+                           '.'));
+    std::string line = text("  cheapest  The cheapest run with an error of "
+                            "displacement_end of at most ",
+                            target,
+                            " has");
+    for (unsigned int e = 0; e < best->entries.size(); ++e)
+      line +=
+        (e > 0 ? ", " : " ") + study.varied()[e] + " = " + best->entries[e];
+    log.line(line + text(": error ",
+                         best->error->maximum[Trajectory::displacement_end],
+                         ", ",
+                         best->n_solves,
+                         " solves, ",
+                         minimum(best->loop_seconds),
+                         " s."));
   }
 } // namespace ThermoContact

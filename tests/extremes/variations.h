@@ -43,11 +43,12 @@ namespace ThermoContact
     RunResult       result;
     StepChecks<dim> checks(max_steps);
     Simulation<dim> simulation(parameters, MPI_COMM_SELF);
-    simulation.add_observer(
-      [&checks](const Simulation<dim> &s) { checks.observe(s); });
+    const auto      observe = [&checks](const Simulation<dim> &s) {
+      checks.observe(s);
+    };
     try
       {
-        simulation.run();
+        simulation.run({observe});
       }
     catch (const EnoughSteps &)
       {

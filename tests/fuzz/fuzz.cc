@@ -86,7 +86,7 @@ namespace ThermoContact
           if (is_plane)
             prm.set("Dimension", "2");
           std::ostringstream all;
-          write_entries(prm, {}, all);
+          write_entries(declared_entries(prm), {}, all);
           texts.push_back(all.str());
         }
       return texts;
@@ -134,7 +134,7 @@ namespace ThermoContact
       std::istringstream stream(text);
       assign_entries(read_assignments(stream, "again.prm"), prm);
       std::ostringstream written;
-      write_entries(prm, {}, written);
+      write_entries(declared_entries(prm), {}, written);
       return written.str();
     }
 

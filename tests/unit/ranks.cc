@@ -27,9 +27,10 @@ namespace
   {
     std::vector<StepRecord> records;
     Simulation<dim>         simulation(parameters, communicator);
-    simulation.add_observer(
-      [&](const Simulation<dim> &s) { records.push_back(s.record()); });
-    simulation.run();
+    const auto              observe = [&](const Simulation<dim> &s) {
+      records.push_back(s.record());
+    };
+    simulation.run({observe});
     return records;
   }
 

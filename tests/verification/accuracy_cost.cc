@@ -100,14 +100,14 @@ namespace
     parameters.time.tolerance = tolerance;
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
     Measured      errors;
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto    observe = [&](const Simulation<1> &s) {
       const StepRecord &r     = s.record();
       const double      u     = exact_displacement(table, r.time);
       const double      force = std::max(u - gap, 0.) / compliance;
       raise(errors.displacement, std::abs(r.displacement_end - u));
       raise(errors.force, std::abs(r.contact_force - force));
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
 
     const auto &events = simulation.events();
     if (events.size() != event_times.size())

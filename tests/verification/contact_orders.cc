@@ -86,16 +86,16 @@ namespace
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
 
     Solution solution;
-    solution.n = n;
-    simulation.add_observer([&](const Simulation<1> &s) {
+    solution.n         = n;
+    const auto observe = [&](const Simulation<1> &s) {
       const StepRecord &r = s.record();
       if (std::abs(r.time - 1. * solution.multiples.size() / n) < 1e-12)
         solution.multiples.push_back({{r.displacement_end,
                                        r.velocity_end,
                                        r.temperature_end,
                                        r.contact_force}});
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
     solution.events = simulation.events();
 
     bool as_expected = solution.multiples.size() == end_time * n + 1 &&

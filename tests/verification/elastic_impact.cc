@@ -87,7 +87,7 @@ namespace
     const double  compliance = parameters.contact_law().compliance;
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
     Result        result;
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto    observe = [&](const Simulation<1> &s) {
       const StepRecord &r = s.record();
       if (r.step == 0)
         result.energy = r.energy;
@@ -99,10 +99,10 @@ namespace
         raise(result.force_error,
               std::abs(r.contact_force - d +
                        (compliance > 0. ?
-                          d * std::exp(-(r.time - 1.) / compliance) :
-                          0.)));
-    });
-    simulation.run();
+                             d * std::exp(-(r.time - 1.) / compliance) :
+                             0.)));
+    };
+    simulation.run({observe});
     result.n_events = simulation.events().size();
     for (const ContactEvent &event : simulation.events())
       if (event.kind == ContactEvent::end && result.end_of_contact == 0.)

@@ -122,7 +122,7 @@ namespace
                                MPI_COMM_SELF);
     Balance         balance;
     double          first = 0., largest = 0., defect = 0.;
-    simulation.add_observer([&](const Simulation<dim> &s) {
+    const auto      observe = [&](const Simulation<dim> &s) {
       const StepRecord &r = s.record();
       if (r.step == 0)
         first = r.energy;
@@ -135,8 +135,8 @@ namespace
           return x > 0.;
         });
       balance.n_partial_steps += n_active > 0 && n_active < p.size();
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
     balance.defect   = defect / largest;
     balance.n_events = simulation.events().size();
     return balance;
@@ -232,14 +232,14 @@ namespace
   {
     Simulation<1> simulation(read_parameters("", overrides), MPI_COMM_SELF);
     std::vector<Quantities> values;
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto              observe = [&](const Simulation<1> &s) {
       const StepRecord &r = s.record();
       for (const double time : times)
         if (std::abs(r.time - time) < 1e-9)
           values.push_back(
             {{r.displacement_end, r.displacement_mid, r.temperature_end}});
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
     return values;
   }
 

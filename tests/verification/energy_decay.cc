@@ -49,7 +49,7 @@ namespace
     SceneResult   result;
     double        last_energy = 0., last_magnitude = 0.;
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto    observe = [&](const Simulation<1> &s) {
       const StepRecord &r         = s.record();
       const double      magnitude = r.energy_terms.magnitude();
       result.has_contact |= r.in_contact;
@@ -63,8 +63,8 @@ namespace
         }
       last_energy    = r.energy;
       last_magnitude = magnitude;
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
     return result;
   }
 } // namespace

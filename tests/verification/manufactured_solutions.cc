@@ -317,11 +317,11 @@ namespace
 
     Simulation<dim> simulation(parameters, MPI_COMM_SELF);
     unsigned int    n_positive = 0, n_zero = 0;
-    simulation.add_observer([&](const Simulation<dim> &s) {
+    const auto      observe = [&](const Simulation<dim> &s) {
       for (const double p : s.state().contact_pressure)
         (p > 0. ? n_positive : n_zero) += 1;
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
 
     Result result  = compute_errors(simulation, amplitudes);
     result.contact = n_positive == 0 ? "without contact" :

@@ -52,13 +52,13 @@ namespace
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
     bool          as_expected = true;
     double        remainder   = 0.;
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto    observe     = [&](const Simulation<1> &s) {
       const StepRecord &r = s.record();
       as_expected &= r.in_contact == contact;
       if (2 * r.step == n_steps)
         remainder = r.numerical_dissipation;
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
     if (!as_expected)
       deallog << "contact is not what the scene is made for" << std::endl;
     const StepRecord &r = simulation.record();

@@ -90,9 +90,9 @@ namespace
     const auto    table = read_table(experiment);
     Simulation<1> simulation(read_parameters(paper_file(experiment)),
                              MPI_COMM_SELF);
-    unsigned int  n_rows = 0;
-    double        error  = 0.;
-    simulation.add_observer([&](const Simulation<1> &s) {
+    unsigned int  n_rows  = 0;
+    double        error   = 0.;
+    const auto    observe = [&](const Simulation<1> &s) {
       for (const auto &row : table)
         if (std::abs(row[0] - s.record().time) < 1e-9)
           {
@@ -103,8 +103,8 @@ namespace
                     std::abs(values[i] - row[i + 1]) /
                       std::max(1., std::abs(row[i + 1])));
           }
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
 
     deallog << "experiment " << experiment << ": " << n_rows << " of "
             << table.size() << " rows, all within 1e-9: " << (error < 1e-9)
@@ -167,7 +167,7 @@ namespace
     double          initial = 0., defect = 0., smallest_dissipation = 0.;
     unsigned int    n_contacts = 0;
     double          last       = 0.;
-    simulation.add_observer([&](const Simulation<dim> &s) {
+    const auto      observe    = [&](const Simulation<dim> &s) {
       const StepRecord &r = s.record();
       if (r.step == 0)
         initial = r.energy;
@@ -180,8 +180,8 @@ namespace
           std::min(smallest_dissipation, r.numerical_dissipation - last);
       last = r.numerical_dissipation;
       n_contacts += r.in_contact;
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
     deallog << name << ": contact occurs " << (n_contacts > 0)
             << ", work is done " << (simulation.record().work != 0.)
             << ", audit closes within 1e-11 E(0) " << (defect < 1e-11 * initial)

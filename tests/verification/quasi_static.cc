@@ -44,17 +44,17 @@ namespace
     double        error  = 0.;
     unsigned int  n_rows = 0, n_contact = 0;
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto    observe = [&](const Simulation<1> &s) {
       const StepRecord &r = s.record();
       const double      u =
         r.time < release ?
-               v_e + (v_0 - v_e) * std::exp(-(1. + 1. / eps) * r.time / zeta) :
-               g * std::exp(-(r.time - release) / zeta);
+                  v_e + (v_0 - v_e) * std::exp(-(1. + 1. / eps) * r.time / zeta) :
+                  g * std::exp(-(r.time - release) / zeta);
       raise(error, std::abs(r.displacement_end - u));
       ++n_rows;
       n_contact += r.in_contact;
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
 
     const auto &events = simulation.events();
     const bool  is_released =
@@ -81,7 +81,7 @@ namespace
     double        error  = 0.;
     unsigned int  n_rows = 0, n_contact = 0;
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto    observe = [&](const Simulation<1> &s) {
       const StepRecord &r = s.record();
       const double      G = parameters.model.coupling * r.temperature_mean;
       const double      p = std::max(G - g, 0.) / (1. + eps);
@@ -89,8 +89,8 @@ namespace
       raise(error, std::abs(r.contact_force - p));
       ++n_rows;
       n_contact += r.in_contact;
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
 
     const auto        &events = simulation.events();
     const unsigned int n_begins =
@@ -119,15 +119,15 @@ namespace
     std::vector<double> values;
     n_contact = 0;
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto    observe = [&](const Simulation<1> &s) {
       const StepRecord &r = s.record();
       if (std::abs(r.time - interval * (values.size() + 1)) < 1e-12)
         {
           values.push_back(r.displacement_end);
           n_contact += r.in_contact;
         }
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
     return values;
   }
 

@@ -58,15 +58,15 @@ namespace
     const double  interval = parameters.output.contact_interval;
     Run           result;
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto    observe = [&](const Simulation<1> &s) {
       const StepRecord &r = s.record();
       result.times.push_back(r.time);
       result.displacements.push_back(r.displacement_end);
       if (interval > 0. &&
           std::abs(r.time - interval * result.samples.size()) < 1e-9)
         result.samples.push_back(r.displacement_end);
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
     result.events      = simulation.events();
     result.penetration = simulation.max_penetration();
     result.force       = simulation.max_contact_force();

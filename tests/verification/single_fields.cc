@@ -75,7 +75,7 @@ namespace
 
     double        error = 0.;
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto    observe = [&](const Simulation<1> &s) {
       const StepRecord &r = s.record();
       if (r.time < first_time)
         return;
@@ -90,8 +90,8 @@ namespace
         }
       raise(error, std::abs(r.temperature_end - end));
       raise(error, std::abs(r.temperature_mean - mean));
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
     deallog << name << ": unknowns " << simulation.n_factorized_unknowns()
             << ", theta(1) and mean to 1e-8 " << (error < 1e-8) << std::endl;
   }
@@ -150,7 +150,7 @@ namespace
                           "Initial values/Displacement=" + sum});
     double        error_u = 0., error_v = 0.;
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto    observe = [&](const Simulation<1> &s) {
       const StepRecord &r = s.record();
       double            u = 0., v = 0.;
       for (const unsigned int n : modes)
@@ -165,8 +165,8 @@ namespace
         }
       raise(error_u, std::abs(r.displacement_end - u));
       raise(error_v, std::abs(r.velocity_end - v));
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
     deallog << "modes of displacement";
     for (const unsigned int n : modes)
       deallog << ' ' << n;
@@ -274,7 +274,7 @@ namespace
     State               state;
     double              error     = 0.;
     unsigned int        n_contact = 0;
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto          observe   = [&](const Simulation<1> &s) {
       const State &other = s.state();
       if (s.record().step <= 1) // the first one is prescribed by the paper
         {
@@ -288,8 +288,8 @@ namespace
       raise(error,
             std::abs(other.contact_pressure[0] - state.contact_pressure[0]));
       n_contact += s.record().in_contact;
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
     deallog << title << ": steps " << simulation.record().step
             << ", unknowns factorized " << simulation.n_factorized_unknowns()
             << " of " << simulation.discretization().dof_handler().n_dofs()
@@ -309,14 +309,14 @@ namespace
     std::vector<std::array<double, 4>> rows;
     Simulation<1> simulation(read_parameters("paper/experiment-1.prm", all),
                              MPI_COMM_SELF);
-    simulation.add_observer([&](const Simulation<1> &s) {
+    const auto    observe = [&](const Simulation<1> &s) {
       const StepRecord &r = s.record();
       rows.push_back({{r.temperature_end,
                        r.temperature_mean,
                        r.displacement_end,
                        r.velocity_end}});
-    });
-    simulation.run();
+    };
+    simulation.run({observe});
     return rows;
   }
 

@@ -104,7 +104,7 @@ namespace
       , momentum_mass(simulation.stage_operator().momentum_mass())
       , stiffness(simulation.stage_operator().stiffness())
     {
-      simulation.add_observer([this](const Simulation<1> &s) { observe(s); });
+      const auto observe = [this](const Simulation<1> &s) { observe(s); };
     }
 
     Estimates estimates;
@@ -207,7 +207,7 @@ namespace
     parameters.time.step_size = dt;
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
     Follower      follower(simulation);
-    simulation.run();
+    simulation.run({observe});
     AssertThrow(follower.has_contact, ExcMessage("no contact"));
     return follower.estimates;
   }

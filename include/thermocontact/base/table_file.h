@@ -41,12 +41,32 @@ namespace ThermoContact
 
     /** Appends one row of @p length bytes; nothing if the file is not open. */
     void
-    write_row(const char *row, const std::size_t length);
+    write_row(const char *row, const std::size_t length)
+    {
+      append_row(
+        [row, length](std::string &text) { text.append(row, length); });
+    }
 
     void
     write_row(const std::string &row)
     {
       write_row(row.data(), row.size());
+    }
+
+    /**
+     * Appends one row; @p append adds it to the rows that are not yet written,
+     * whose memory is kept, so that the next rows allocate nothing. Not called
+     * if the file is not open.
+     */
+    template <typename Append>
+    void
+    append_row(const Append &append)
+    {
+      if (descriptor < 0)
+        return;
+      append(rows);
+      if (rows.size() >= piece_size)
+        write_rows();
     }
 
     /**
@@ -69,6 +89,9 @@ namespace ThermoContact
     }
 
   private:
+    /** Bytes that are collected before they are written. */
+    static constexpr std::size_t piece_size = 1 << 16;
+
     std::string   path;
     int           descriptor = -1;
     std::string   rows;          ///< not yet written

@@ -3,19 +3,53 @@
 #ifndef thermocontact_base_text_h
 #define thermocontact_base_text_h
 
-#include <sstream>
+#include <thermocontact/base/number_text.h>
+
 #include <string>
+#include <type_traits>
 
 namespace ThermoContact
 {
-  /** Concatenates its arguments as a stream prints them. */
-  template <typename... Arguments>
+  /**
+   * Concatenates words, letters and numbers; those that are not whole have
+   * @ref few_digits.
+   */
+  template <typename... Parts>
   std::string
-  text(const Arguments &...arguments)
+  text(const Parts &...parts)
   {
-    std::ostringstream stream;
-    (stream << ... << arguments);
-    return stream.str();
+    std::string line;
+    const auto  append = [&line](const auto &part) {
+      using Part = std::decay_t<decltype(part)>;
+      if constexpr (std::is_floating_point<Part>::value)
+        append_number(line, part, few_digits);
+      else if constexpr (std::is_integral<Part>::value &&
+                         !std::is_same<Part, char>::value)
+        append_number(line, part);
+      else
+        line += part;
+    };
+    (append(parts), ...);
+    return line;
+  }
+
+  /** @p words with blanks behind them, so that there are @p width letters. */
+  inline std::string
+  align_left(std::string words, const std::size_t width)
+  {
+    if (words.size() < width)
+      words.append(width - words.size(), ' ');
+    return words;
+  }
+
+  /** @p words with @p fill before them, so that there are @p width letters. */
+  inline std::string
+  align_right(const std::string &words,
+              const std::size_t  width,
+              const char         fill = ' ')
+  {
+    return std::string(words.size() < width ? width - words.size() : 0, fill) +
+           words;
   }
 } // namespace ThermoContact
 

@@ -3,6 +3,7 @@
 #ifndef thermocontact_input_parameter_file_h
 #define thermocontact_input_parameter_file_h
 
+#include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/parameter_text.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -51,15 +52,15 @@ namespace ThermoContact
   equal_values(const std::string &a, const std::string &b);
 
   /**
-   * Writes all entries with their present values as a parameter file, in the
-   * order of declaration.
+   * Writes entries with their values as a parameter file.
    *
+   * @param entries those of a section one after the other
    * @param omit paths that are left out
    */
   void
-  write_entries(const ParameterHandler      &prm,
-                const std::set<std::string> &omit,
-                std::ostream                &output);
+  write_entries(const std::vector<DeclaredEntry> &entries,
+                const std::set<std::string>      &omit,
+                std::ostream                     &output);
 } // namespace ThermoContact
 
 #endif

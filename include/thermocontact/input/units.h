@@ -63,6 +63,16 @@ namespace ThermoContact
      */
     double
     expansion() const;
+
+  private:
+    void
+    add_rod(dealii::ParameterHandler &prm);
+
+    void
+    add_temperatures(dealii::ParameterHandler &prm);
+
+    void
+    add_obstacle(dealii::ParameterHandler &prm);
   };
 
 
@@ -109,8 +119,7 @@ namespace ThermoContact
    * of contact.csv into SI units.
    *
    * @param file_name what messages call the file
-   * @throw InputError if an entry is not given or wrong, or if the scene is one
-   *   that the program refuses
+   * @throw InputError if an entry is not given or wrong
    */
   std::string
   scene_from_units(const std::string             &file_name,

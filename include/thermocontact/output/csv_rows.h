@@ -3,6 +3,7 @@
 #ifndef thermocontact_output_csv_rows_h
 #define thermocontact_output_csv_rows_h
 
+#include <thermocontact/base/csv_columns.h>
 #include <thermocontact/base/table_file.h>
 #include <thermocontact/method/event_locator.h>
 #include <thermocontact/simulation/measurements.h>
@@ -10,32 +11,35 @@
 
 namespace ThermoContact
 {
-  // The columns of contact.csv, steps.csv and events.csv.
-  constexpr char contact_columns[] =
-    "step,time,step_size,displacement_end,displacement_mid,velocity_end,"
-    "stress_end,gap,penetration,contact_force,contact_impulse,"
-    "temperature_end,heat_flux_end,energy,dissipation,numerical_dissipation,"
-    "in_contact,iterations,work,temperature_mean";
-
-  constexpr char step_columns[] =
-    "time,step_size,error,accepted,reason,wall_seconds";
-
-  constexpr char event_columns[] = "time,kind,velocity";
-
   /**
-   * Adds a row with these columns to a table, numbers with 17 significant
-   * digits (errors and wall times with 6). Nothing if the table is not open.
+   * The columns of the table that has a row for each Record: contact.csv
+   * (StepRecord), events.csv (ContactEvent), steps.csv (StepAttempt).
    */
-  void
-  add_row(const StepRecord &record, TableFile &file);
+  template <typename Record>
+  const CsvColumns<Record> &
+  columns_of();
 
-  /** Likewise. */
-  void
-  add_row(const ContactEvent &event, TableFile &file);
+  template <>
+  const CsvColumns<StepRecord> &
+  columns_of<StepRecord>();
 
-  /** Likewise. */
+  template <>
+  const CsvColumns<ContactEvent> &
+  columns_of<ContactEvent>();
+
+  template <>
+  const CsvColumns<StepAttempt> &
+  columns_of<StepAttempt>();
+
+  /** Adds a row to the table of @p record; nothing if it is not open. */
+  template <typename Record>
   void
-  add_row(const StepAttempt &attempt, TableFile &file);
+  add_row(const Record &record, TableFile &file)
+  {
+    file.append_row([&record](std::string &rows) {
+      append_csv_row(columns_of<Record>(), record, rows);
+    });
+  }
 } // namespace ThermoContact
 
 #endif

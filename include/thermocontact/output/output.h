@@ -129,12 +129,16 @@ namespace ThermoContact
     void
     open_optional(const OutputMemory &sizes, const Simulation<dim> &simulation);
 
-    /** @param size of the file so far if a run goes on, else 0 */
+    /**
+     * Opens the table with a row for each Record.
+     *
+     * @param size of the file so far if a run goes on, else 0
+     */
+    template <typename Record>
     void
     open(TableFile          &file,
          const std::string  &name,
          const std::string  &title,
-         const std::string  &columns,
          const std::uint64_t size);
 
     void

@@ -62,17 +62,17 @@ namespace ThermoContact
 
 
   /**
-   * Writes used.prm: all entries as used, the directory among them, so that
-   * running the file again gives the same files. Rank 0 writes; collective.
+   * Writes used.prm: all entries of @p prm, but @p directory as
+   * Output/Directory, so that running the file again gives the same files. Rank
+   * 0 writes; collective.
    *
    * @param omit paths of entries that are left out
-   * @param prm its entry Output/Directory is set to @p directory
    * @throw ComputationError if the file cannot be written
    */
   void
   write_used_parameters(const std::string           &directory,
                         const std::set<std::string> &omit,
-                        ParameterHandler            &prm,
+                        const ParameterHandler      &prm,
                         const MPI_Comm               communicator);
 
   /**

@@ -3,6 +3,7 @@
 #ifndef thermocontact_output_probe_output_h
 #define thermocontact_output_probe_output_h
 
+#include <thermocontact/base/csv_columns.h>
 #include <thermocontact/base/table_file.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/point_values.h>
@@ -48,7 +49,19 @@ namespace ThermoContact
     const std::vector<Place<dim>> places;
     PointValues<dim>              point_values;
     TableFile                     table_file;
-    std::string                   row;
+
+    /** What a row is made of: values as PointValues gives them. */
+    struct Record
+    {
+      double                     time;
+      const std::vector<double> &values;
+    };
+
+    const CsvColumns<Record> columns;
+
+    /** The columns of @p n_places probes. */
+    static CsvColumns<Record>
+    make_columns(const unsigned int n_places);
   };
 } // namespace ThermoContact
 

@@ -4,7 +4,7 @@
 #define thermocontact_report_result_report_h
 
 #include <thermocontact/base/log.h>
-#include <thermocontact/base/run_times.h>
+#include <thermocontact/base/stop_watch.h>
 #include <thermocontact/simulation/simulation.h>
 
 namespace ThermoContact

@@ -3,7 +3,7 @@
 #ifndef thermocontact_report_summary_h
 #define thermocontact_report_summary_h
 
-#include <thermocontact/base/run_times.h>
+#include <thermocontact/base/stop_watch.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <string>

@@ -41,6 +41,14 @@ namespace ThermoContact
    */
   void
   check_scene(const Parameters &parameters);
+
+  /**
+   * The same for a parameter file.
+   *
+   * @param name what messages call it
+   */
+  void
+  check_scene_text(const std::string &text, const std::string &name);
 } // namespace ThermoContact
 
 #endif

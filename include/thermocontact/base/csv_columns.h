@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_base_csv_columns_h
+#define thermocontact_base_csv_columns_h
+
+#include <thermocontact/base/number_text.h>
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** Appends words as a field of a row: in quotes where they must be. */
+  void
+  append_field(std::string &row, const std::string_view words);
+
+  /**
+   * A column of a CSV table whose rows are made of a @p Record each: its name,
+   * and how its fields come from a record.
+   */
+  template <typename Record>
+  class CsvColumn
+  {
+  public:
+    /**
+     * @param value a member of Record, or what can be called with a record: a
+     *   number, a truth (written as 1 or 0) or words
+     * @param digits significant ones, of numbers that are not whole
+     */
+    template <typename Value>
+    CsvColumn(std::string        name,
+              const Value        value,
+              const unsigned int digits = all_digits)
+      : name(std::move(name))
+      , append([value, digits](const Record &record, std::string &row) {
+        const auto &field = std::invoke(value, record);
+        using Field       = std::decay_t<decltype(field)>;
+        if constexpr (std::is_floating_point<Field>::value)
+          append_number(row, field, digits);
+        else if constexpr (std::is_same<Field, bool>::value)
+          row += field ? '1' : '0';
+        else if constexpr (std::is_integral<Field>::value)
+          append_number(row, field);
+        else
+          append_field(row, field);
+      })
+    {}
+
+    const std::string                                        name;
+    const std::function<void(const Record &, std::string &)> append;
+  };
+
+
+
+  template <typename Record>
+  using CsvColumns = std::vector<CsvColumn<Record>>;
+
+  /** The line of names. */
+  template <typename Record>
+  std::string
+  csv_head(const CsvColumns<Record> &columns)
+  {
+    std::string head;
+    for (const auto &column : columns)
+      {
+        append_field(head, column.name);
+        head += ',';
+      }
+    head.back() = '\n';
+    return head;
+  }
+
+  /** Appends the row of @p record; nothing is allocated but by @p text. */
+  template <typename Record>
+  void
+  append_csv_row(const CsvColumns<Record> &columns,
+                 const Record             &record,
+                 std::string              &text)
+  {
+    for (const auto &column : columns)
+      {
+        column.append(record, text);
+        text += ',';
+      }
+    text.back() = '\n';
+  }
+} // namespace ThermoContact
+
+#endif
