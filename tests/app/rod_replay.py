@@ -27,6 +27,13 @@ TABLEAUS = {  # rows of a, embedded weights; doc/model.md section 10
 ROUNDING = 1e-9  # of times, in parts of the end time
 
 
+def locates_events(settings):
+    """True if steps end at contact events: by default those of a tolerance."""
+    choice = settings.get("Time/Locate contact events", "automatic")
+    return (settings["Time/Step size"] == "automatic" if choice == "automatic" else
+            choice == "true")
+
+
 class Step:
     """A step: the new state and what is booked."""
 
@@ -44,13 +51,15 @@ class Replay:
     def __init__(self, run):
         self.settings, self.rod = run.settings, Rod(run.settings)
         self.rows, self.states, self.errors, self.modes = [], [], [], []
+        self.probes = {}  # histories at places, for the checks
+        self.velocities = []  # of the end, before an impact
+        self.has_prescribed_step = has_paper_start(self.settings)
         self.counters = {"factorizations": 0, "responses": 0, "solves": 0}
         self.cache = OrderedDict()
         self.scheme = TABLEAUS[self.settings["Time/Scheme"]]
         self.is_iterated = self.settings.get("Solver/Step solver") == "fixed point"
         self.end_time = self.settings.number("Time/End time")
-        self.locates = (self.settings.get("Time/Locate contact events", "automatic") ==
-                        "true" or self.settings["Time/Step size"] == "automatic")
+        self.locates = locates_events(self.settings)
         self.mode = "open" if self.locates and self.rod.has_obstacle else "unilateral"
         self.changes = {}  # of the mode, by row
         if self.mode == "open":
@@ -60,6 +69,10 @@ class Replay:
             self.changes = {numpy.argmin(abs(ends - time)):
                             "closed" if kind == "begin" else "open"
                             for time, kind in zip(run.events["time"], run.events["kind"])}
+        with numpy.errstate(all="ignore"):  # falsified steps may have size zero
+            self.take_steps(run)
+
+    def take_steps(self, run):
         self.start()
         if run.has_table("steps"):
             for start, size, accepted in zip(run.steps["time"], run.steps["step_size"],
@@ -84,6 +97,7 @@ class Replay:
         self.sums = dict.fromkeys(("work", "dissipation", "numerical_dissipation",
                                    "contact_impulse", "fixed_end_impulse"), 0.0)
         self.mode = self.changes.get(0, self.mode)
+        self.velocities.append(self.state.v[-1])
         self.record(0.0, 0)
 
 
@@ -102,7 +116,7 @@ class Replay:
 
     def relative_error(self, step):
         """(M.30) over the tolerance"""
-        if step.error is None:
+        if step.error is None or self.settings["Time/Step size"] != "automatic":
             return math.nan
         terms = self.rod.energy_terms(step.state)
         thermal = max(self.max_thermal, terms[0])
@@ -112,7 +126,7 @@ class Replay:
                 self.settings.number("Time/Tolerance"))
 
     def step(self, end, size):
-        if not self.rows[1:] and has_paper_start(self.settings):
+        if not self.rows[1:] and self.has_prescribed_step:
             return self.prescribed_step(end, size)
         rod, (a, embedded) = self.rod, self.scheme
         tau = a[0][0] * size
@@ -247,6 +261,7 @@ class Replay:
             impulse = mass * step.state.v[-1]
             step.state.v -= impulse * column
             step.impulse += impulse
+            step.fixed_end_impulse -= impulse * self.rod.b * self.rod.M_u[0] @ column
             if not self.cache.get("impact"):
                 self.cache["impact"] = True
                 self.counters["factorizations"] += 1
@@ -257,6 +272,7 @@ class Replay:
         """Takes the step, with what happens at its end if contact changes there."""
         rod = self.rod
         self.state = step.state
+        self.velocities.append(self.state.v[-1])
         change = self.changes.get(len(self.rows))
         before = sum(rod.energy_terms(self.state))
         if change == "closed" and rod.is_rigid:
