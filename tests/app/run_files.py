@@ -135,8 +135,8 @@ def due(times, interval, end_time):
     return is_due | (numpy.asarray(times) >= end_time)
 
 
-def differences(found, expected, bound):
-    """Where numbers differ by more than bound times the largest expected one."""
+def differences(found, expected, bound, scale=None):
+    """Where numbers differ by more than bound times scale, the largest expected one."""
     found, expected = numpy.asarray(found, float), numpy.asarray(expected, float)
     if found.shape != expected.shape:
         return f"{len(found)} values instead of {len(expected)}"
@@ -146,7 +146,7 @@ def differences(found, expected, bound):
     if not finite.any():
         return ""
     found, expected = found[finite], expected[finite]
-    scale = numpy.abs(expected).max()
+    scale = scale or numpy.abs(expected).max()
     error = numpy.abs(found - expected)
     worst = numpy.argmax(numpy.where(numpy.isnan(error), numpy.inf, error))
     if error[worst] <= bound * scale + 1e-14:
