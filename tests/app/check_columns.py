@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Recomputes all columns and keys of a run of a rod, and falsifies each in turn.
 
-column_checks.py and key_checks.py say from what; falsify.py says how each column and
+column_checks.py, field_checks.py and key_checks.py say from what; falsify.py says how each column and
 key is falsified, and each falsification has to be noticed. Not noticed are:
 wall times of steps in another order, of which the sum is known; the sign or size of
 wall times below the rounding of the log; memory, of which the order of magnitude is
@@ -14,8 +14,9 @@ import sys
 import numpy
 
 import key_checks
-from column_checks import check, field_faults, replay_of
+from column_checks import check, replay_of
 from falsify import report
+from field_checks import field_faults
 from run_files import Run
 
 WALL = "steps.csv/wall_seconds"
@@ -61,5 +62,5 @@ def check_fields(run):
 
 
 run = Run(sys.argv[1])
-report(check, run, EXEMPT, list(named_faults(run)))
+report(check, run, EXEMPT, named_faults)
 check_fields(run)

@@ -347,4 +347,4 @@ def named_faults(strip):
 run = Strip(sys.argv[1])
 print("keys", check_summary(run) or "as recomputed")
 run.summary = None  # the others are those of a rod
-report(check, run, EXEMPT, list(named_faults(run)))
+report(check, run, EXEMPT, named_faults)

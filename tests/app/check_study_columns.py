@@ -74,6 +74,9 @@ def check_runs(study):
     table, runs = study.study, runs_of(study)
     yield differences(table["run"], range(len(table)), 0)
     plan = combinations(study.settings)
+    varied = {name.strip() for name in re.findall(r"([^;=]+)=", study.settings["Study/Vary"])}
+    if varied != {name for name in table.names if "/" in name}:
+        yield "not the columns of Study/Vary"
     for name in table.names:
         if "/" in name:
             if table[name] != [entries[name] for entries in plan]:
@@ -196,4 +199,4 @@ print(f"runs {len(study_run.study)}, done {len(done_runs)}, with contact "
       f"{sum(len(run.events) > 0 for run in done_runs)}, rejected steps "
       f"{any(study_run.study['rejected_steps'] > 0)}")
 check_kept(study_run)
-report(check, study_run, EXEMPT, list(named_faults(study_run)))
+report(check, study_run, EXEMPT, named_faults)

@@ -91,6 +91,10 @@ def falsify_table(run, file):
             other = run.copy()
             other.tables[file].columns[column] = false
             yield f"{file}/{column}", way, other
+        other = run.copy()
+        del other.tables[file].columns[column]
+        other.tables[file].names.remove(column)
+        yield f"{file}/{column}", "missing", other
     for row in sorted({0, len(table) // 2, len(table) - 1} if len(table) else ()):
         other = run.copy()
         other.tables[file].keep(numpy.arange(len(table)) != row)
@@ -155,13 +159,14 @@ def test_noticing(checks, run, exempt, named_faults=()):
     return noticed, missed
 
 
-def report(checks, run, exempt, named_faults=()):
-    """The verdict lines of a run."""
+def report(checks, run, exempt, name_faults):
+    """The verdict line of a run; name_faults(run) yields its named faults."""
     faults = list(checks.faults(run))
     if faults:
         for fault in faults[:10]:
             print(fault)
         return
+    named_faults = list(name_faults(run))
     named = [name for name, _ in named_faults]
     noticed, missed = test_noticing(checks, run, exempt, named_faults)
     print(f"columns and keys as recomputed; falsified one at a time"

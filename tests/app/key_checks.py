@@ -206,7 +206,7 @@ def check_wall_times(run):
         yield "not a time"
         return
     parts = s["set_up_seconds"] + s["loop_seconds"] + s["output_seconds"]
-    if abs(parts - s["wall_seconds"]) > 1e-3:
+    if abs(parts - s["wall_seconds"]) > 0.5:  # a loaded machine may stop in between
         yield "set-up, loop and output are not the whole"
     if s["step_seconds"] > s["loop_seconds"] or s["factorization_seconds"] > \
             s["solve_seconds"] or s["solve_seconds"] + s["contact_seconds"] > \
