@@ -16,7 +16,7 @@ import numpy
 import key_checks
 from column_checks import check, replay_of
 from falsify import report
-from field_checks import field_faults
+from field_checks import falsified_fields, field_faults
 from run_files import Run
 
 WALL = "steps.csv/wall_seconds"
@@ -53,12 +53,14 @@ def named_faults(run):
 
 
 def check_fields(run):
-    """Snapshots and space-time file"""
+    """Snapshots and space-time file; then each field falsified"""
+    if not run.snapshots():
+        return
     faults = [fault for fault in field_faults(run) if fault]
-    n_snapshots = len(run.snapshots())
-    if n_snapshots or run.space_time() is not None:
-        print(f"snapshots {n_snapshots}, space-time file "
-              f"{run.space_time() is not None}: {faults or 'as recomputed, to 1e-5'}")
+    missed = [name for name, other in falsified_fields(run) if not any(field_faults(other))]
+    print(f"{'snapshots' if run.space_time() is None else 'snapshots, space-time file'}: "
+          f"{faults or 'as recomputed, to 1e-5'}; falsified: "
+          f"{f'{missed} not noticed' if missed else 'all noticed'}")
 
 
 run = Run(sys.argv[1])

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks of probes.csv, the snapshots and the space-time file of a rod."""
+import copy
 import math
 
 import numpy
@@ -61,6 +62,28 @@ def field_faults(run):
         elif has_field:
             fault = differences(*numpy.concatenate(parts, axis=1), 1e-5)
             yield fault and f"{field}: {fault}"
+
+
+def falsified_fields(run):
+    """Copies of a run with one field of its snapshots or space-time file times 1.001."""
+    meshes = [mesh for _, mesh in run.snapshots()]
+    for name, values in (meshes[-1].point_data if meshes else {}).items():
+        if numpy.any(values):
+            other = run.copy()
+            other.read_snapshots = copy.deepcopy(run.read_snapshots)
+            for _, mesh in other.read_snapshots:
+                mesh.point_data[name] *= 1.001
+            yield f"{name} of the snapshots", other
+            if run.space_time() is not None:
+                other = run.copy()
+                other.read_space_time = copy.deepcopy(run.read_space_time)
+                other.read_space_time.point_data[name] *= 1.001
+                yield f"{name} of the space-time file", other
+    if meshes:
+        other = run.copy()
+        times = [time for time, _ in run.snapshots()]
+        other.read_snapshots = list(zip(times[:1] + times[:-1], meshes))
+        yield "times one snapshot late", other
 
 
 def compared_values(replay, mesh, times, at, field):

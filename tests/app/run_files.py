@@ -83,6 +83,7 @@ class Run:
         self.settings = Settings(self.directory / "used.prm")
         self.tables = {path.name: Table(path)
                        for path in sorted(self.directory.glob("*.csv"))}
+        self.read_snapshots = self.read_space_time = None
         self.summary = None
         if (self.directory / "summary.json").exists():
             self.summary = json.loads(
@@ -115,15 +116,20 @@ class Run:
     def snapshots(self):
         """Time and mesh of each snapshot."""
         index = self.directory / "fields.pvd"
-        if not index.exists():
-            return []
-        return [(float(entry.get("timestep")),
+        if self.read_snapshots is None:
+            self.read_snapshots = [
+                (float(entry.get("timestep")),
                  meshio.read(self.directory / entry.get("file")))
-                for entry in xml.parse(index).findall(".//DataSet")]
+                for entry in xml.parse(index).findall(".//DataSet")
+            ] if index.exists() else []
+        return self.read_snapshots
 
     def space_time(self):
+        """The mesh of the space-time file, or None"""
         path = self.directory / "space-time.vtu"
-        return meshio.read(path) if path.exists() else None
+        if self.read_space_time is None and path.exists():
+            self.read_space_time = meshio.read(path)
+        return self.read_space_time
 
 
 def due(times, interval, end_time):
