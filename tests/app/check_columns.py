@@ -64,5 +64,6 @@ def check_fields(run):
 
 
 run = Run(sys.argv[1])
-report(check, run, EXEMPT, named_faults)
+report(check, run, EXEMPT, named_faults,
+       "1e-7")
 check_fields(run)

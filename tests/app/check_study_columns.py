@@ -199,4 +199,5 @@ print(f"runs {len(study_run.study)}, done {len(done_runs)}, with contact "
       f"{sum(len(run.events) > 0 for run in done_runs)}, rejected steps "
       f"{any(study_run.study['rejected_steps'] > 0)}")
 check_kept(study_run)
-report(check, study_run, EXEMPT, named_faults)
+report(check, study_run, EXEMPT, named_faults,
+       "1e-9")

@@ -159,7 +159,7 @@ def test_noticing(checks, run, exempt, named_faults=()):
     return noticed, missed
 
 
-def report(checks, run, exempt, name_faults):
+def report(checks, run, exempt, name_faults, bound):
     """The verdict line of a run; name_faults(run) yields its named faults."""
     faults = list(checks.faults(run))
     if faults:
@@ -169,7 +169,7 @@ def report(checks, run, exempt, name_faults):
     named_faults = list(name_faults(run))
     named = [name for name, _ in named_faults]
     noticed, missed = test_noticing(checks, run, exempt, named_faults)
-    print(f"columns and keys as recomputed; falsified one at a time"
+    print(f"columns and keys as recomputed, to {bound}; falsified one at a time"
           f"{', with ' + ', '.join(named) if named else ''}: "
           f"{'all noticed' if noticed and not missed else f'{missed} not noticed'}")
 
