@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The files of an output directory, as the checks of columns and keys read them."""
+import copy
+import csv
+import json
+import math
+import re
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+import meshio
+import numpy
+
+TEXT_COLUMNS = ("kind", "reason", "status")
+
+
+class Table:
+    """Columns of a CSV file, numbers as arrays, text as lists; its comments."""
+
+    def __init__(self, path):
+        lines = path.read_text(encoding="utf-8").splitlines()
+        self.comments = [line[2:] for line in lines if line.startswith("# ")]
+        rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+        self.names = rows[0]
+        self.columns = {}
+        for name, values in zip(self.names, zip(*rows[1:]) if rows[1:] else
+                                [()] * len(rows[0])):
+            is_text = name in TEXT_COLUMNS or "/" in name
+            self.columns[name] = (list(values) if is_text else
+                                  numpy.array([float(value) for value in values]))
+
+    def __getitem__(self, name):
+        return self.columns[name]
+
+    def __len__(self):
+        return len(self.columns[self.names[0]])
+
+    def keep(self, mask):
+        """Leaves out the rows for which mask is false."""
+        for name, values in self.columns.items():
+            self.columns[name] = (values[mask] if isinstance(values, numpy.ndarray) else
+                                  [value for value, kept in zip(values, mask) if kept])
+
+
+class Settings(dict):
+    """The entries of a file used.prm as "Section/Entry"; others are absent."""
+
+    def __init__(self, path):
+        super().__init__()
+        section = ""
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if match := re.match(r"subsection (.*)", line):
+                section = match[1] + "/"
+            elif line == "end":
+                section = ""
+            elif match := re.match(r" *set (.*?) *=\s*(.*)", line):
+                self[section + match[1]] = match[2].strip()
+
+    def number(self, name, default=0.0):
+        """A number; default if the scene has no such entry."""
+        return float(self.get(name, default))
+
+    def expression(self, name):
+        """A function of numpy arrays x and a number t."""
+        code = compile(self.get(name, "0").replace("^", "**"), name, "eval")
+        theta_A = self.number("Boundary/Fixed end temperature")
+
+        def value(x, t=0.0):
+            names = {key: getattr(numpy, key) for key in
+                     ("sin", "cos", "exp", "sqrt", "tanh", "pi")}
+            return eval(code, names | {"x": x, "t": t, "theta_A": theta_A}) + 0.0 * x
+        return value
+
+    def has(self, field):
+        return field in self["Model/Fields"]
+
+
+class Run:
+    """A run: settings, tables by name, summary, log."""
+
+    def __init__(self, directory):
+        self.directory = Path(directory)
+        self.settings = Settings(self.directory / "used.prm")
+        self.tables = {path.name: Table(path)
+                       for path in sorted(self.directory.glob("*.csv"))}
+        self.read_snapshots = self.read_space_time = None
+        self.summary = None
+        if (self.directory / "summary.json").exists():
+            self.summary = json.loads(
+                (self.directory / "summary.json").read_text(encoding="utf-8"))
+        log = self.directory / "log.txt"
+        self.log = log.read_text(encoding="utf-8") if log.exists() else ""
+
+    def copy(self):
+        """A run whose tables and summary can be falsified."""
+        other = copy.copy(self)
+        other.tables = copy.deepcopy(self.tables)
+        other.summary = copy.deepcopy(self.summary)
+        return other
+
+    def __getattr__(self, name):
+        """run.contact, run.events, ...: the tables."""
+        tables = self.__dict__.get("tables", {})
+        if name + ".csv" in tables:
+            return tables[name + ".csv"]
+        raise AttributeError(name)
+
+    def has_table(self, name):
+        return name + ".csv" in self.tables
+
+    def probe_positions(self):
+        """Coordinates of the probes, from the comments of probes.csv."""
+        return [tuple(float(number) for number in re.findall(r"= ([^,]*)", comment))
+                for comment in self.probes.comments if comment.startswith("probe ")]
+
+    def snapshots(self):
+        """Time and mesh of each snapshot."""
+        index = self.directory / "fields.pvd"
+        if self.read_snapshots is None:
+            self.read_snapshots = [
+                (float(entry.get("timestep")),
+                 meshio.read(self.directory / entry.get("file")))
+                for entry in xml.parse(index).findall(".//DataSet")
+            ] if index.exists() else []
+        return self.read_snapshots
+
+    def space_time(self):
+        """The mesh of the space-time file, or None"""
+        path = self.directory / "space-time.vtu"
+        if self.read_space_time is None and path.exists():
+            self.read_space_time = meshio.read(path)
+        return self.read_space_time
+
+
+def due(times, interval, end_time):
+    """True at the first of the times at or after each multiple, and at the end."""
+    if interval == 0:
+        return numpy.ones(len(times), bool)
+    counts = numpy.floor(numpy.asarray(times) / interval + 1e-9)
+    is_due = numpy.diff(counts, prepend=-1) > 0
+    return is_due | (numpy.asarray(times) >= end_time)
+
+
+def differences(found, expected, bound, scale=None):
+    """Where numbers differ by more than bound times scale, the largest expected one."""
+    found, expected = numpy.asarray(found, float), numpy.asarray(expected, float)
+    if found.shape != expected.shape:
+        return f"{len(found)} values instead of {len(expected)}"
+    if not numpy.array_equal(numpy.isnan(found), numpy.isnan(expected)):
+        return "not a number elsewhere than expected"
+    finite = ~numpy.isnan(expected)
+    if not finite.any():
+        return ""
+    found, expected = found[finite], expected[finite]
+    scale = scale or numpy.abs(expected).max()
+    error = numpy.abs(found - expected)
+    worst = numpy.argmax(numpy.where(numpy.isnan(error), numpy.inf, error))
+    if error[worst] <= bound * scale + 1e-14:
+        return ""
+    return (f"value {worst} is {found[worst]:.10g} instead of {expected[worst]:.10g}, "
+            f"bound {bound:g} of {scale:g}")
+
+
+def nearly(found, expected, bound):
+    """True for equal numbers, to bound in parts of the expected one; null for NaN."""
+    if found is None or expected is None or math.isnan(expected):
+        return found is None and (expected is None or math.isnan(expected))
+    return abs(found - expected) <= bound * abs(expected) + 1e-14
