@@ -8,6 +8,7 @@ import sys
 from importlib.machinery import SourceFileLoader
 
 import numpy
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 from matplotlib.lines import Line2D
 
@@ -113,6 +114,19 @@ def faults_of_range(axes):
         if len(data) and not limits[0] <= data.min() <= data.max() <= limits[1]:
             faults.append(f"{axes.get_ylabel()}: {name} outside {limits}")
     return faults
+
+
+def texts_outside(figure):
+    """Texts that the picture cuts off, once it is drawn."""
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    figure.draw(renderer)
+    texts = [*figure.texts, *(text for axes in figure.axes for text in [
+        axes.title, axes.xaxis.label, axes.yaxis.label, *axes.texts,
+        *(axes.get_legend().texts if axes.get_legend() else [])])]
+    boxes = [(text.get_text(), text.get_window_extent(renderer))
+             for text in texts if text.get_text()]
+    return [text for text, box in boxes if min(box.x0, box.y0) < 0 or
+            box.x1 > figure.bbox.x1 or box.y1 > figure.bbox.y1]
 
 
 def swapped_texts(figure):
