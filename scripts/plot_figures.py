@@ -132,9 +132,7 @@ def panels_of(names, columns, height, handles):
     length = max(len(handle.get_label()) for handle in handles)
     ncol = max(1, min(len(handles), 100 // (length + 8)))
     lines = sum(handle.get_label().count("\n") + 1 for handle in handles)
-    formulas = sum("$" in handle.get_label() for handle in handles)  # taller
-    below = LEGEND_LINE * (math.ceil(lines / ncol) + 0.35
-                           + 0.25 * math.ceil(formulas / ncol))
+    below = LEGEND_LINE * (math.ceil(lines / ncol) + 0.35)
     figure = new_figure(8, rows * height + below)
     grid = figure.add_gridspec(rows + 1, columns,
                                height_ratios=[height] * rows + [below])

@@ -155,6 +155,14 @@ def check_labels(plot, make):
     check_histories(plot, "same title", twins, ALL)
     ten = [make(f"of ten {r}", r, f"Rod {r}") for r in range(10)]
     check_histories(plot, "ten", ten, ALL)
+    long = [make(f"long {r}", r, f"Rod {r}" + 50 * "o", contacts=[(0, 1)])
+            for r in range(2)]
+    for run in long:
+        run.add_probes(["x = 0.5", "x = 1"])
+    for name, figure in drawings.figures_of(
+            plot, *(run.directory for run in long)).items():
+        outside = drawings.texts_outside(figure)
+        check(f"long titles: {name}", not outside, str(outside))
     # by summary.json; the time is that of the last row, whatever is drawn
     for status in ("failed", "interrupted"):
         run = make(status, 0, "Rod", status=status,

@@ -117,15 +117,18 @@ def faults_of_range(axes):
 
 
 def texts_outside(figure):
-    """Texts that the picture cuts off, once it is drawn."""
+    """Texts that the picture cuts off, at the resolution of the gallery."""
+    figure.set_dpi(95)
     renderer = FigureCanvasAgg(figure).get_renderer()
-    figure.draw(renderer)
+    for _ in range(2):  # as savefig does: texts move once their sizes are known
+        figure.draw(renderer)
     texts = [*figure.texts, *(text for axes in figure.axes for text in [
         axes.title, axes.xaxis.label, axes.yaxis.label, *axes.texts,
         *(axes.get_legend().texts if axes.get_legend() else [])])]
     boxes = [(text.get_text(), text.get_window_extent(renderer))
              for text in texts if text.get_text()]
-    return [text for text, box in boxes if min(box.x0, box.y0) < 0 or
+    return [f"{text}: {box} of {figure.bbox.size}" for text, box in boxes
+            if min(box.x0, box.y0) < 0 or
             box.x1 > figure.bbox.x1 or box.y1 > figure.bbox.y1]
 
 
