@@ -132,7 +132,10 @@ def panels_of(names, columns, height, handles):
     length = max(len(handle.get_label()) for handle in handles)
     ncol = max(1, min(len(handles), 100 // (length + 8)))
     lines = sum(handle.get_label().count("\n") + 1 for handle in handles)
-    below = LEGEND_LINE * (math.ceil(lines / ncol) + 0.35)
+    # lines with formulas are higher; one has room enough
+    formulas = sum("$" in handle.get_label() for handle in handles) - 1
+    below = LEGEND_LINE * (math.ceil(lines / ncol) + 0.35 + 0.25 * math.ceil(
+        max(0, formulas) / ncol))
     figure = new_figure(8, rows * height + below)
     grid = figure.add_gridspec(rows + 1, columns,
                                height_ratios=[height] * rows + [below])
