@@ -20,8 +20,10 @@ is seen to fail when a number of the scene is changed. Without PVBATCH, a
 stand-in for ParaView passes on what the scripts ask of it. Exit status 77,
 "skipped", without matplotlib.
 """
+import contextlib
 import copy
 import csv
+import io
 import json
 import math
 import os
@@ -330,6 +332,24 @@ def triangle_areas(corners):
                (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])) / 2
 
 
+def check_message():
+    """Pictures of an earlier time are not said to be written."""
+    script = drawings.load(source / "scripts", "paraview")
+    old, new = (Path("rod/paraview", name) for name in ("old.png", "peak.png"))
+    old.parent.mkdir(exist_ok=True)
+    for file in (old, new):
+        file.touch()
+        os.utime(file, (1, 1))
+    script.shutil.which = lambda name: name
+    script.run_pvbatch = lambda settings, scratch: new.touch()
+    before, sys.argv = sys.argv, ["paraview", "rod"]
+    with contextlib.redirect_stdout(io.StringIO()) as text:
+        script.main()
+    sys.argv = before
+    check("message", text.getvalue() == "wrote rod/paraview/: peak.png\n",
+          text.getvalue().strip())
+
+
 def check_factors():
     """By hand: 0.33 / max |u| or 0.75 / largest compression, to one digit."""
     import paraview_numbers
@@ -362,6 +382,7 @@ def main():
                     "--colour", "displacement")
         check_scene("strip", "strip", "temperature")
         check_factors()
+        check_message()
         check_space_time("rod")
         check_space_time("strip")
 
