@@ -111,7 +111,8 @@ def headers_of_program():
         [program, "--quiet", "--output", "program", "--set",
          "Time/End time=0.002", "--set", "Mesh/Cells=2", "--set",
          "Output/Probes=0.5", "--set", "Time/Step size=automatic", "--set",
-         "Time/Scheme=sdirk4", "--set", "Time/Start=consistent", source / "prm/paper/experiment-1.prm"],
+         "Time/Scheme=sdirk4", "--set", "Time/Start=consistent",
+         source / "prm/paper/experiment-1.prm"],
         check=True, env={**os.environ, "OMPI_MCA_btl": "self",
                          "OMPI_MCA_ess_singleton_isolated": "1"})
     return {name: tables.header_of(f"program/{name}.csv")
