@@ -1,22 +1,21 @@
 """Runs under pvbatch: the part of scripts/paraview that needs ParaView."""
 
 import json
-import math
 import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import numpy
 import paraview_space_time
 from paraview import servermanager
 from paraview.simple import (Box, ColorBy, CreateView, ExtractSurface,
                              GetColorTransferFunction, GetScalarBar, PVDReader,
                              Render, SaveScreenshot, Show, Text, Tube,
                              WarpByVector)
+from paraview_numbers import (Ranges, field_of, scale_label, time_labels,
+                              times_of_pictures)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 RADIUS = 0.05  # of the rod
-USUAL = ["temperature", "stress", "displacement", "velocity"]
 
 
 def fail(problem):
@@ -31,51 +30,24 @@ class Snapshots:
         self.reader = PVDReader(FileName=path)
         times = self.reader.TimestepValues
         self.times = [times] if isinstance(times, float) else list(times)
-        self.motion, self.reach, self.compression = 0., 0., 0.
-        self.low, self.high = math.inf, -math.inf
+        self.ranges = Ranges()
         for time in self.times:
             self.reader.UpdatePipeline(time)
             grid = servermanager.Fetch(self.reader)
             names = [grid.GetPointData().GetArrayName(i) for i in
                      range(grid.GetPointData().GetNumberOfArrays())]
-            if colour == "automatic":
-                colour = next(name for name in USUAL if name in names)
-            if colour not in names:
+            self.colour = field_of(colour, names)
+            if self.colour is None:
                 fail(f"--colour {colour}: no such field; give one of "
                      + ", ".join(names))
-            self.add(grid, colour)
-        self.colour, self.moves = colour, "displacement" in names
-        bounds = grid.GetBounds()
-        self.dim = 1 + (bounds[3] > bounds[2]) + (bounds[5] > bounds[4])
-        self.bounds = bounds
-
-    def add(self, grid, colour):
-        arrays = grid.GetPointData()
-        values = vtk_to_numpy(arrays.GetArray(colour))
-        values = values[:, 0] if values.ndim > 1 else values
-        self.low = min(self.low, values.min())
-        self.high = max(self.high, values.max())
-        if not arrays.GetArray("displacement"):
-            return
-        u = vtk_to_numpy(arrays.GetArray("displacement"))[:, 0]
-        x = vtk_to_numpy(grid.GetPoints().GetData())[:, 0]
-        places, of = numpy.unique(numpy.round(x, 6), return_inverse=True)
-        means = numpy.bincount(of, u) / numpy.bincount(of)
-        strains = numpy.diff(means) / numpy.diff(places)
-        self.motion = max(self.motion, abs(u).max())
-        self.reach = max(self.reach, u[x > 1 - 1e-6].max())
-        self.compression = max(self.compression, -strains.min())
-
-    def scale(self):
-        """A third of the length; lengths shrink to a quarter at most."""
-        scale = 0.33 / self.motion if self.motion > 0 else 1.
-        if self.compression > 0:
-            scale = min(scale, 0.75 / self.compression)
-        power = 10. ** math.floor(math.log10(scale))
-        return float(f"{math.floor(scale / power) * power:.1g}")
-
-    def nearest(self, time):
-        return min(self.times, key=lambda t: abs(t - time))
+            self.moves = "displacement" in names
+            arrays = {name: vtk_to_numpy(grid.GetPointData().GetArray(name))
+                      for name in names}
+            self.ranges.add(vtk_to_numpy(grid.GetPoints().GetData()),
+                            arrays[self.colour], arrays.get("displacement"))
+        self.bounds = grid.GetBounds()
+        self.dim = 1 + sum(self.bounds[2 * d + 1] > self.bounds[2 * d]
+                           for d in (1, 2))
 
 
 def show_box(view, low, high, colour, opacity=1.):
@@ -87,7 +59,8 @@ def show_box(view, low, high, colour, opacity=1.):
     shown.Opacity = opacity
 
 
-def show_body(view, snapshots, scale):
+def body_of(snapshots, scale):
+    """The snapshots, moved; the rod is a tube."""
     body = snapshots.reader
     if snapshots.moves:
         body = WarpByVector(Input=body, Vectors=["POINTS", "displacement"],
@@ -97,6 +70,11 @@ def show_body(view, snapshots, scale):
                     NumberofSides=32)
         body.Scalars = ["POINTS", ""]
         body.Vectors = ["POINTS", ""]
+    return body
+
+
+def show_body(view, snapshots, scale):
+    body = body_of(snapshots, scale)
     shown = Show(body, view)
     shown.Representation = "Surface With Edges" if snapshots.dim > 1 else \
         "Surface"
@@ -117,9 +95,7 @@ def show_body(view, snapshots, scale):
 def show_colours(view, shown, snapshots, size):
     table = GetColorTransferFunction(snapshots.colour)
     table.ApplyPreset("Viridis (matplotlib)", True)
-    high = snapshots.high + 1e-9 * max(1, abs(snapshots.high)) * (
-        snapshots.high == snapshots.low)
-    table.RescaleTransferFunction(snapshots.low, high)
+    table.RescaleTransferFunction(*snapshots.ranges.colours())
     bar = GetScalarBar(table, view)
     bar.Orientation = "Horizontal"
     bar.WindowLocation = "Any Location"
@@ -170,12 +146,10 @@ def show_text(view, size, place):
 def render(settings):
     snapshots = Snapshots(settings["snapshots"], settings["colour"])
     if settings["scale"] is None:
-        settings["scale"] = snapshots.scale() if snapshots.moves else 0.
-    scale, gap = settings["scale"], settings["gap"]
-    plate = 1 + scale * gap if gap is not None else math.inf
-    has_plate = plate <= 2 and snapshots.moves
-    back = 1 + scale * snapshots.reach  # farthest that the end comes
-    right = max(plate, back) + 0.03 if has_plate else back
+        settings["scale"] = snapshots.ranges.scale() if snapshots.moves else 0.
+    scale = settings["scale"]
+    plate, right = snapshots.ranges.plate(
+        scale, settings["gap"] if snapshots.moves else None)
     view = make_view(snapshots, right, settings["width"])
     size = max(10, settings["width"] // 55)
     show_colours(view, show_body(view, snapshots, scale), snapshots, size)
@@ -184,28 +158,25 @@ def render(settings):
     more = 0.04
     low, high = [v - more for v in low], [v + more for v in high]
     show_box(view, [-0.03, *low], [0, *high], [0.45] * 3)
-    if has_plate:
+    if plate is not None:
         show_box(view, [plate, *low], [right, *high], [0.84, 0.37, 0], 0.55)
     time_text = show_text(view, size, "Upper Left Corner")
     if snapshots.moves:
-        show_text(view, size, "Upper Right Corner").Text = \
-            f"displacement \u00d7 {scale:g}"
+        show_text(view, size, "Upper Right Corner").Text = scale_label(scale)
+    labels = time_labels(snapshots.times)
 
     def draw(time, path):
         view.ViewTime = time
-        time_text.Text = f"t = {time:.2f}"
+        time_text.Text = labels[time]
         Render(view)
         SaveScreenshot(path, view)
 
-    marks = {name: snapshots.nearest(time) for name, time in
-             settings["marks"].items()}
-    marks.update(first=snapshots.times[0], last=snapshots.times[-1])
-    for name, time in marks.items():
+    pictures, frames = times_of_pictures(snapshots.times, settings["marks"],
+                                         settings["frames"])
+    for name, time in pictures.items():
         draw(time, f"{settings['output']}/{name}.png")
-    stride = math.ceil(len(snapshots.times) / max(1, settings["frames"]))
-    if settings["frames"]:
-        for i, time in enumerate(snapshots.times[::stride]):
-            draw(time, f"{settings['scratch']}/frame-{i:04d}.png")
+    for i, time in enumerate(frames):
+        draw(time, f"{settings['scratch']}/frame-{i:04d}.png")
 
 
 def main():
@@ -219,4 +190,5 @@ def main():
     print("\ndone", flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -40,7 +40,8 @@ def draw(path, picture, width):
     grid = servermanager.Fetch(reader)
     x, t = vtk_to_numpy(grid.GetPoints().GetData())[:, :2].T
     arrays = {name: grid.GetPointData().GetArray(name) for name in FIELDS}
-    arrays = {name: vtk_to_numpy(a) for name, a in arrays.items() if a}
+    arrays = {name: vtk_to_numpy(a) for name, a in arrays.items()
+              if a is not None}
     figure = new_figure(2.6 * len(arrays) + 0.4, 4.6)
     panels = figure.subplots(1, len(arrays), sharey=True, squeeze=False)[0]
     triangles = triangles_of(grid)

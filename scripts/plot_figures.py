@@ -5,18 +5,18 @@ import math
 import textwrap
 
 from plot_common import looks, new_figure, plain
-from plot_probes import draw_probes
+from plot_probes import draw_probes, handles_of, histories_of
 
 FIGURE = {"displacement_end": r"displacement  $u(1, t)$",
           "displacement_mid": r"displacement  $u(1/2, t)$",
           "velocity_end": r"velocity  $u_t(1, t)$",
           "stress_end": r"stress  $\sigma(1, t)$",
           "temperature_end": r"temperature  $\theta(1, t)$",
-          "energy_drawn": r"$\ln\,(\hat{E} + 0.01)$"}
+          "energy_drawn": ""}  # by prepare()
 HEAT = {"temperature_end": FIGURE["temperature_end"],
         "temperature_mean": r"mean temperature  $\bar{\theta}(t)$",
         "heat_flux_end": r"heat flux  $-\theta_x(1, t)$",
-        "energy_drawn": FIGURE["energy_drawn"]}
+        "energy_drawn": ""}
 CONTACT = {"gap": r"gap  $g - u(1, t)$",
            "contact_force": r"contact force  $p(t)$",
            "contact_impulse": r"impulse  $\int_0^t p$"}
@@ -25,6 +25,7 @@ ENERGY = {"energy": r"energy  $\hat{E}$", "work": "work",
           "numerical_dissipation": "numerical dissipation",
           "defect": "defect of the balance"}
 LOADS = ["stress_end", "work"]  # 0 all the time if nothing acts on the rod
+LOG_ENERGY = r"$\ln\,(\hat{E} + 0.01)$"
 PLAIN_ENERGY = "energy  $\\hat{E}$\n(no ln: $\\hat{E} + 0.01 \\leq 0$ occurs)"
 OBSTACLE = {"color": "0.25", "linewidth": 0.8, "linestyle": (0, (4, 2))}
 LEGEND_LINE = 0.245  # inches
@@ -39,17 +40,24 @@ def prepare(runs):
             run.title += f" ({run.directory})"
         run.title = plain(run.title, 80) + run.ended
         run.data["energy_drawn"] = run.data["energy"]
-    if all(e + 0.01 > 0 for run in runs for e in run.data["energy"]):
+    has_log = not any(e + 0.01 <= 0 for run in runs for e in run.data["energy"])
+    if has_log:
         for run in runs:
             run.data["energy_drawn"] = [
                 math.log(e + 0.01) for e in run.data["energy"]]
-    else:
-        FIGURE["energy_drawn"] = HEAT["energy_drawn"] = PLAIN_ENERGY
+    FIGURE["energy_drawn"] = HEAT["energy_drawn"] = \
+        LOG_ENERGY if has_log else PLAIN_ENERGY
 
 
 def has(runs, column):
     """Whether any run has numbers there."""
     return any(math.isfinite(v) for run in runs for v in run.data[column])
+
+
+def drawn(runs, labels):
+    """The labels of what has numbers, and loads if anything acts."""
+    return {name: label for name, label in labels.items() if has(runs, name)
+            and (name not in LOADS or any(any(run.data[name]) for run in runs))}
 
 
 def draw_obstacle(axes, g):
@@ -60,8 +68,11 @@ def draw_obstacle(axes, g):
                   transform=axes.get_yaxis_transform())
 
 
-def mark_contacts(axes, runs):
-    """Shades the times in contact, or bars along the top for each of many."""
+def mark_contacts(axes, runs, colour=None):
+    """Shades the times in contact, or bars along the top for each of many.
+
+    colour: of the bars; None: that of the run's curves
+    """
     if len(runs) == 1:
         for begin, end in runs[0].contacts:
             axes.axvspan(begin, end, color="0.92", linewidth=0, zorder=0)
@@ -76,7 +87,7 @@ def mark_contacts(axes, runs):
         top = 1 - (i + 0.25) * bar
         for begin, end in run.contacts:
             axes.axvspan(begin, end, top - 0.6 * bar, top, zorder=2,
-                         color=run.looks["color"], linewidth=0)
+                         color=colour or run.looks["color"], linewidth=0)
 
 
 def draw_history(axes, column, runs):
@@ -94,17 +105,22 @@ def draw_history(axes, column, runs):
 def legend_of(runs, obstacle):
     """Handles of matplotlib's legend."""
     from matplotlib.lines import Line2D
-    from matplotlib.patches import Patch
     handles = [Line2D([], [], label=run.title, **run.looks) for run in runs]
     values = sorted({run.obstacle for run in runs} - {math.nan})
     values = [g for g in values if math.isfinite(g)]
     if values and obstacle:
         handles.append(Line2D([], [], label="obstacle, $g$ = " + ", ".join(
             f"{g:g}" for g in values), **OBSTACLE))
-    if any(run.contacts for run in runs):
-        handles.append(Patch(facecolor="0.88", label="in contact" + (
-            " (bars at the top)" if len(runs) > 1 else "")))
-    return handles
+    return handles + legend_of_contacts(runs, "bars at the top")
+
+
+def legend_of_contacts(runs, bars, colour="0.88"):
+    """bars: what they are called if there are many runs"""
+    from matplotlib.patches import Patch
+    if not any(run.contacts for run in runs):
+        return []
+    return [Patch(facecolor=colour, label="in contact" + (
+        f" ({bars})" if len(runs) > 1 else ""))]
 
 
 def panels_of(names, columns, height, handles):
@@ -116,7 +132,10 @@ def panels_of(names, columns, height, handles):
     length = max(len(handle.get_label()) for handle in handles)
     ncol = max(1, min(len(handles), 100 // (length + 8)))
     lines = sum(handle.get_label().count("\n") + 1 for handle in handles)
-    below = LEGEND_LINE * (math.ceil(lines / ncol) + 0.35)
+    # lines with formulas are higher; one has room enough
+    formulas = sum("$" in handle.get_label() for handle in handles) - 1
+    below = LEGEND_LINE * (math.ceil(lines / ncol) + 0.35 + 0.25 * math.ceil(
+        max(0, formulas) / ncol))
     figure = new_figure(8, rows * height + below)
     grid = figure.add_gridspec(rows + 1, columns,
                                height_ratios=[height] * rows + [below])
@@ -140,10 +159,10 @@ def panels_of(names, columns, height, handles):
     return figure, panels
 
 
-def finish(figure, panels, runs):
+def finish(figure, panels, runs, colour=None):
     """Times in contact, one range of time, labels in line."""
     for axes in panels.values():
-        mark_contacts(axes, runs)
+        mark_contacts(axes, runs, colour)
     next(iter(panels.values())).set_xlim(
         min(run.data["time"][0] for run in runs),
         max(run.data["time"][-1] for run in runs))
@@ -151,8 +170,7 @@ def finish(figure, panels, runs):
 
 
 def draw_histories(runs, labels, columns, height):
-    labels = {name: label for name, label in labels.items() if has(runs, name)
-              and (name not in LOADS or any(any(run.data[name]) for run in runs))}
+    labels = drawn(runs, labels)
     runs = [run for run in runs if any(has([run], name) for name in labels)]
     figure, panels = panels_of(labels, columns, height, legend_of(
         runs, obstacle="displacement_end" in labels or "gap" in labels))
@@ -163,9 +181,12 @@ def draw_histories(runs, labels, columns, height):
     return figure
 
 
+def histories_of_figure(runs):
+    return FIGURE if has(runs, "displacement_end") else HEAT
+
+
 def draw_figure(runs):
-    moving = has(runs, "displacement_end")
-    return draw_histories(runs, FIGURE if moving else HEAT, 2, 2.3)
+    return draw_histories(runs, histories_of_figure(runs), 2, 2.3)
 
 
 def draw_steps(runs):
@@ -208,6 +229,7 @@ def draw_steps(runs):
 
 def draw_decay(runs):
     """Energies side by side, as in figure 5 of the paper."""
+    runs = [run for run in runs if has([run], "energy")]
     figure = new_figure(8, 3.4)
     grid = figure.subplots(1, len(runs), sharey=True, squeeze=False)[0]
     for letter, axes, run in zip("abcdefghij", grid, runs):
@@ -221,13 +243,30 @@ def draw_decay(runs):
     return figure
 
 
+def draw_histories_at_probes(runs):
+    """Colours tell probes apart, so that the bars of the runs are grey."""
+    runs = [run for run in runs if run.probes and histories_of([run])]
+    histories = histories_of(runs)
+    grey = "0.5" if len(runs) > 1 else "0.88"
+    figure, panels = panels_of(histories, 2, 2.3, [
+        *handles_of(runs, histories),
+        *legend_of_contacts(runs, "bars at the top, runs downwards", grey)])
+    draw_probes(runs, histories, panels)
+    if len(runs) == 1:
+        figure.suptitle(runs[0].title, fontsize=11)
+    finish(figure, panels, runs, grey)
+    return figure
+
+
 def picture(draw, wanted, needs, usual=True):
     return argparse.Namespace(draw=draw, wanted=wanted, needs=needs,
                               usual=usual)
 
 
 FIGURES = {
-    "figure": picture(draw_figure, lambda runs: True, "contact.csv"),
+    "figure": picture(
+        draw_figure, lambda runs: drawn(runs, histories_of_figure(runs)),
+        "numbers in contact.csv"),
     "contact": picture(
         lambda runs: draw_histories(runs, CONTACT, 1, 2.1),
         lambda runs: has(runs, "gap"), "a scene with an obstacle"),
@@ -237,7 +276,9 @@ FIGURES = {
     "steps": picture(draw_steps, lambda runs: any(run.steps for run in runs),
                      "steps.csv (error-controlled steps)"),
     "probes": picture(
-        lambda runs: draw_probes(runs, panels_of, finish),
-        lambda runs: any(run.probes for run in runs), "probes.csv"),
-    "decay": picture(draw_decay, lambda runs: True, "contact.csv", usual=False),
+        draw_histories_at_probes,
+        lambda runs: histories_of(run for run in runs if run.probes),
+        "numbers in probes.csv"),
+    "decay": picture(draw_decay, lambda runs: has(runs, "energy"),
+                     "the column energy of contact.csv", usual=False),
 }

@@ -3,7 +3,7 @@
 import math
 import re
 
-from plot_common import COLOURS, DASHES
+from plot_common import COLOURS, DASHES, fail
 from plot_run import PROBE
 
 LABELS = {"temperature": r"temperature  $\theta$",
@@ -16,7 +16,7 @@ def histories_of(runs):
     """By field: (run, number of the probe, times, values), if any is finite."""
     histories = {}
     for run in runs:
-        table = run.probes[1] if run.probes else {"time": []}
+        table = run.probes[1]
         for name, values in table.items():
             match = PROBE.match(name)
             if match and any(map(math.isfinite, values)):
@@ -26,6 +26,7 @@ def histories_of(runs):
 
 
 def place_of(run, probe):
+    """As the comments of probes.csv have it."""
     for comment in run.probes[0]:
         match = POSITION.match(comment)
         if match and int(match[1]) == probe:
@@ -42,12 +43,26 @@ def looks_of(runs, run, probe):
             "linestyle": DASHES[i % len(DASHES)]}
 
 
+def check_looks(runs, histories):
+    """Ends if two curves of a panel would look alike."""
+    for curves in histories.values():
+        looks = [str(looks_of(runs, run, probe)) for run, probe, _, _ in curves]
+        if len(set(looks)) < len(looks):
+            fail(runs[0].directory, f"{len(looks)} histories at probes cannot "
+                 "be told apart in one picture", "draw at most 12 probes of one "
+                 f"run, or {len(COLOURS)} of each of {len(DASHES)} runs")
+
+
 def handles_of(runs, histories):
     """For the legend: a line for each probe, then one for each run."""
     from matplotlib.lines import Line2D
     probes = {}
-    for run, probe, _, _ in [h for field in histories.values() for h in field]:
-        probes.setdefault(place_of(run, probe), (run, probe))
+    curves = [h for field in histories.values() for h in field]
+    places = {(probe, place_of(run, probe)) for run, probe, _, _ in curves}
+    for run, probe, _, _ in curves:
+        elsewhere = len([1 for number, _ in places if number == probe]) > 1
+        probes.setdefault(place_of(run, probe) + (
+            f" ({run.title})" if elsewhere else ""), (run, probe))
     handles = [Line2D([], [], label=label, **looks_of(runs[:1], *which))
                if len(runs) == 1 else
                Line2D([], [], label=label, color=looks_of(runs, *which)["color"])
@@ -57,20 +72,11 @@ def handles_of(runs, histories):
                       for i, run in enumerate(runs) if len(runs) > 1]
 
 
-def draw_probes(runs, panels_of, finish):
-    """
-    panels_of, finish: make the panels with their legend, and what all pictures
-    of runs have in common in the end (plot_figures).
-    """
-    runs = [run for run in runs if run.probes]
-    histories = histories_of(runs)
-    figure, panels = panels_of(histories, 2, 2.3, handles_of(runs, histories))
+def draw_probes(runs, histories, panels):
+    """panels: axes by the name of the field"""
+    check_looks(runs, histories)
     for name, axes in panels.items():
         axes.set_ylabel(LABELS[name])
         for run, probe, times, values in histories[name]:
             axes.plot(times, values, zorder=3, **looks_of(runs, run, probe))
         axes.ticklabel_format(axis="y", scilimits=(-3, 4))
-    if len(runs) == 1:
-        figure.suptitle(runs[0].title, fontsize=11)
-    finish(figure, panels, runs)
-    return figure

@@ -45,7 +45,8 @@ def read_optional(path, names, end_time):
 
 
 def read_data(path, end_time):
-    """Comments and the columns of contact.csv, with what follows from them."""
+    """Comments of contact.csv, time of its last row, and the columns up to the
+    end time, with what follows from them."""
     comments, data = read_table(path, COLUMNS)
     times = data["time"]
     for before, time, line in zip([-math.inf, *times], times, data["line"]):
@@ -61,7 +62,7 @@ def read_data(path, end_time):
                       for work, energy, lost, numerical in zip(
                           data["work"], data["energy"], data["dissipation"],
                           data["numerical_dissipation"])]
-    return comments, data
+    return comments, times[-1], data
 
 
 def how_it_ended(directory, time):
@@ -76,14 +77,14 @@ def how_it_ended(directory, time):
 
 def read_run(directory, end_time):
     path = directory / "contact.csv"
-    comments, data = read_data(path, end_time)
+    comments, last_time, data = read_data(path, end_time)
     # rounding, and bending in 2-D and 3-D, spoil g least where u(1) is smallest
     ends = [(abs(u), u + gap) for u, gap in zip(
         data["displacement_end"], data["gap"]) if math.isfinite(u + gap)]
     return argparse.Namespace(
         directory=directory, data=data,
         title=title_of(comments) or directory.resolve().name,
-        ended=how_it_ended(directory, data["time"][-1]),
+        ended=how_it_ended(directory, last_time),
         contacts=read_contacts(directory / "events.csv", data),
         obstacle=round(min(ends)[1], 12) if ends else math.nan,
         steps=read_optional(directory / "steps.csv", lambda _: STEPS, end_time),

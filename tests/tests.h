@@ -4,6 +4,8 @@
 #define thermocontact_tests_h
 
 #include <thermocontact/input/parameter_file.h>
+#include <thermocontact/method/contact_law.h>
+#include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/simulation/measurements.h>
 
@@ -15,6 +17,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -89,8 +92,19 @@ read_parameters(const std::string              &name,
   for (const std::string &text : overrides)
     ThermoContact::assign_entries({ThermoContact::parse_override(text)}, prm);
   check_unused_entries(parameters, prm);
-  parameters.check();
+  check_scene(parameters);
   return parameters;
+}
+
+
+
+/** The law of an obstacle: rigid if @p compliance is 0. */
+inline std::unique_ptr<const ThermoContact::ContactLaw>
+make_law(const double compliance)
+{
+  const ThermoContact::ContactLawParameters parameters{compliance};
+  return compliance == 0. ? ThermoContact::rigid_obstacle().make(parameters) :
+                            ThermoContact::normal_compliance().make(parameters);
 }
 
 #endif

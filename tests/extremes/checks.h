@@ -51,25 +51,25 @@ namespace ThermoContact
     operator()(const Simulation<dim> &simulation)
     {
       const State &state = simulation.state();
-      const auto  &model = simulation.parameters().model;
-      const auto  &stage = simulation.stage_operator();
+      const Scene &scene = simulation.scene();
+      const auto  &stage = simulation.body().equations;
       const double dt    = simulation.record().step_size;
       const double unit =
         std::numeric_limits<double>::epsilon() *
         std::sqrt(simulation.discretization().dof_handler().n_dofs()) *
-        (model.has_displacement() ? stage.stiffness() : stage.conduction())
+        (scene.fields.has_displacement ? stage.stiffness() : stage.conduction())
           .linfty_norm();
       Values values;
-      if (model.has_displacement())
+      if (scene.fields.has_displacement)
         {
           values.u = state.displacement.linfty_norm();
           values.v = state.velocity.linfty_norm();
         }
-      if (model.has_temperature())
+      if (scene.fields.has_temperature)
         {
           values.theta = state.temperature.linfty_norm();
           Vector excess(state.temperature);
-          excess -= simulation.energy().steady_profile();
+          excess -= simulation.body().energy.steady_profile();
           values.excess = excess.linfty_norm();
         }
       const double u       = std::max(values.u, last.u);
@@ -79,11 +79,11 @@ namespace ThermoContact
       last                 = values;
       const double epsilon = std::numeric_limits<double>::epsilon();
       const double p =
-        model.has_displacement() ? simulation.record().contact_force : 0.;
-      const double k = simulation.parameters().boundary.heat_exchange;
+        scene.fields.has_displacement ? simulation.record().contact_force : 0.;
+      const double k = scene.heat.coefficient;
       return 4. * unit *
                (u * u + std::min(dt, 1.) * theta * excess +
-                unit * theta * theta + dt * model.viscosity * v * v) +
+                unit * theta * theta + dt * scene.material.viscosity * v * v) +
              4. * epsilon * theta * excess +
              4. * epsilon * dt * k * theta * end_excess(simulation) +
              4. * epsilon * p * (10. * u + p);
@@ -101,7 +101,7 @@ namespace ThermoContact
     static double
     end_excess(const Simulation<dim> &simulation)
     {
-      if (!simulation.parameters().model.has_temperature())
+      if (!simulation.scene().fields.has_temperature)
         return 0.;
       const BoundaryParameters &b = simulation.parameters().boundary;
       const double              c = b.heat_exchange / (b.heat_exchange + 1.);
@@ -172,20 +172,19 @@ namespace ThermoContact
     void
     check_finite(const Simulation<dim> &simulation)
     {
-      StepRecord             record     = simulation.record();
-      const Parameters      &parameters = simulation.parameters();
-      const ModelParameters &model      = parameters.model;
+      StepRecord   record = simulation.record();
+      const Scene &scene  = simulation.scene();
       // what the scene does not have is nan
-      if (!parameters.contact_law().is_active)
+      if (!scene.contact.law->is_active())
         record.gap = 0.;
-      if (!model.has_displacement())
+      if (!scene.fields.has_displacement)
         record.displacement_end = record.displacement_mid =
           record.velocity_end = record.stress_end = record.penetration =
             record.contact_force = record.contact_impulse = 0.;
-      if (!model.has_temperature())
+      if (!scene.fields.has_temperature)
         record.temperature_end = record.temperature_mean =
           record.heat_flux_end = 0.;
-      if (model.is_static() && record.step == 0)
+      if (scene.material.is_static() && record.step == 0)
         record.velocity_end = 0.;
       for (const double value : all_columns(record))
         if (!std::isfinite(value))
@@ -197,13 +196,13 @@ namespace ThermoContact
     {
       const StepRecord &r = simulation.record();
       const State      &s = simulation.state();
-      if (simulation.parameters().model.has_displacement())
+      if (simulation.scene().fields.has_displacement)
         {
           raise(scales.displacement, s.displacement.linfty_norm());
           raise(scales.velocity, s.velocity.linfty_norm());
           raise(scales.force, r.contact_force);
         }
-      if (simulation.parameters().model.has_temperature())
+      if (simulation.scene().fields.has_temperature)
         raise(scales.temperature, s.temperature.linfty_norm());
       raise(scales.energy, r.energy_terms.magnitude());
       raise(scales.mechanical_energy,
@@ -218,27 +217,27 @@ namespace ThermoContact
     void
     check_contact(const Simulation<dim> &simulation)
     {
-      const ContactLaw law = simulation.parameters().contact_law();
-      if (!law.is_active)
+      const ContactLaw &law = simulation.body().law();
+      if (!law.is_active())
         return;
+      const double        gap   = simulation.scene().contact.gap;
       const State        &state = simulation.state();
-      std::vector<double> displacement;
-      simulation.discretization().contact_values(1,
-                                                 state.displacement,
-                                                 displacement);
+      std::vector<double> penetration;
+      simulation.body().contact_end().get_penetrations(state.displacement,
+                                                       penetration);
       const TimeParameters &time = simulation.parameters().time;
       // one of several nodes may end an event of a rigid obstacle beyond it
       const double miss =
-        dim > 1 && law.compliance == 0. && time.locates_contact_events() ?
+        dim > 1 && law.is_rigid() && time.locates_contact_events() ?
           0.01 * event_tolerance(time) * scales.displacement :
           0.;
-      for (unsigned int i = 0; i < displacement.size(); ++i)
+      for (unsigned int i = 0; i < penetration.size(); ++i)
         {
           const double p = state.contact_pressure[i];
-          const double s = law.gap - displacement[i] + law.compliance * p;
+          const double s = law.penetration(p) - penetration[i];
           // the static displacement without contact exceeds the gap by p
           const double scale =
-            std::max({scales.displacement, p, p > 0. ? std::abs(law.gap) : 0.});
+            std::max({scales.displacement, p, p > 0. ? std::abs(gap) : 0.});
           require_below("pressure < 0", -p, 0.);
           require_below("gap + eps p < 0", -s, miss + 1e-12 * scale);
           if (p > 0.)
@@ -258,7 +257,7 @@ namespace ThermoContact
     {
       const StepRecord     &record = simulation.record();
       const TimeParameters &time   = simulation.parameters().time;
-      if (record.step == 1 && simulation.parameters().has_prescribed_start())
+      if (record.step == 1 && simulation.scene().has_prescribed_start)
         return;
       const double magnitude     = std::max(record.energy_terms.magnitude(),
                                         last.energy_terms.magnitude());
@@ -273,7 +272,7 @@ namespace ThermoContact
       if (increase > allowance)
         raise(growth, increase / scales.energy);
 
-      if (time.is_energy_conserving() && record.work == 0.)
+      if (time.scheme == "energy conserving" && record.work == 0.)
         require_below("energy is not conserved",
                       std::abs(record.numerical_dissipation -
                                last.numerical_dissipation),

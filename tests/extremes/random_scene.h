@@ -277,7 +277,7 @@ namespace ThermoContact
       parameters.add_parameters(prm);
       for (const std::string &text : scene.overrides)
         assign_entries({parse_override(text)}, prm);
-      for (const Parameters::UnusedEntry &entry : parameters.unused_entries())
+      for (const UnusedEntry &entry : unused_entries(parameters))
         scene.overrides.erase(std::remove_if(scene.overrides.begin(),
                                              scene.overrides.end(),
                                              [&](const std::string &text) {

@@ -88,7 +88,7 @@ namespace ThermoContact
 
 
 
-  /** False for what is refused, see Parameters::check() and unused_entries().
+  /** False for what is refused, see check_scene() and unused_entries().
    */
   inline bool
   is_possible(const Overrides &scene)

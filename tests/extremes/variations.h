@@ -63,7 +63,7 @@ namespace ThermoContact
     result.scales      = checks.scales;
     result.last        = simulation.record();
     result.events      = simulation.events();
-    result.warnings    = simulation.warnings();
+    result.warnings    = simulation.history().warnings;
     result.has_contact = checks.has_contact;
     result.growth      = checks.growth;
     if (!are_in_order(result.events))
@@ -182,7 +182,8 @@ namespace ThermoContact
     const double left      = parameters.boundary.fixed_end_temperature;
     const double drop      = left - parameters.boundary.obstacle_temperature;
     const double free_end  = a * (left - 0.5 * c * drop);
-    const double pressure  = parameters.contact_law().pressure(free_end, 1.);
+    const double pressure  = Scene(parameters).contact.law->local_pressure(
+      free_end - parameters.contact.gap, 1.);
     const StepRecord &last = run.last;
     const double      length =
       std::max({run.scales.displacement,

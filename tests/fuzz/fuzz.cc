@@ -157,7 +157,7 @@ namespace ThermoContact
           else
             {
               check_unused_entries(parameters, prm);
-              parameters.check();
+              check_scene(parameters);
               if (is_large(parameters))
                 ++progress.n_large;
               else

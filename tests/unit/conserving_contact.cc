@@ -61,9 +61,9 @@ namespace
                    const double free_end)
   {
     std::vector<double> pressure(1, 0.);
-    ConservingContact(ContactLaw{true, compliance, 0.},
-                      scalar(static_receptance))
-      .step_pressure({start}, {free_end}, scalar(receptance), pressure);
+    const auto law = make_law(compliance);
+    ConservingContact(*law, scalar(static_receptance))
+      .step_pressure({start}, {free_end}, scalar(receptance), 0., pressure);
     return pressure[0];
   }
 
@@ -221,7 +221,7 @@ namespace
         for (unsigned int j = 0; j < n; ++j)
           loss += problem.static_receptance(i, j) * pressure[j];
         value += 0.5 * problem.weights[i] * pressure[i] *
-                 (law.compliance * pressure[i] + loss);
+                 (law.penetration(pressure[i]) + loss);
       }
     return value;
   }
@@ -241,11 +241,11 @@ namespace
     std::vector<double> start(n), free_end(n), end(n), p(n, 0.);
     for (unsigned int i = 0; i < n; ++i)
       {
-        start[i]    = law.gap + amplitude * uniform(generator);
-        free_end[i] = law.gap + amplitude * uniform(generator);
+        start[i]    = amplitude * uniform(generator);
+        free_end[i] = amplitude * uniform(generator);
       }
     const ConservingContact contact(law, problem.static_receptance);
-    contact.step_pressure(start, free_end, problem.receptance, p);
+    contact.step_pressure(start, free_end, problem.receptance, 0., p);
     end         = free_end;
     double work = 0., scale = 0.;
     for (unsigned int i = 0; i < n; ++i)
@@ -284,7 +284,7 @@ namespace
                 random_problem(n, std::min(n, k % 7), scale, generator);
               raise(largest,
                     work_defect(problem,
-                                ContactLaw{true, compliance, k % 2 ? 0.1 : 0.},
+                                *make_law(compliance),
                                 k % 3 ? 1. : 1e-3,
                                 generator,
                                 n_changes));
@@ -330,11 +330,11 @@ namespace
                     starts.push_back(start + noise * (i % 3));
                     free_ends.push_back(free_end * (1. + noise * (i % 4)));
                   }
+                const auto law = make_law(compliance);
                 n_iterations =
                   std::max(n_iterations,
-                           ConservingContact(ContactLaw{true, compliance, 0.},
-                                             X)
-                             .step_pressure(starts, free_ends, B, p));
+                           ConservingContact(*law, X).step_pressure(
+                             starts, free_ends, B, 0., p));
                 for (const double value : p)
                   raise(largest, std::abs(value - exact));
               }
@@ -353,15 +353,15 @@ namespace
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
         X(i, j) = i == j ? 1. : 0.25;
-    const ContactLaw        law{true, 0., 1.};
-    const ConservingContact contact(law, X);
+    const auto              law = make_law(0.);
+    const ConservingContact contact(*law, X);
     for (const double motion : {3e-16, 1e-14, 1e-12, 1e-8})
       {
         // without feedback: the ends are the free ends
         const FullMatrix<double>  no_receptance(3, 3);
-        const std::vector<double> start(3, 1.), end(3, 1. + motion);
+        const std::vector<double> start(3, 0.), end(3, (1. + motion) - 1.);
         std::vector<double>       p(3, 0.);
-        contact.step_pressure(start, end, no_receptance, p);
+        contact.step_pressure(start, end, no_receptance, 1., p);
         double largest = 0.;
         for (const double value : p)
           raise(largest, std::abs(value - 0.5 * motion / 1.5));

@@ -2,7 +2,7 @@
 //
 // Contact law and contact solver, no mesh.
 //
-// 1. One node, receptance 0.03, gap 0.1. By hand:
+// 1. One node, receptance 0.03, gap 0.1 taken off. By hand:
 //      compliance 0.01, free displacement 0.12: p = 0.02/0.04 = 0.5
 //      rigid,           free displacement 0.13: p = 0.03/0.03 = 1
 //      free displacement 0.1 (touching) or less: p = 0; no obstacle: p = 0
@@ -11,14 +11,14 @@
 //      free (2, 0.5): node 1 alone would reach 0.5 - 1 < 0: p = (1, 0)
 // 3. 200 random problems with 6 nodes, W = A^T A + 0.01 I with columns scaled
 //    by positive weights, random compliance (0 in every third) and free
-//    displacements of both signs. The solution satisfies p >= 0,
-//    s = g - u + (W + eps I) p >= 0, p s = 0 to 1e-10, whatever the pressures
+//    penetrations of both signs. The solution satisfies p >= 0,
+//    r = (W + eps I) p - s >= 0, p r = 0 to 1e-10, whatever the pressures
 //    the search starts from; it is unique, so two starts give the same.
 // 4. W = [1 0 2; 2 1 0; 0 2 1], a P-matrix but not a response, free (1, 1, 1),
 //    rigid: all active, p = (1, 1, 1)/3. From {1} the active sets cycle, {1,
 //    3}, {2, 3}, {1, 2}, until the least-index rule takes over after 20 of
 //    them.
-// 5. Ties: 5 nodes that just touch (free displacement = gap), uncoupled and
+// 5. Ties: 5 nodes that just touch (free penetration zero), uncoupled and
 //    coupled: zero pressure, one or two iterations.
 
 #include <thermocontact/method/contact_solver.h>
@@ -40,11 +40,11 @@ namespace
       for (const double free_displacement : {0.12, 0.13, 0.1, -1.})
         deallog << "compliance " << compliance << ", free displacement "
                 << free_displacement << ": p "
-                << ContactLaw{true, compliance, 0.1}.pressure(free_displacement,
-                                                              0.03)
+                << make_law(compliance)->local_pressure(free_displacement - 0.1,
+                                                        0.03)
                 << std::endl;
     deallog << "no obstacle: p "
-            << ContactLaw{false, 0., 0.1}.pressure(0.12, 0.03) << std::endl;
+            << no_obstacle().make({})->local_pressure(0.02, 0.03) << std::endl;
   }
 
 
@@ -55,7 +55,8 @@ namespace
     FullMatrix<double> response(2, 2);
     response(0, 0) = response(1, 1) = 2.;
     response(0, 1) = response(1, 0) = 1.;
-    const ContactSolver solver(ContactLaw{true, 0., 0.});
+    const auto          law = make_law(0.);
+    const ContactSolver solver(*law);
     for (const std::vector<double> &free_displacement :
          {std::vector<double>{3., 3.}, std::vector<double>{2., 0.5}})
       {
@@ -73,14 +74,14 @@ namespace
   double
   violation(const FullMatrix<double>  &response,
             const ContactLaw          &law,
-            const std::vector<double> &free_displacement,
+            const std::vector<double> &free_penetration,
             const std::vector<double> &pressure)
   {
     double worst = 0.;
     for (unsigned int i = 0; i < pressure.size(); ++i)
       {
         double slack =
-          law.gap - free_displacement[i] + law.compliance * pressure[i];
+          law.penetration(pressure[i]) - free_penetration[i];
         for (unsigned int j = 0; j < pressure.size(); ++j)
           slack += response(i, j) * pressure[j];
         raise(worst, -slack);
@@ -115,17 +116,16 @@ namespace
             for (unsigned int i = 0; i < n; ++i)
               response(i, j) *= weight;
           }
-        const ContactLaw    law{true,
-                             k % 3 == 0 ? 0. : 0.1 * (k % 7),
-                             0.3 * uniform(generator)};
-        std::vector<double> free_displacement(n);
-        for (double &u : free_displacement)
-          u = uniform(generator);
+        const auto          law = make_law(k % 3 == 0 ? 0. : 0.1 * (k % 7));
+        const double        gap = 0.3 * uniform(generator);
+        std::vector<double> free_penetration(n);
+        for (double &s : free_penetration)
+          s = uniform(generator) - gap;
 
-        const ContactSolver solver(law);
+        const ContactSolver solver(*law);
         std::vector<double> from_open(n, 0.), from_closed(n, 1.);
-        solver.solve(response, free_displacement, from_open);
-        solver.solve(response, free_displacement, from_closed);
+        solver.solve(response, free_penetration, from_open);
+        solver.solve(response, free_penetration, from_closed);
         unsigned int n_active = 0;
         for (unsigned int i = 0; i < n; ++i)
           {
@@ -135,7 +135,7 @@ namespace
             n_active += from_open[i] > 0.;
           }
         n_mixed += n_active > 0 && n_active < n;
-        raise(worst, violation(response, law, free_displacement, from_open));
+        raise(worst, violation(response, *law, free_penetration, from_open));
       }
     deallog << "random problems: active and inactive nodes in most "
             << (n_mixed > 100) << ", conditions hold to 1e-10 "
@@ -151,7 +151,8 @@ namespace
     FullMatrix<double> response(3, 3);
     response(0, 0) = response(1, 1) = response(2, 2) = 1.;
     response(0, 2) = response(1, 0) = response(2, 1) = 2.;
-    const ContactSolver solver(ContactLaw{true, 0., 0.});
+    const auto          law = make_law(0.);
+    const ContactSolver solver(*law);
     std::vector<double> pressure = {1., 0., 0.};
     const unsigned int  n_iterations =
       solver.solve(response, {1., 1., 1.}, pressure);
@@ -172,10 +173,11 @@ namespace
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
             response(i, j) = i == j ? 1. : coupling;
-        const ContactSolver solver(ContactLaw{true, 0., 0.1});
-        // the same number, but for rounding of either sign
+        const auto          law = make_law(0.);
+        const ContactSolver solver(*law);
+        // zero, but for rounding of either sign
         const std::vector<double> free_displacement = {
-          0.1, 0.1 * (1. + 2e-16), 0.1 * (1. - 2e-16), 0.1, 0.1};
+          0., 1.4e-17, -1.4e-17, 0., 0.};
         for (const double start : {0., 1.})
           {
             std::vector<double> pressure(n, start);

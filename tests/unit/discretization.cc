@@ -87,15 +87,16 @@ namespace
   test_counts(const unsigned int degree)
   {
     const Parameters          parameters = make_parameters<dim>(degree);
-    const Discretization<dim> space(parameters, MPI_COMM_SELF);
+    const Scene               scene(parameters);
+    const Discretization<dim> space(scene, MPI_COMM_SELF);
     double                    sum = 0.;
-    for (const auto &node : space.contact_nodes())
+    for (const auto &node : space.contact_end().nodes())
       sum += node.weight;
     deallog << dim << "-D, degree " << degree << ": nodes "
             << space.n_temperature_dofs() << ", at the contact end "
-            << space.contact_nodes().size()
+            << space.contact_end().nodes().size()
             << ", weights add up to the cross-section "
-            << (std::abs(sum / space.cross_section() - 1.) < 1e-14)
+            << (std::abs(sum / space.geometry().cross_section() - 1.) < 1e-14)
             << std::endl;
   }
 
@@ -106,7 +107,8 @@ namespace
   {
     Parameters parameters   = make_parameters<1>(degree);
     parameters.mesh.grading = grading;
-    const Discretization<1> space(parameters, MPI_COMM_SELF);
+    const Scene             scene(parameters);
+    const Discretization<1> space(scene, MPI_COMM_SELF);
     H1Projection<1>         projection(space);
     const auto              w = [](const Point<1> &x) {
       return std::exp(x[0]) * std::sin(3. * x[0]);
@@ -185,8 +187,9 @@ namespace
   test_matrices()
   {
     const Parameters                      parameters = make_parameters<dim>(2);
-    const Discretization<dim>             space(parameters, MPI_COMM_SELF);
-    const ThermoviscoelasticOperator<dim> op(space, parameters);
+    const Scene                           scene(parameters);
+    const Discretization<dim>             space(scene, MPI_COMM_SELF);
+    const ThermoviscoelasticOperator<dim> op(scene, space);
     const auto interpolate = [&](const Fields<dim> &fields) {
       State  state  = space.make_state();
       Vector system = space.make_system_vector();
@@ -204,7 +207,7 @@ namespace
     const State unit   = interpolate(Fields<dim>(one, x));
     const State linear = interpolate(
       Fields<dim>([](const Point<dim> &p) { return 2. - 3. * p[0]; }, y));
-    const double volume = space.cross_section();
+    const double volume = space.geometry().cross_section();
     const double k      = parameters.boundary.heat_exchange;
     const double nu     = parameters.model.poisson_ratio;
     const double mu     = 0.5 * (1. - 2. * nu) / (1. - nu);
@@ -251,8 +254,9 @@ namespace
   test_stage_matrix()
   {
     const Parameters                      parameters = make_parameters<dim>(2);
-    const Discretization<dim>             space(parameters, MPI_COMM_SELF);
-    const ThermoviscoelasticOperator<dim> op(space, parameters);
+    const Scene                           scene(parameters);
+    const Discretization<dim>             space(scene, MPI_COMM_SELF);
+    const ThermoviscoelasticOperator<dim> op(scene, space);
     const double                          tau = 0.3;
     const ModelParameters                &m   = parameters.model;
 
@@ -271,7 +275,7 @@ namespace
     State result = space.make_state();
     space.split(product, result.temperature, result.displacement);
 
-    Vector     heat = space.make_vector(0), momentum = space.make_vector(1);
+    Vector     heat = space.make_vector(Field::temperature), momentum = space.make_vector(Field::displacement);
     const auto subtract = [](const SparseMatrix &matrix,
                              const double        factor,
                              const Vector       &source,

@@ -32,7 +32,7 @@ namespace
       {
         ThermoContact::assign_entries(read_assignments(input, "rod.prm"), prm);
         check_unused_entries(parameters, prm);
-        parameters.check();
+        check_scene(parameters);
         deallog << "read; viscosity " << parameters.model.viscosity
                 << ", title '" << parameters.title << "'" << std::endl;
       }
@@ -111,7 +111,7 @@ namespace
     Parameters parameters;
     parameters.time.end_time  = end_time;
     parameters.time.step_size = step_size;
-    StepController controller(parameters, 1);
+    StepController controller(parameters.time, parameters.output, 1);
     deallog << "T = " << end_time << ", dt = " << step_size << ":";
     double time = 0.;
     while (!controller.is_finished(time))

@@ -69,7 +69,7 @@ namespace
              Vector                             &temperature,
              Vector                             &displacement)
   {
-    const unsigned int skip   = space.has_field(0) ? 0 : 1;
+    const unsigned int skip   = space.has_field(Field::temperature) ? 0 : 1;
     Vector             system = space.make_system_vector();
     VectorTools::interpolate(space.mapping(),
                              space.dof_handler(),
@@ -121,7 +121,8 @@ namespace
   {
     Parameters parameters   = make_parameters<dim>(degree);
     parameters.model.fields = fields;
-    const Discretization<dim> space(parameters, communicator);
+    const Scene               scene(parameters);
+    const Discretization<dim> space(scene, communicator);
     const double              p = degree;
 
     State  state = space.make_state();
@@ -143,7 +144,7 @@ namespace
       unused,
       state.velocity);
 
-    std::vector<Place<dim>> places = places_on_axis(space, 0.5);
+    std::vector<Place<dim>> places = places_on_axis(space);
     for (const double x : {0., 0.123, 0.5, 0.9, 1.})
       for (const double y : {0., 0.1, 0.25, 0.5})
         {
@@ -152,7 +153,7 @@ namespace
             point[d] = d == 0 ? x : y;
           places.push_back({point, point});
         }
-    PointValues<dim> point_values(space, parameters.model, places);
+    PointValues<dim> point_values(scene, space, places);
     const auto      &values = point_values.evaluate(state);
 
     const double nu = parameters.model.poisson_ratio, lambda = nu / (1. - nu),
@@ -173,7 +174,7 @@ namespace
         for (unsigned int f = 0; f < 4; ++f)
           {
             const double value = values[f * places.size() + i];
-            if (space.has_field(f == 0 ? 0 : 1))
+            if (space.has_field(f == 0 ? Field::temperature : Field::displacement))
               raise(error, std::abs(value - expected[f]));
             else if (!std::isnan(value))
               error = 1.;
@@ -206,7 +207,8 @@ namespace
     Parameters parameters   = make_parameters<dim>(2);
     parameters.mesh.grading = 1.;
     parameters.model.fields = "displacement";
-    const Discretization<dim> space(parameters, communicator);
+    const Scene               scene(parameters);
+    const Discretization<dim> space(scene, communicator);
     State                     state = space.make_state();
     set_fields<dim>(
       space,
@@ -223,7 +225,7 @@ namespace
           places[i].position[d]   = d == 0 ? 0.5 : 0.25;
           places[i].cell_point[d] = d == 0 ? 0.4 + 0.1 * i : 0.25;
         }
-    PointValues<dim> point_values(space, parameters.model, places);
+    PointValues<dim> point_values(scene, space, places);
     const auto      &values = point_values.evaluate(state);
     deallog << dim << "-D, stress left of a kink, mean, right:";
     for (unsigned int i = 0; i < 3; ++i)
@@ -239,7 +241,8 @@ namespace
     Parameters parameters      = make_parameters<1>(4);
     parameters.model.inertia   = 0.;
     parameters.model.viscosity = 0.;
-    const Discretization<1> space(parameters, communicator);
+    const Scene             scene(parameters);
+    const Discretization<1> space(scene, communicator);
     State                   state = space.make_state();
     const auto              f = [](const Point<1> &x, const unsigned int c) {
       return std::exp(x[0]) / (3. + c);
@@ -273,8 +276,9 @@ namespace
     Parameters parameters        = make_parameters<dim>(3);
     parameters.mesh.cells_across = cells_across;
     parameters.mesh.refinements  = 1;
-    const Discretization<dim> space(parameters, MPI_COMM_WORLD);
-    const auto                places = places_on_axis(space, 0.5);
+    const Scene               scene(parameters);
+    const Discretization<dim> space(scene, MPI_COMM_WORLD);
+    const auto                places = places_on_axis(space);
     bool                      fits =
       places.front().position[0] == 0. && places.back().position[0] == 1.;
     for (unsigned int i = 1; i < places.size(); ++i)

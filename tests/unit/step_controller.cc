@@ -35,6 +35,14 @@ namespace
 
 
 
+  StepController
+  make_controller(const Parameters &parameters)
+  {
+    return StepController(parameters.time, parameters.output, 4);
+  }
+
+
+
   double
   rung(const StepController &controller)
   {
@@ -48,7 +56,7 @@ namespace
   {
     for (const double error : {1., 0.9, 0.})
       {
-        StepController controller(from_rung(), 4);
+        StepController controller = make_controller(from_rung());
         controller.accept(controller.propose(0.), error);
         deallog << "accepted, error " << error << ": " << rung(controller)
                 << std::endl;
@@ -56,7 +64,7 @@ namespace
     for (const double error :
          {16., 1.0001, std::numeric_limits<double>::quiet_NaN()})
       {
-        StepController controller(from_rung(), 4);
+        StepController controller = make_controller(from_rung());
         const bool     is_accurate = controller.is_accurate(error);
         controller.reject(controller.propose(0.), error);
         deallog << "accurate " << is_accurate
@@ -66,11 +74,11 @@ namespace
       }
     Parameters parameters     = read_parameters("");
     parameters.time.tolerance = 1e-4;
-    deallog << "first step: " << rung(StepController(parameters, 4))
+    deallog << "first step: " << rung(make_controller(parameters))
             << std::endl;
     for (const bool begins : {true, false})
       {
-        StepController controller(from_rung(), 4);
+        StepController controller = make_controller(from_rung());
         controller.restart(begins);
         deallog << (begins ? "after begin: " : "after end: ")
                 << rung(controller) << ", accurate with error 0.2 "
@@ -82,7 +90,7 @@ namespace
       }
     parameters                        = from_rung();
     parameters.time.minimum_step_size = 1e-3;
-    StepController controller(parameters, 4);
+    StepController controller = make_controller(parameters);
     deallog << "exhausted "
             << controller.is_exhausted(controller.propose(0.), 0.);
     controller.retry_smaller(controller.propose(0.));
@@ -96,7 +104,7 @@ namespace
   void
   print_steps(const std::string &name, const Parameters &parameters)
   {
-    StepController controller(parameters, 4);
+    StepController controller = make_controller(parameters);
     double         time = 0.;
     deallog << name << ':';
     while (!controller.is_finished(time))
@@ -131,10 +139,10 @@ namespace
     parameters.time.step_size       = 0.3;
     print_steps("fixed", parameters);
     deallog << "fixed steps are not retried "
-            << !StepController(parameters, 4).retry_smaller({0.3, 0.3})
+            << !make_controller(parameters).retry_smaller({0.3, 0.3})
             << std::endl;
 
-    StepController controller(from_rung(), 4);
+    StepController controller = make_controller(from_rung());
     controller.aim_at(0.001);
     const TimeStep step = controller.propose(0.);
     deallog << "aimed: " << step.end << ", at an event "

@@ -138,7 +138,7 @@ namespace
     const double k       = parameters.boundary.heat_exchange;
     const double g       = parameters.contact.gap;
     const double eps =
-      parameters.contact.is_rigid() ? 0. : parameters.contact.compliance;
+      parameters.contact.condition == "rigid" ? 0. : parameters.contact.compliance;
     const double c = k / (k + 1.);
     const double G = a * theta_A * (1. - c / 2.);
     const double p = std::max(G - g, 0.) / (1. + eps);

@@ -68,8 +68,8 @@ namespace
     };
     simulation.run({observe});
     result.events      = simulation.events();
-    result.penetration = simulation.max_penetration();
-    result.force       = simulation.max_contact_force();
+    result.penetration = simulation.history().max_penetration;
+    result.force       = simulation.history().max_contact_force;
     return result;
   }
 

@@ -33,7 +33,7 @@ using numbers::PI;
 
 namespace
 {
-  using Field = ThermoContact::Vector;
+  using FieldVector = ThermoContact::Vector;
 
   /** Zero number n = 1, 2, ... of mu cos(mu) + k sin(mu), by bisection. */
   double
@@ -183,12 +183,12 @@ namespace
   public:
     explicit WholeMatrix(const Simulation<1> &simulation)
       : discretization(simulation.discretization())
-      , equations(simulation.stage_operator())
+      , equations(simulation.body().equations)
       , tau(simulation.parameters().time.step_size.value())
-      , law(simulation.parameters().contact_law())
+      , law(simulation.body().law())
       , solver(equations.stage_matrix(tau))
-      , heat(discretization.make_vector(0))
-      , momentum(discretization.make_vector(1))
+      , heat(discretization.make_vector(Field::temperature))
+      , momentum(discretization.make_vector(Field::displacement))
       , heat_load(heat)
       , momentum_load(momentum)
       , system(discretization.make_system_vector())
@@ -211,10 +211,10 @@ namespace
       solver.solve(rates, system);
 
       std::vector<double> known(1);
-      discretization.contact_values(1, state.displacement, known);
-      const double free_displacement = known[0] + tau * end_value(rates);
-      const double p = std::max(free_displacement - law.gap, 0.) /
-                       (law.compliance + receptance);
+      discretization.contact_end().get_penetrations(state.displacement, known);
+      const double free_penetration = known[0] + tau * end_value(rates);
+      const double p = std::max(free_penetration, 0.) /
+                       (law.tangent(0.) + receptance);
       rates.add(-p, response);
 
       discretization.split(rates, heat, state.velocity);
@@ -227,19 +227,21 @@ namespace
     const Discretization<1>             &discretization;
     const ThermoviscoelasticOperator<1> &equations;
     const double                         tau;
-    const ContactLaw                     law;
+    const ContactLaw                    &law;
     DirectSolver                         solver;
-    Field                                heat, momentum;
-    const Field                          heat_load, momentum_load;
-    Field                                system, rates, response;
+    FieldVector                                heat, momentum;
+    const FieldVector                          heat_load, momentum_load;
+    FieldVector                                system, rates, response;
     double                               receptance;
 
     double
-    end_value(const Field &of_system)
+    end_value(const FieldVector &of_system)
     {
       std::vector<double> value(1);
       discretization.split(of_system, heat, momentum);
-      discretization.contact_values(1, momentum, value);
+      discretization.contact_end().get_values(Field::displacement,
+                                              momentum,
+                                              value);
       return value[0];
     }
   };
@@ -248,9 +250,9 @@ namespace
 
   /** Largest difference relative to the largest value. */
   double
-  relative_difference(const Field &a, const Field &b)
+  relative_difference(const FieldVector &a, const FieldVector &b)
   {
-    Field difference(a);
+    FieldVector difference(a);
     difference -= b;
     return difference.linfty_norm() / b.linfty_norm();
   }

@@ -101,18 +101,15 @@ namespace
     const Parameters parameters =
       read_parameters("paper/experiment-1.prm",
                       {"Solver/Step solver=fixed point"});
-    const Discretization<1> discretization(parameters, MPI_COMM_SELF);
-    const ThermoviscoelasticOperator<1> stage_operator(discretization,
-                                                       parameters);
-    ContactLaw                          law;
-    law.compliance = parameters.contact.compliance;
-    FixedPointSolver<1> solver(discretization, stage_operator, law, parameters);
+    const Scene         scene(parameters);
+    const Body<1>       body(scene, MPI_COMM_SELF);
+    FixedPointSolver<1> solver(body);
 
     const double b    = parameters.model.inertia;
     const double zeta = parameters.model.viscosity;
     const double l    = std::sqrt(dt * (dt + zeta) / b);
     const double rho  = std::pow(dt, 1.5) * std::tanh(1. / l) /
-                       (law.compliance * std::sqrt(b * (dt + zeta)));
+                       (parameters.contact.compliance * std::sqrt(b * (dt + zeta)));
     deallog << "dt = " << dt << ": contraction factor within 1 % "
             << (std::abs(solver.contraction_factor(dt) / rho - 1.) < 0.01)
             << ", below 1 " << (rho < 1.) << std::endl;

@@ -51,7 +51,7 @@ using namespace ThermoContact;
 
 namespace
 {
-  using Field  = ThermoContact::Vector;
+  using FieldVector = ThermoContact::Vector;
   using Matrix = ThermoContact::SparseMatrix;
 
   /** Left-hand side of an estimate: a sum over the steps and other terms. */
@@ -80,10 +80,10 @@ namespace
 
 
 
-  Field
-  difference(const Field &a, const Field &b, const double factor = 1.)
+  FieldVector
+  difference(const FieldVector &a, const FieldVector &b, const double factor = 1.)
   {
-    Field result(a);
+    FieldVector result(a);
     result.sadd(factor, -factor, b);
     return result;
   }
@@ -99,13 +99,11 @@ namespace
       , dt(simulation.parameters().time.step_size.value())
       , zeta(simulation.parameters().model.viscosity)
       , epsilon(simulation.parameters().contact.compliance)
-      , heat_mass(simulation.stage_operator().heat_mass())
-      , conduction(simulation.stage_operator().conduction())
-      , momentum_mass(simulation.stage_operator().momentum_mass())
-      , stiffness(simulation.stage_operator().stiffness())
-    {
-      const auto observe = [this](const Simulation<1> &s) { observe(s); };
-    }
+      , heat_mass(simulation.body().equations.heat_mass())
+      , conduction(simulation.body().equations.conduction())
+      , momentum_mass(simulation.body().equations.momentum_mass())
+      , stiffness(simulation.body().equations.stiffness())
+    {}
 
     Estimates estimates;
     bool      has_contact;
@@ -119,8 +117,8 @@ namespace
     const Matrix &momentum_mass;
     const Matrix &stiffness;
     State         old_state;
-    Field         old_delta_theta;
-    Field         old_gamma;
+    FieldVector         old_delta_theta;
+    FieldVector         old_gamma;
 
     void
     observe(const Simulation<1> &simulation)
@@ -130,11 +128,11 @@ namespace
       has_contact |= simulation.record().in_contact;
       if (n >= 1)
         {
-          const Field theta =
-            difference(state.temperature, simulation.energy().steady_profile());
-          const Field delta_theta =
+          const FieldVector theta =
+            difference(state.temperature, simulation.body().energy.steady_profile());
+          const FieldVector delta_theta =
             difference(state.temperature, old_state.temperature, 1. / dt);
-          const Field gamma =
+          const FieldVector gamma =
             difference(state.velocity, old_state.velocity, 1. / dt);
           add_corollary_4_2(theta, delta_theta);
           if (n >= 2)
@@ -149,9 +147,9 @@ namespace
 
     void
     add_theorem_4_1(const State &state,
-                    const Field &theta,
-                    const Field &delta_theta,
-                    const Field &gamma)
+                    const FieldVector &theta,
+                    const FieldVector &delta_theta,
+                    const FieldVector &gamma)
     {
       const double p         = state.contact_pressure[0];
       const double delta_ux2 = stiffness.matrix_norm_square(state.velocity);
@@ -166,7 +164,7 @@ namespace
     }
 
     void
-    add_corollary_4_2(const Field &theta, const Field &delta_theta)
+    add_corollary_4_2(const FieldVector &theta, const FieldVector &delta_theta)
     {
       estimates.corollary_4_2.add(
         dt * heat_mass.matrix_norm_square(delta_theta) +
@@ -177,8 +175,8 @@ namespace
     /** The number of the present step is the n + 1 of the theorem. */
     void
     add_theorem_4_3(const State &state,
-                    const Field &delta_theta,
-                    const Field &gamma)
+                    const FieldVector &delta_theta,
+                    const FieldVector &gamma)
     {
       const double gamma_x2 = stiffness.matrix_norm_square(gamma);
       const double heat_sum =

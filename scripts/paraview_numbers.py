@@ -1,0 +1,105 @@
+"""The numbers that the pictures of scripts/paraview show; knows no ParaView."""
+
+import math
+
+import numpy
+
+USUAL = ["temperature", "stress", "displacement", "velocity"]
+
+
+def marks_of(run):
+    """Names of pictures and the times that they show, of a run (plot_run)."""
+    forces = [force if math.isfinite(force) else 0
+              for force in run.data["contact_force"]]
+    motion = [abs(u) if math.isfinite(u) else 0
+              for u in run.data["displacement_end"]]
+    peak = forces if max(forces) > 0 else motion
+    marks = {"peak": run.data["time"][peak.index(max(peak))]}
+    if run.contacts:
+        marks["first-contact"] = run.contacts[0][0]
+    return marks
+
+
+def axial(values):
+    """The first component, which is along the rod."""
+    return values[:, 0] if values.ndim > 1 else values
+
+
+def field_of(colour, names):
+    """The one that colours; None if it is not there."""
+    if colour == "automatic":
+        colour = next((name for name in USUAL if name in names), None)
+    return colour if colour in names else None
+
+
+class Ranges:
+    """What is to be known of all snapshots before one is drawn."""
+
+    def __init__(self):
+        self.motion, self.reach, self.compression = 0., 0., 0.
+        self.low, self.high = math.inf, -math.inf
+
+    def add(self, points, values, displacement):
+        """
+        values: of the field that colours
+        displacement: at the points, or None
+        """
+        values = axial(values)
+        self.low = min(self.low, values.min())
+        self.high = max(self.high, values.max())
+        if displacement is None:
+            return
+        u, x = axial(displacement), points[:, 0]
+        places, of = numpy.unique(numpy.round(x, 6), return_inverse=True)
+        means = numpy.bincount(of, u) / numpy.bincount(of)
+        strains = numpy.diff(means) / numpy.diff(places)
+        self.motion = max(self.motion, abs(u).max())
+        self.reach = max(self.reach, u[x > 1 - 1e-6].max())
+        self.compression = max(self.compression, -strains.min())
+
+    def scale(self):
+        """A third of the length; lengths shrink to a quarter at most."""
+        scale = 0.33 / self.motion if self.motion > 0 else 1.
+        if self.compression > 0:
+            scale = min(scale, 0.75 / self.compression)
+        power = 10. ** math.floor(math.log10(scale))
+        return float(f"{math.floor(scale / power) * power:.1g}")
+
+    def colours(self):
+        """Ends of the colour bar, which must differ."""
+        return self.low, self.high + 1e-9 * max(1, abs(self.high)) * (
+            self.high == self.low)
+
+    def plate(self, scale, gap):
+        """Where the obstacle begins and ends, and the picture with it; None for
+        the begin if there is none nearby.
+
+        The obstacle is as thick as the end comes.
+        """
+        begin = 1 + scale * gap if gap is not None else math.inf
+        back = 1 + scale * self.reach
+        return (begin, max(begin, back) + 0.03) if begin <= 2 else (None, back)
+
+
+def nearest(times, time):
+    return min(times, key=lambda t: abs(t - time))
+
+
+def times_of_pictures(times, marks, n_frames):
+    """Time of each picture by its name, and times of the animation."""
+    pictures = {name: nearest(times, time) for name, time in marks.items()}
+    pictures.update(first=times[0], last=times[-1])
+    stride = math.ceil(len(times) / max(1, n_frames))
+    return pictures, times[::stride] if n_frames else []
+
+
+def scale_label(scale):
+    return f"displacement \u00d7 {scale:g}"
+
+
+def time_labels(times):
+    """By time; two decimals, or as many as tell the times apart."""
+    spacing = (times[-1] - times[0]) / max(1, len(times) - 1)
+    n = next((n for n in range(2, 16) if all(
+        abs(float(f"{t:.{n}f}") - t) <= 0.1 * spacing for t in times)), 16)
+    return {t: f"t = {t:.{n}f}" for t in times}

@@ -1,0 +1,394 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""usage: check_scene.py THERMOCONTACT SOURCE_DIRECTORY [PVBATCH]
+
+What scripts/paraview shows of a rod, a strip and a rod without displacement is
+what its texts say, without drawing it (scene_record.py). For each picture:
+  end        the moved end is at 1 + S u(1), S from the text "displacement x S"
+             and u(1) from contact.csv (a strip: between its corners)
+  time       the text is the time of the snapshot, to a tenth of their distance
+  which      peak: nearest to the time of the largest force in contact.csv;
+             first-contact: to the first row of events.csv; first; last; frames
+and of the scene:
+  obstacle   its face is at 1 + S g, g from used.prm; the fixed end's at 0
+  colours    smallest and largest axial value of the field in the title in all
+             snapshots, read by meshio
+  S          if it is not given: |S u| <= 0.33, and no cell shrinks to less than
+             a quarter; the next larger number of one digit breaks one of these
+And each panel of the space-time picture shows the field of its label. The check
+is seen to fail when a number of the scene is changed. Without PVBATCH, a
+stand-in for ParaView passes on what the scripts ask of it. Exit status 77,
+"skipped", without matplotlib.
+"""
+import contextlib
+import copy
+import csv
+import io
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+try:
+    import drawings
+    import meshio
+    import numpy
+except ImportError as error:
+    print(f"skipped: {error}")
+    sys.exit(77)
+import paraview_stand_in
+import scene_record
+
+program, source = sys.argv[1], Path(sys.argv[2]).resolve()
+pvbatch = sys.argv[3] if len(sys.argv) > 3 else None
+n_failed = 0
+FIELDS = {r"temperature  $\theta$": "temperature",
+          r"displacement  $u$": "displacement",
+          r"velocity  $u_t$": "velocity", r"stress  $\sigma$": "stress"}
+
+
+def check(name, good, message=""):
+    global n_failed
+    n_failed += not good
+    print(f"{'passed' if good else 'FAILED'}: {name}  {message}".rstrip())
+
+
+def run(directory, prm, *settings):
+    words = [word for entry in settings for word in ("--set", entry)]
+    subprocess.run([program, "--quiet", "--output", directory, *words,
+                    source / "prm" / prm], check=True, env={
+                        **os.environ, "OMPI_MCA_btl": "self",
+                        "OMPI_MCA_ess_singleton_isolated": "1"})
+
+
+def rows_of(path):
+    with open(path, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if line[0] != "#"))
+
+
+class Truth:
+    """What contact.csv, events.csv, used.prm and the snapshots say."""
+
+    def __init__(self, directory):
+        self.rows = {float(row["time"]): row
+                     for row in rows_of(directory / "contact.csv")}
+        events = directory / "events.csv"
+        begins = [float(row["time"]) for row in rows_of(events) if row["kind"]
+                  == "begin"] if events.exists() else []
+        entries = xml.parse(directory / "fields.pvd").findall(".//DataSet")
+        self.snapshots = {float(entry.get("timestep")): meshio.read(
+            directory / entry.get("file")) for entry in entries}
+        self.times = list(self.snapshots)
+        self.moves = "displacement" in self.field_names()
+        gap = re.search(r"set Gap += (\S+)", (directory / "used.prm").read_text())
+        self.g = float(gap[1]) if self.moves else math.nan
+        column = "contact_force" if self.moves and any(
+            float(row["contact_force"]) for row in self.rows.values()) else None
+        peak = max(self.rows, key=lambda t: float(self.rows[t][column])) \
+            if column else self.times[0]
+        self.marks = {"peak": self.nearest(peak), "first": self.times[0],
+                      "last": self.times[-1]}
+        if begins:
+            self.marks["first-contact"] = self.nearest(begins[0])
+
+    def nearest(self, time):
+        return min(self.times, key=lambda t: abs(t - time))
+
+    def field_names(self):
+        return list(next(iter(self.snapshots.values())).point_data)
+
+    def values(self, field):
+        """Axial values of all snapshots."""
+        return numpy.concatenate([
+            mesh.point_data[field].reshape(len(mesh.points), -1)[:, 0]
+            for mesh in self.snapshots.values()])
+
+    def end(self, time):
+        """Smallest and largest u of the end; contact.csv has one between."""
+        mesh = self.snapshots[time]
+        u = mesh.point_data["displacement"][abs(mesh.points[:, 0] - 1) < 1e-6, 0]
+        u_csv = float(self.rows[time]["displacement_end"])
+        return (u_csv, u_csv) if numpy.ptp(u) < 1e-6 else (u.min(), u.max())
+
+    def is_suitable(self, scale):
+        """No farther than a third, no cell shorter than a quarter."""
+        for mesh in self.snapshots.values():
+            u, x = mesh.point_data["displacement"][:, 0], mesh.points[:, 0]
+            places = numpy.unique(numpy.round(x, 6))
+            means = [u[abs(x - place) < 2e-6].mean() for place in places]
+            stretches = 1 + scale * numpy.diff(means) / numpy.diff(places)
+            if scale * abs(u).max() > 0.33 or stretches.min() < 0.25:
+                return False
+        return True
+
+
+def faults_of_pictures(record, truth, scale, n_frames):
+    faults = []
+    spacing = (truth.times[-1] - truth.times[0]) / (len(truth.times) - 1)
+    frames = {name: picture[0] for name, picture in record["pictures"].items()
+              if name.startswith("frame")}
+    stride = math.ceil(len(truth.times) / n_frames)
+    times = {f"frame-{i:04d}": time for i, time in
+             enumerate(truth.times[::stride])}
+    if frames != times or len(times) > n_frames:
+        faults.append(f"frames {frames}")
+    marks = {name: picture[0] for name, picture in record["pictures"].items()
+             if name not in frames}
+    if marks != truth.marks:
+        faults.append(f"pictures {marks}, not {truth.marks}")
+    for name, (time, texts, (_, right)) in record["pictures"].items():
+        shown = re.fullmatch(r"t = (\d+\.\d{2,})", texts[0])
+        if not shown or abs(float(shown[1]) - time) > 0.1 * spacing:
+            faults.append(f"{name}: {texts[0]}, not {time}")
+        if not truth.moves:
+            continue
+        largest = max(float(mesh.points[:, 0].max())
+                      for mesh in [truth.snapshots[truth.nearest(time)]])
+        expected = largest + scale * truth.end(truth.nearest(time))[1]
+        if abs(right - expected) > 1e-6:
+            faults.append(f"{name}: end at {right}, not {expected}")
+    return faults
+
+
+def faults_of_record(record, truth, field, n_frames):
+    texts = next(iter(record["pictures"].values()))[1]
+    label = re.fullmatch(r"displacement \u00d7 (\S+)", texts[-1])
+    if bool(label) != truth.moves:
+        return [f"texts {texts}"]
+    scale = float(label[1]) if label else 0
+    faults = faults_of_pictures(record, truth, scale, n_frames)
+    if any(picture[1][1:] != texts[1:] for picture in
+           record["pictures"].values()):
+        faults.append("other factors")
+    values = truth.values(field)
+    if not numpy.allclose(record["range"], [values.min(), values.max()],
+                          rtol=1e-6):
+        faults.append(f"range {record['range']}")
+    if [record["title"], record["table"], record["coloured"][:2]] != [
+            field, field, ["POINTS", field]] or record["coloured"][2:] not in (
+                [], ["X"], ["0"]):
+        faults.append(f"coloured {record['coloured']}, {record['title']}")
+    if record["vectors"] != [["POINTS", "displacement"]] * truth.moves:
+        faults.append(f"moved by {record['vectors']}")
+    boxes = [round(x, 6) for box in record["boxes"] for x in box]
+    reach = max((1 + scale * truth.end(time)[1] for time in truth.times),
+                default=1) if truth.moves else 0
+    face = 1 + scale * truth.g
+    expected = [-0.03, 0] + ([face, max(face, reach) + 0.03]
+                             if truth.moves else [])
+    if not numpy.allclose(boxes, expected, atol=2e-6):
+        faults.append(f"boxes {boxes}, not {expected}")
+    return faults
+
+
+def falsified(record):
+    """Copies with one number or name changed."""
+    places = [("pictures", name, i) for name in record["pictures"] for i in
+              range(2)] + [(key,) for key in record if key != "pictures"]
+    if record["vectors"]:
+        places += [("pictures", name, 2) for name, picture in
+                   record["pictures"].items() if picture[2][1] != 1]
+
+    def other(value):
+        if isinstance(value, list):
+            return [other(part) for part in value]
+        if isinstance(value, str):
+            return re.sub(r"\d", lambda m: str((int(m[0]) + 1) % 10), value) \
+                if re.search(r"\d", value) else value + "?"
+        return 2 * value + 0.01
+
+    for *path, last in places:
+        copied = copy.deepcopy(record)
+        part = copied
+        for key in path:
+            part = part[key]
+        if part[last]:
+            part[last] = other(part[last])
+            yield f"{path} {last}", copied
+        elif last == 0:
+            part[last] = 0.01
+            yield f"{path} {last}", copied
+
+
+def settings_of(directory, *arguments):
+    script = drawings.load(source / "scripts", "paraview")
+    before, sys.argv = sys.argv, ["paraview", str(directory), *arguments]
+    try:
+        settings = script.settings_of(script.parse_arguments())
+    finally:
+        sys.argv = before
+    return {**settings, "scratch": "scratch"}
+
+
+def record_of(settings):
+    """By pvbatch, or by the stand-in with a fresh copy of the scene."""
+    if not pvbatch:
+        sys.modules.pop("paraview_scene", None)
+        paraview_stand_in.install()
+        import paraview_scene
+        return json.loads(json.dumps(
+            scene_record.record(paraview_scene, settings)))
+    result = subprocess.run(
+        [pvbatch, "--force-offscreen-rendering", scene_record.__file__,
+         source / "scripts", json.dumps(settings)],
+        capture_output=True, text=True)
+    lines = [line for line in result.stdout.splitlines()
+             if line.startswith("record ")]
+    if not lines:
+        sys.exit(f"FAILED: pvbatch: {result.stdout} {result.stderr}")
+    return json.loads(lines[0][len("record "):])
+
+
+def check_scene(name, directory, field, *arguments):
+    truth = Truth(Path(directory))
+    record = record_of(settings_of(Path(directory), "--frames", "4",
+                                   *arguments))
+    faults = faults_of_record(record, truth, field, 4)
+    check(name, not faults, "; ".join(faults))
+    missed, n_faults = [], 0
+    for fault, changed in falsified(record):
+        n_faults += 1
+        missed += [] if faults_of_record(changed, truth, field, 4) else [fault]
+    check(f"{name}: faults noticed", n_faults > 10 and not missed,
+          f"{n_faults - len(missed)} of {n_faults} {missed}")
+    if truth.moves and "--scale" not in arguments:
+        label = record["pictures"]["first"][1][1]
+        scale = float(label.split()[-1])
+        above = scale + 10 ** math.floor(math.log10(scale))
+        check(f"{name}: factor", truth.is_suitable(scale) and
+              not truth.is_suitable(above), label)
+
+
+def check_space_time(directory):
+    """Each panel: values at their places, colours symmetric where 0 is white."""
+    paraview_stand_in.install()
+    sys.path.insert(0, str(source / "scripts"))
+    sys.modules.pop("paraview_space_time", None)
+    import paraview_space_time
+    figures = []
+    paraview_space_time.save = lambda figure, path, dpi: figures.append(figure)
+    path = Path(directory, "space-time.vtu")
+    paraview_space_time.draw(str(path), "space-time.png", 700)
+    mesh = meshio.read(path)
+    bars = [axes for axes in figures[0].axes if axes.get_label() == "<colorbar>"]
+    panels = [axes for axes in figures[0].axes if axes not in bars]
+    check(f"space-time of {directory}", [bar.get_xlabel() for bar in bars]
+          == [label for label, field in FIELDS.items()
+              if field in mesh.point_data] and panels[0].get_ylabel() ==
+          "time  $t$" and {axes.get_xlabel() for axes in panels} == {"$x$"})
+    for axes, bar in zip(panels, bars):
+        field, (picture,) = FIELDS[bar.get_xlabel()], axes.collections
+        check(f"space-time of {directory}, {field}",
+              shows_field(axes, bar, mesh), str(picture.get_clim()))
+        before, limits = picture.get_array(), picture.get_clim()
+        others = [mesh.point_data[name].reshape(len(mesh.points), -1)[:, 0]
+                  for name in FIELDS.values() if name != field]
+        missed = 0
+        for other in others:
+            picture.set_array(other)
+            missed += shows_field(axes, bar, mesh)
+        picture.set_array(before)
+        for factor in (0.5, 2):
+            picture.set_clim([factor * limit for limit in limits])
+            missed += shows_field(axes, bar, mesh)
+        check(f"space-time of {directory}, {field}: faults noticed", not missed)
+
+
+def shows_field(axes, bar, mesh):
+    """Its values at its points, all but 1 in 100 within the colours, whose ends
+    are pointed if there are more; displacement, velocity, stress: white is 0.
+    """
+    field, (picture,) = FIELDS[bar.get_xlabel()], axes.collections
+    values = mesh.point_data[field].reshape(len(mesh.points), -1)[:, 0]
+    corners, end = picture._triangulation, mesh.points[:, 1].max()
+    low, high = picture.get_clim()
+    inside = numpy.sort(values)[round(0.005 * len(values)):][:round(
+        0.99 * len(values))]
+    farthest = max(abs(inside[[0, -1]]))
+    ends = inside[[0, -1]] if field == "temperature" else [-farthest, farthest]
+    extend = {(0, 0): "neither", (1, 0): "min", (0, 1): "max", (1, 1): "both"}[
+        values.min() < low, values.max() > high]
+    limits = [*axes.get_xlim(), *axes.get_ylim()]
+    # the ends are between values: the next ones may be 2 in 100 apart
+    near = 0.02 * (values.max() - values.min())
+    return (numpy.array_equal(picture.get_array(), values) and
+            numpy.array_equal(corners.x, mesh.points[:, 0]) and
+            numpy.array_equal(corners.y, mesh.points[:, 1]) and
+            abs(sum(triangle_areas(corners)) - end) < 1e-6 and
+            (low, high) == bar.get_xlim() and
+            picture.colorbar.extend == extend and
+            numpy.allclose([low, high], ends, rtol=0, atol=near) and
+            numpy.allclose(limits, [0, 1, 0, end]))
+
+
+def triangle_areas(corners):
+    x, y = corners.x[corners.triangles], corners.y[corners.triangles]
+    return abs((x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) -
+               (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])) / 2
+
+
+def check_message():
+    """Pictures of an earlier time are not said to be written."""
+    script = drawings.load(source / "scripts", "paraview")
+    old, new = (Path("rod/paraview", name) for name in ("old.png", "peak.png"))
+    old.parent.mkdir(exist_ok=True)
+    for file in (old, new):
+        file.touch()
+        os.utime(file, (1, 1))
+    script.shutil.which = lambda name: name
+    script.run_pvbatch = lambda settings, scratch: new.touch()
+    before, sys.argv = sys.argv, ["paraview", "rod"]
+    with contextlib.redirect_stdout(io.StringIO()) as text:
+        script.main()
+    sys.argv = before
+    check("message", text.getvalue() == "wrote rod/paraview/: peak.png\n",
+          text.getvalue().strip())
+
+
+def check_factors():
+    """By hand: 0.33 / max |u| or 0.75 / largest compression, to one digit."""
+    import paraview_numbers
+    points = numpy.array([[0, 0, 0], [0.5, 0, 0], [1, 0, 0]])
+    for u, factor in (([0, 0.25, 0.5], 0.6),  # 0.66; nothing is compressed
+                      ([0, -0.005, -0.01], 30),  # 33; 75
+                      ([0, 0.2, -0.1], 1),  # 1.65; 0.75 / 0.6 = 1.25
+                      ([0, 0.01, -0.01], 10),  # 33; 0.75 / 0.04 = 18.75
+                      ([0, 0, 0], 1)):
+        ranges = paraview_numbers.Ranges()
+        ranges.add(points, points, numpy.array([[u_i, 0, 0] for u_i in u]))
+        check(f"factor of {u}", ranges.scale() == factor, str(ranges.scale()))
+
+
+def main():
+    run("rod", "paper/experiment-1.prm", "Time/End time=0.5", "Mesh/Cells=10",
+        "Output/Fields interval=0.05", "Output/Space-time interval=0.05")
+    run("fine", "paper/experiment-1.prm", "Time/End time=0.032",
+        "Mesh/Cells=4", "Output/Fields interval=0.002", "Contact/Gap=0.001")
+    run("strip", "examples/strip.prm", "Time/End time=0.4", "Mesh/Cells=6",
+        "Output/Fields interval=0.05", "Output/Space-time interval=0.05")
+    run("heat", "verification/heat-series.prm", "Time/End time=0.2",
+        "Output/Fields interval=0.05")
+    check_scene("rod", "rod", "temperature")
+    check_scene("strip, stress", "strip", "stress", "--colour", "stress")
+    if not pvbatch:  # which takes seconds for each
+        check_scene("fine", "fine", "temperature")
+        check_scene("heat", "heat", "temperature")
+        check_scene("rod, half", "rod", "displacement", "--scale", "0.5",
+                    "--colour", "displacement")
+        check_scene("strip", "strip", "temperature")
+        check_factors()
+        check_message()
+        check_space_time("rod")
+        check_space_time("strip")
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    os.chdir(scratch)
+    main()
+    os.chdir("/")
+sys.exit(1 if n_failed else 0)

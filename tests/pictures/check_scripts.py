@@ -1,0 +1,208 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""usage: check_scripts.py SOURCE_DIRECTORY
+
+What scripts/check_links, scripts/build and scripts/run report. The links of a
+small page, one by one, lead somewhere or not, as written beside each; the counts
+in the last line are those of the page. The other two run in a project whose
+cmake, make, mpirun and program are stand-ins that write down their arguments,
+and fail when told to: messages, logs, exit status, what is passed on.
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+source = Path(sys.argv[1]).resolve()
+n_failed = 0
+PAGE = """# One title
+[inside](#one-title), twice below
+
+## Twice
+## Twice
+## `Code` and (brackets), a_b
+"""
+# Markdown, and what is said of its link; None: it leads somewhere, "": no link.
+LINKS = [
+    ("[a](page.md)", None), ("[a](page.md#one-title)", None),
+    ("[a](page.md#twice-1)", None), ("[a](page.md#twice-2)", "heading"),
+    ("[a](page.md#code-and-brackets-a_b)", None), ("[a](#here)", None),
+    ("[a](#there)", "heading"), ("[a](page.md#One-title)", "heading"),
+    ("[a](pages.md)", "file"), ("![a](picture.png)", None),
+    ("![a](pictures.png)", "file"), ("[a](folder)", None),
+    ("[a](<page.md>)", None), ("[a](with%20space.md)", None),
+    ("[a](page.md?raw=1)", None), ("[a](folder/../page.md \"title\")", None),
+    ("[a](https://nowhere.invalid/x)", ""), ("[a](mailto:a@b)", ""),
+    ("`[a](pages.md)`", ""), ("```\n[a](pages.md)\n```", ""),
+    ("[![a](pictures.png)](page.md)", "file"),
+    ("[![a](picture.png)](pages.md)", "file")]
+HTML = [('<a href="page.html#top">', None), ("<a href='page.html#low'>", None),
+        ('<a href="page.html#side">', "heading"), ('<img src="x.png">', "file"),
+        ('<a href="page.html?a=1&amp;b=2">', None),
+        ('<script>"<a href="x.html">"</script>', ""),
+        ('<a href="//nowhere.invalid">', "")]
+STAND_IN = """#!/bin/sh
+name=${0##*/}
+{ echo "$name $*"; echo "$OMPI_MCA_btl"; } >>"$CALLS"
+[ "$name" != cmake ] || while [ "$1" != -B ]; do shift; done
+[ "$name" != cmake ] || touch "$2/Makefile"
+case " $FAIL " in
+  *" $name "*) seq 30; echo "$WORDS"; exit 1 ;;
+esac
+[ "$name" != thermocontact ] || exit "${STATUS:-0}"
+"""
+
+
+def check(name, good, message=""):
+    global n_failed
+    n_failed += not good
+    print(f"{'passed' if good else 'FAILED'}: {name}  {message}".rstrip())
+
+
+def links_in(folder, *paths):
+    return subprocess.run([source / "scripts/check_links", *paths], cwd=folder,
+                          capture_output=True, text=True)
+
+
+def check_one_link(folder, file, text, fault):
+    """A page with a link that leads somewhere, and this one."""
+    good = "[a](page.md)" if file.suffix == ".md" else '<a href="page.html">'
+    file.write_text(f"# Here\n{good}\n\n{text}\n")
+    result = links_in(folder, file.name)
+    n_links = 1 + text.count("](") if file.suffix == ".md" else 2
+    n_links = 1 if fault == "" else n_links
+    name = re.findall(r"\]\(<?([^)\s>]+)|(?:href|src)=.([^\"']*)", text)
+    wanted = [f"{file.name}: {''.join(link)}: no such {fault}" for link in name] \
+        if fault else []
+    lines = result.stderr.splitlines()
+    check(f"link {text!r}", result.returncode == bool(fault) and
+          len(lines) == bool(fault) and set(lines) <= set(wanted) and
+          result.stdout == f"1 files, {n_links} links, {len(lines)} lead "
+          "nowhere\n", f"{result.stdout.strip()} {result.stderr.strip()}")
+
+
+def check_links(folder):
+    folder.mkdir()
+    (folder / "folder").mkdir()
+    for name in ("picture.png", "with space.md"):
+        (folder / name).touch()
+    (folder / "page.md").write_text(PAGE)
+    (folder / "page.html").write_text('<p id="top"><a name="low">')
+    for text, fault in LINKS:
+        check_one_link(folder, folder / "test.md", text, fault)
+    for text, fault in HTML:
+        check_one_link(folder, folder / "test.html", text, fault)
+    (folder / "test.html").unlink()
+    (folder / "test.md").write_text("[a](no.md) [b](page.md)")
+    (folder / "folder/deep.md").write_text("[a](../page.md) [b](page.md)")
+    result = links_in(folder, ".")
+    # test 2, deep 2, page 1 and no link in "with space.md" and page.html
+    check("links of a folder", result.returncode == 1 and result.stdout ==
+          "5 files, 5 links, 2 lead nowhere\n", result.stdout)
+    (folder / "test.md").write_text("no link")
+    check("links: none at all", links_in(folder, "test.md").returncode == 1)
+
+
+class Project:
+    """A project with scripts/build and scripts/run, and stand-ins."""
+
+    def __init__(self, top):
+        self.top, self.calls = top, top / "calls"
+        (top / "scripts").mkdir(parents=True)
+        (top / "bin").mkdir()
+        for name in ("build", "run"):
+            shutil.copy(source / "scripts" / name, top / "scripts")
+        for name in ("cmake", "make", "mpirun"):
+            self.stand_in(top / "bin" / name)
+        self.stand_in(top / "scripts/install_packages")
+
+    def stand_in(self, path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(STAND_IN)
+        path.chmod(0o755)
+
+    def run(self, script, *arguments, **environment):
+        """Result, and the calls of the stand-ins."""
+        self.calls.write_text("")
+        clean = {key: value for key, value in os.environ.items()
+                 if not key.startswith(("OMPI_", "NRANKS"))}
+        result = subprocess.run(
+            [self.top / "scripts" / script, *arguments], capture_output=True,
+            text=True, env={**clean, "CALLS": str(self.calls), "PATH":
+                            f"{self.top}/bin:{os.environ['PATH']}",
+                            **environment})
+        return result, self.calls.read_text().splitlines()[::2]
+
+
+def check_build(top):
+    project = Project(top)
+    tree = top / "build/release"
+    for words, shown in (("CMake Error at 5", "31:CMake Error at 5"),
+                         ("no such compiler", "no such compiler")):
+        result, calls = project.run("build", "Release", FAIL="cmake",
+                                    WORDS=words)
+        check(f"configuring fails, {words}", result.returncode == 1 and
+              result.stderr.splitlines()[0] == f"scripts: configuring {tree}"
+              and shown in result.stderr.splitlines() and
+              f"configuring failed; its log: {tree}/build.log" in result.stderr
+              and len(calls) == 1 and not (tree / "Makefile").exists(),
+              result.stderr)
+    for words, shown in (("a.cc:3: error: x", "31:a.cc:3: error: x"),
+                         ("No rule to make target", "No rule to make target")):
+        result, calls = project.run("build", "Release", FAIL="make",
+                                    WORDS=words)
+        lines = result.stderr.splitlines()
+        check(f"building fails, {words}", result.returncode == 1 and
+              "scripts: building (Release), a few minutes" in lines and
+              shown in lines and lines[-1] == "scripts: building failed; "
+              f"its log: {tree}/build.log", result.stderr)
+    project.stand_in(tree / "thermocontact")
+    result, calls = project.run("build", "Release")
+    check("nothing to build", result.returncode == 0 and not result.stderr and
+          not result.stdout and len(calls) == 1 and re.fullmatch(
+              rf"make -C {tree} -j\d+ thermocontact", calls[0]), str(calls))
+    result, calls = project.run("build", "Debug", "one", "two")
+    check("Debug, targets", result.returncode == 0 and len(calls) == 2 and
+          f"-B {top}/build/debug" in calls[0] and
+          "-DCMAKE_BUILD_TYPE=Debug" in calls[0] and
+          calls[1].startswith(f"make -C {top}/build/debug -j") and
+          calls[1].endswith(" one two"), str(calls))
+    for arguments in ((), ("release",)):
+        result, calls = project.run("build", *arguments)
+        check(f"refused: {arguments}", result.returncode == 2 and not calls and
+              "usage: scripts/build Release|Debug" in result.stderr,
+              result.stderr)
+
+
+def check_run(top):
+    project = Project(top)
+    result, calls = project.run("run", "--help")
+    check("help without a build", result.returncode == 0 and not calls and
+          "usage: scripts/run" in result.stdout, result.stdout)
+    program = top / "build/release/thermocontact"
+    project.stand_in(program)
+    result, calls = project.run("run", "--set", "a b=c", "x.prm", STATUS="3")
+    check("one process", result.returncode == 3 and [
+        call.split()[0] for call in calls] == [
+            "install_packages", "cmake", "make", "thermocontact"] and
+        calls[-1] == "thermocontact --set a b=c x.prm" and
+        project.calls.read_text().splitlines()[-1] == "self", str(calls))
+    result, calls = project.run("run", "x.prm", NRANKS="2")
+    root = "--allow-run-as-root " if os.getuid() == 0 else ""
+    check("two ranks", result.returncode == 0 and calls[-1] ==
+          f"mpirun {root}--oversubscribe -n 2 {program} x.prm" and
+          project.calls.read_text().splitlines()[-1] == "", str(calls))
+    for name, what in (("install_packages", []), ("make", ["make"])):
+        result, calls = project.run("run", "x.prm", FAIL=name, WORDS="error")
+        check(f"{name} fails", result.returncode == 1 and
+              calls[-1].startswith(name), str(calls))
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    check_links(Path(scratch) / "links")
+    check_build(Path(scratch) / "build of")
+    check_run(Path(scratch) / "run of")
+sys.exit(1 if n_failed else 0)
