@@ -4,9 +4,9 @@
 #define thermocontact_tests_h
 
 #include <thermocontact/input/parameter_file.h>
+#include <thermocontact/input/parameters.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/scene/scene_checks.h>
-#include <thermocontact/input/parameters.h>
 #include <thermocontact/simulation/measurements.h>
 
 #include <deal.II/base/logstream.h>
@@ -16,8 +16,8 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <sstream>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 

@@ -95,7 +95,7 @@ namespace
 
   /** As options of the program. */
   std::string
-  options(const Scene &scene)
+  options(const TestScene &scene)
   {
     std::string text;
     for (const std::string &o : scene.overrides)
@@ -116,7 +116,7 @@ namespace
 
 
   void
-  vary(const Scene      &scene,
+  vary(const TestScene  &scene,
        const Parameters &parameters,
        const RunResult  &run,
        const double      factor,
@@ -170,7 +170,7 @@ namespace
 
 
   void
-  judge_run(const Scene &scene, const double factor, Verdict &verdict)
+  judge_run(const TestScene &scene, const double factor, Verdict &verdict)
   {
     const Parameters parameters = read_parameters("", scene.overrides);
     const RunResult  run        = run_scene(parameters, scene.max_steps);
@@ -181,7 +181,7 @@ namespace
     verdict.is_stopped  = run.status == RunResult::stopped;
     if (verdict.is_stopped)
       verdict.add("stops", run.message);
-    if (scene.expectation == Scene::warns &&
+    if (scene.expectation == TestScene::warns &&
         !contains(run.warnings, scene.message))
       verdict.add("does not warn of", scene.message);
     if (scene.ends_steady)
@@ -192,19 +192,19 @@ namespace
 
 
   Verdict
-  judge(const Scene &scene, const double factor)
+  judge(const TestScene &scene, const double factor)
   {
     Verdict verdict;
     try
       {
         judge_run(scene, factor, verdict);
-        if (scene.expectation == Scene::refused)
+        if (scene.expectation == TestScene::refused)
           verdict.add("is not refused", "");
       }
     catch (const InputError &error)
       {
         verdict.is_refused = true;
-        if (scene.expectation != Scene::refused)
+        if (scene.expectation != TestScene::refused)
           verdict.add("is refused", error.what());
         else if (std::string(error.what()).find(scene.message) ==
                  std::string::npos)
@@ -229,9 +229,9 @@ namespace
 
 
   void
-  run_scenes(const std::vector<Scene> &scenes,
-             const unsigned int        first,
-             Summary                  &summary)
+  run_scenes(const std::vector<TestScene> &scenes,
+             const unsigned int            first,
+             Summary                      &summary)
   {
     const std::vector<int> exponents  = {-332, -27, 27, 332};
     const bool             is_verbose = from_environment("EXTREMES_VERBOSE", 0);
@@ -281,7 +281,7 @@ main(int argc, char **argv)
           << " scenes pass, " << table.n_refused << " of them by being refused"
           << std::endl;
 
-  std::vector<Scene> scenes;
+  std::vector<TestScene> scenes;
   for (unsigned int i = 0; i < n_random; ++i)
     scenes.push_back(RandomScene(seed, first + i).draw());
   Summary random;

@@ -11,7 +11,7 @@
 #include <random>
 #include <sstream>
 
-#include "scene.h"
+#include "test_scene.h"
 
 namespace ThermoContact
 {
@@ -31,7 +31,7 @@ namespace ThermoContact
         "random " + std::to_string(seed) + "/" + std::to_string(index);
     }
 
-    Scene
+    TestScene
     draw()
     {
       draw_model();
@@ -47,7 +47,7 @@ namespace ThermoContact
 
   private:
     std::mt19937_64 generator;
-    Scene           scene;
+    TestScene       scene;
     double          duration       = 0.; ///< end time
     double          step           = 0.; ///< 0: error-controlled
     double          inertia        = 0.;

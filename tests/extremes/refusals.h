@@ -3,19 +3,19 @@
 #ifndef thermocontact_extremes_refusals_h
 #define thermocontact_extremes_refusals_h
 
-#include "scene.h"
+#include "test_scene.h"
 
 namespace ThermoContact
 {
   /** Entries that exclude each other; the first one named is at fault. */
   inline void
-  add_contradictions(std::vector<Scene> &scenes)
+  add_contradictions(std::vector<TestScene> &scenes)
   {
     const Overrides conserving = {"Time/Step size=0.01",
                                   "Time/Scheme=energy conserving"};
     const Overrides rigid      = {"Contact/Condition=rigid"};
     const auto add = [&](const std::string &path, const Overrides &overrides) {
-      scenes.push_back({join(overrides), overrides, Scene::refused, path});
+      scenes.push_back({join(overrides), overrides, TestScene::refused, path});
     };
     add("Contact/Compliance", rigid + Overrides{"Contact/Compliance=1"});
     add("Contact/Gap", rigid + Overrides{"Contact/Gap=-0.1"});
@@ -42,14 +42,14 @@ namespace ThermoContact
 
 
   inline void
-  add_refusals(std::vector<Scene> &scenes)
+  add_refusals(std::vector<TestScene> &scenes)
   {
     const auto add = [&](const std::string &override,
                          const std::string &message = "") {
       const std::string path = override.substr(0, override.find('='));
       scenes.push_back({override,
                         {"Time/Step size=0.01", override},
-                        Scene::refused,
+                        TestScene::refused,
                         message.empty() ? path : message});
     };
     for (const char *path : {"Model/Coupling",

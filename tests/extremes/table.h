@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "refusals.h"
-#include "scene.h"
+#include "test_scene.h"
 
 namespace ThermoContact
 {
@@ -105,7 +105,7 @@ namespace ThermoContact
 
 
   inline void
-  add_ends(std::vector<Scene> &scenes)
+  add_ends(std::vector<TestScene> &scenes)
   {
     for (const Overrides &end : ends_of_ranges())
       for (const Overrides &scheme : scheme_settings())
@@ -118,7 +118,7 @@ namespace ThermoContact
 
   /** All combinations of ends of five parameters, each with one scheme. */
   inline void
-  add_corners(std::vector<Scene> &scenes)
+  add_corners(std::vector<TestScene> &scenes)
   {
     const std::vector<Overrides> schemes = scheme_settings();
     unsigned int                 i       = 0;
@@ -149,7 +149,7 @@ namespace ThermoContact
 
 
   inline void
-  add_meshes_and_times(std::vector<Scene> &scenes)
+  add_meshes_and_times(std::vector<TestScene> &scenes)
   {
     const std::vector<Overrides> meshes = {
       {"Mesh/Cells=1", "Mesh/Degree=1"},
@@ -189,7 +189,7 @@ namespace ThermoContact
 
   /** Steps and times so long that nothing but the steady state is left. */
   inline void
-  add_steady(std::vector<Scene> &scenes)
+  add_steady(std::vector<TestScene> &scenes)
   {
     const std::vector<Overrides> obstacles = {{"Contact/Gap=0.01"},
                                               {"Contact/Gap=-0.01"},
@@ -224,7 +224,7 @@ namespace ThermoContact
 
 
   inline void
-  add_two_dimensional(std::vector<Scene> &scenes)
+  add_two_dimensional(std::vector<TestScene> &scenes)
   {
     const Overrides              body     = {"Dimension=2",
                                              "Mesh/Cells=4",
@@ -255,22 +255,22 @@ namespace ThermoContact
 
 
   inline void
-  add_warnings(std::vector<Scene> &scenes)
+  add_warnings(std::vector<TestScene> &scenes)
   {
     for (const Overrides &scheme : scheme_settings())
       {
         const Overrides base = scheme + small_mesh();
         scenes.push_back({"preload; " + join(scheme),
                           base + Overrides{"Contact/Gap=-0.05"},
-                          Scene::warns,
+                          TestScene::warns,
                           "initial pressure"});
         scenes.push_back({"u_0(1) beyond the gap; " + join(scheme),
                           base + Overrides{"Initial values/Displacement=0.2*x"},
-                          Scene::warns,
+                          TestScene::warns,
                           "initial pressure"});
         scenes.push_back({"corner layer; " + join(scheme),
                           base + Overrides{"Initial values/Temperature=5"},
-                          Scene::warns,
+                          TestScene::warns,
                           "corner layer"});
       }
   }
@@ -278,10 +278,10 @@ namespace ThermoContact
 
 
   /** Every scene that is written down, as opposed to drawn. */
-  inline std::vector<Scene>
+  inline std::vector<TestScene>
   table_scenes()
   {
-    std::vector<Scene> scenes;
+    std::vector<TestScene> scenes;
     add_ends(scenes);
     add_corners(scenes);
     add_meshes_and_times(scenes);

@@ -176,14 +176,15 @@ namespace ThermoContact
   inline double
   distance_from_steady_state(const RunResult &run, const Parameters &parameters)
   {
-    const double a         = parameters.model.coupling;
-    const double k         = parameters.boundary.heat_exchange;
-    const double c         = k / (k + 1.);
-    const double left      = parameters.boundary.fixed_end_temperature;
-    const double drop      = left - parameters.boundary.obstacle_temperature;
-    const double free_end  = a * (left - 0.5 * c * drop);
-    const double pressure  = Scene(parameters).contact.law->local_pressure(
-      free_end - parameters.contact.gap, 1.);
+    const double a        = parameters.model.coupling;
+    const double k        = parameters.boundary.heat_exchange;
+    const double c        = k / (k + 1.);
+    const double left     = parameters.boundary.fixed_end_temperature;
+    const double drop     = left - parameters.boundary.obstacle_temperature;
+    const double free_end = a * (left - 0.5 * c * drop);
+    const double pressure =
+      Scene(parameters)
+        .contact.law->local_pressure(free_end - parameters.contact.gap, 1.);
     const StepRecord &last = run.last;
     const double      length =
       std::max({run.scales.displacement,

@@ -61,7 +61,7 @@ namespace
                    const double free_end)
   {
     std::vector<double> pressure(1, 0.);
-    const auto law = make_law(compliance);
+    const auto          law = make_law(compliance);
     ConservingContact(*law, scalar(static_receptance))
       .step_pressure({start}, {free_end}, scalar(receptance), 0., pressure);
     return pressure[0];

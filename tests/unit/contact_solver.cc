@@ -38,11 +38,11 @@ namespace
   {
     for (const double compliance : {0.01, 0.})
       for (const double free_displacement : {0.12, 0.13, 0.1, -1.})
-        deallog << "compliance " << compliance << ", free displacement "
-                << free_displacement << ": p "
-                << make_law(compliance)->local_pressure(free_displacement - 0.1,
-                                                        0.03)
-                << std::endl;
+        deallog
+          << "compliance " << compliance << ", free displacement "
+          << free_displacement << ": p "
+          << make_law(compliance)->local_pressure(free_displacement - 0.1, 0.03)
+          << std::endl;
     deallog << "no obstacle: p "
             << no_obstacle().make({})->local_pressure(0.02, 0.03) << std::endl;
   }
@@ -55,7 +55,7 @@ namespace
     FullMatrix<double> response(2, 2);
     response(0, 0) = response(1, 1) = 2.;
     response(0, 1) = response(1, 0) = 1.;
-    const auto          law = make_law(0.);
+    const auto          law         = make_law(0.);
     const ContactSolver solver(*law);
     for (const std::vector<double> &free_displacement :
          {std::vector<double>{3., 3.}, std::vector<double>{2., 0.5}})
@@ -80,8 +80,7 @@ namespace
     double worst = 0.;
     for (unsigned int i = 0; i < pressure.size(); ++i)
       {
-        double slack =
-          law.penetration(pressure[i]) - free_penetration[i];
+        double slack = law.penetration(pressure[i]) - free_penetration[i];
         for (unsigned int j = 0; j < pressure.size(); ++j)
           slack += response(i, j) * pressure[j];
         raise(worst, -slack);
@@ -151,7 +150,7 @@ namespace
     FullMatrix<double> response(3, 3);
     response(0, 0) = response(1, 1) = response(2, 2) = 1.;
     response(0, 2) = response(1, 0) = response(2, 1) = 2.;
-    const auto          law = make_law(0.);
+    const auto          law                          = make_law(0.);
     const ContactSolver solver(*law);
     std::vector<double> pressure = {1., 0., 0.};
     const unsigned int  n_iterations =

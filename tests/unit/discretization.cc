@@ -275,7 +275,8 @@ namespace
     State result = space.make_state();
     space.split(product, result.temperature, result.displacement);
 
-    Vector     heat = space.make_vector(Field::temperature), momentum = space.make_vector(Field::displacement);
+    Vector heat         = space.make_vector(Field::temperature),
+           momentum     = space.make_vector(Field::displacement);
     const auto subtract = [](const SparseMatrix &matrix,
                              const double        factor,
                              const Vector       &source,

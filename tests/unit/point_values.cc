@@ -174,7 +174,8 @@ namespace
         for (unsigned int f = 0; f < 4; ++f)
           {
             const double value = values[f * places.size() + i];
-            if (space.has_field(f == 0 ? Field::temperature : Field::displacement))
+            if (space.has_field(f == 0 ? Field::temperature :
+                                         Field::displacement))
               raise(error, std::abs(value - expected[f]));
             else if (!std::isnan(value))
               error = 1.;
@@ -251,8 +252,8 @@ namespace
     state.velocity = state.displacement;
 
     const double   inner = space.dof_handler().begin()->vertex(1)[0];
-    PointValues<1> point_values(space,
-                                parameters.model,
+    PointValues<1> point_values(scene,
+                                space,
                                 {{Point<1>(inner), Point<1>(inner)},
                                  {Point<1>(1.), Point<1>(1.)}});
     auto           values = point_values.evaluate(state);

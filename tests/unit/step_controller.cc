@@ -64,7 +64,7 @@ namespace
     for (const double error :
          {16., 1.0001, std::numeric_limits<double>::quiet_NaN()})
       {
-        StepController controller = make_controller(from_rung());
+        StepController controller  = make_controller(from_rung());
         const bool     is_accurate = controller.is_accurate(error);
         controller.reject(controller.propose(0.), error);
         deallog << "accurate " << is_accurate
@@ -74,8 +74,7 @@ namespace
       }
     Parameters parameters     = read_parameters("");
     parameters.time.tolerance = 1e-4;
-    deallog << "first step: " << rung(make_controller(parameters))
-            << std::endl;
+    deallog << "first step: " << rung(make_controller(parameters)) << std::endl;
     for (const bool begins : {true, false})
       {
         StepController controller = make_controller(from_rung());
@@ -90,7 +89,7 @@ namespace
       }
     parameters                        = from_rung();
     parameters.time.minimum_step_size = 1e-3;
-    StepController controller = make_controller(parameters);
+    StepController controller         = make_controller(parameters);
     deallog << "exhausted "
             << controller.is_exhausted(controller.propose(0.), 0.);
     controller.retry_smaller(controller.propose(0.));
@@ -105,7 +104,7 @@ namespace
   print_steps(const std::string &name, const Parameters &parameters)
   {
     StepController controller = make_controller(parameters);
-    double         time = 0.;
+    double         time       = 0.;
     deallog << name << ':';
     while (!controller.is_finished(time))
       {

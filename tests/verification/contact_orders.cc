@@ -43,7 +43,7 @@ namespace
   const std::array<const char *, 4> names = {
     {"u(1)", "u_t(1)", "theta(1)", "force"}};
 
-  struct Scene
+  struct TestCase
   {
     unsigned int          experiment;
     double                compliance;
@@ -69,7 +69,7 @@ namespace
 
 
   Solution
-  run(const Scene       &scene,
+  run(const TestCase    &scene,
       const std::string &scheme,
       const unsigned int n,
       const bool         is_located)
@@ -150,7 +150,7 @@ namespace
 
 
   void
-  study(const Scene       &scene,
+  study(const TestCase    &scene,
         const std::string &scheme,
         const unsigned int order,
         const unsigned int coarsest,
@@ -190,7 +190,7 @@ namespace
 
 
   void
-  study_unlocated(const Scene &scene, const Solution &reference)
+  study_unlocated(const TestCase &scene, const Solution &reference)
   {
     const auto error = [&](const unsigned int n, const bool is_located) {
       return std::abs(run(scene, "sdirk4", n, is_located).at(end_time)[0] -
@@ -211,10 +211,10 @@ main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
-  const std::array<Scene, 2> scenes = {
+  const std::array<TestCase, 2> scenes = {
     {{1, 0.01, {{0.16, 0.48, 1.4, 2.}}, {{false, true, false, false}}},
      {5, 1., {{0.16, 0.48, 0.8, 2.}}, {{false, true, true, false}}}}};
-  for (const Scene &scene : scenes)
+  for (const TestCase &scene : scenes)
     {
       const Solution reference = run(scene, "sdirk4", 3200, true);
       study(scene, "backward euler", 1, 400, reference);

@@ -84,6 +84,9 @@ namespace
   {
     const Parameters parameters =
       read_parameters("verification/" + file + ".prm", overrides);
+    const double  compliance = parameters.contact.condition == "rigid" ?
+                                 0. :
+                                 parameters.contact.compliance;
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
     Result        result;
     const auto    observe = [&](const Simulation<1> &s) {

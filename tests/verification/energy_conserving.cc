@@ -103,9 +103,9 @@ namespace
     for (unsigned int i = 0; i < penetration.size(); ++i)
       {
         const double p = state.contact_pressure[i] / largest;
-        const double s = (law.penetration(state.contact_pressure[i]) -
-                          penetration[i]) /
-                         simulation.scene().contact.gap;
+        const double s =
+          (law.penetration(state.contact_pressure[i]) - penetration[i]) /
+          simulation.scene().contact.gap;
         raise(worst, std::max({-p, -s, std::abs(p * s)}));
       }
     return worst;

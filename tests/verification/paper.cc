@@ -137,12 +137,13 @@ namespace
     const double theta_A = parameters.boundary.fixed_end_temperature;
     const double k       = parameters.boundary.heat_exchange;
     const double g       = parameters.contact.gap;
-    const double eps =
-      parameters.contact.condition == "rigid" ? 0. : parameters.contact.compliance;
-    const double c = k / (k + 1.);
-    const double G = a * theta_A * (1. - c / 2.);
-    const double p = std::max(G - g, 0.) / (1. + eps);
-    const double h = 1. / parameters.mesh.cells;
+    const double eps     = parameters.contact.condition == "rigid" ?
+                             0. :
+                             parameters.contact.compliance;
+    const double c       = k / (k + 1.);
+    const double G       = a * theta_A * (1. - c / 2.);
+    const double p       = std::max(G - g, 0.) / (1. + eps);
+    const double h       = 1. / parameters.mesh.cells;
     const double E =
       -0.5 * std::pow(a * theta_A, 2) * (1. - c + c * c / 3.) +
       0.5 * (1. + eps) * p * p +

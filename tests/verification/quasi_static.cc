@@ -74,9 +74,10 @@ namespace
   {
     const Parameters parameters =
       read_parameters("verification/equilibrium.prm", overrides);
-    const double eps =
-      parameters.contact.condition == "rigid" ? 0. : parameters.contact.compliance;
-    const double g = parameters.contact.gap;
+    const double eps = parameters.contact.condition == "rigid" ?
+                         0. :
+                         parameters.contact.compliance;
+    const double g   = parameters.contact.gap;
 
     double        error  = 0.;
     unsigned int  n_rows = 0, n_contact = 0;

@@ -213,8 +213,8 @@ namespace
       std::vector<double> known(1);
       discretization.contact_end().get_penetrations(state.displacement, known);
       const double free_penetration = known[0] + tau * end_value(rates);
-      const double p = std::max(free_penetration, 0.) /
-                       (law.tangent(0.) + receptance);
+      const double p =
+        std::max(free_penetration, 0.) / (law.tangent(0.) + receptance);
       rates.add(-p, response);
 
       discretization.split(rates, heat, state.velocity);
@@ -229,9 +229,9 @@ namespace
     const double                         tau;
     const ContactLaw                    &law;
     DirectSolver                         solver;
-    FieldVector                                heat, momentum;
-    const FieldVector                          heat_load, momentum_load;
-    FieldVector                                system, rates, response;
+    FieldVector                          heat, momentum;
+    const FieldVector                    heat_load, momentum_load;
+    FieldVector                          system, rates, response;
     double                               receptance;
 
     double

@@ -108,8 +108,9 @@ namespace
     const double b    = parameters.model.inertia;
     const double zeta = parameters.model.viscosity;
     const double l    = std::sqrt(dt * (dt + zeta) / b);
-    const double rho  = std::pow(dt, 1.5) * std::tanh(1. / l) /
-                       (parameters.contact.compliance * std::sqrt(b * (dt + zeta)));
+    const double rho =
+      std::pow(dt, 1.5) * std::tanh(1. / l) /
+      (parameters.contact.compliance * std::sqrt(b * (dt + zeta)));
     deallog << "dt = " << dt << ": contraction factor within 1 % "
             << (std::abs(solver.contraction_factor(dt) / rho - 1.) < 0.01)
             << ", below 1 " << (rho < 1.) << std::endl;

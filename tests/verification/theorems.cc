@@ -52,7 +52,7 @@ using namespace ThermoContact;
 namespace
 {
   using FieldVector = ThermoContact::Vector;
-  using Matrix = ThermoContact::SparseMatrix;
+  using Matrix      = ThermoContact::SparseMatrix;
 
   /** Left-hand side of an estimate: a sum over the steps and other terms. */
   struct LeftHandSide
@@ -81,7 +81,9 @@ namespace
 
 
   FieldVector
-  difference(const FieldVector &a, const FieldVector &b, const double factor = 1.)
+  difference(const FieldVector &a,
+             const FieldVector &b,
+             const double       factor = 1.)
   {
     FieldVector result(a);
     result.sadd(factor, -factor, b);
@@ -108,6 +110,12 @@ namespace
     Estimates estimates;
     bool      has_contact;
 
+    Simulation<1>::Observer
+    observer()
+    {
+      return [this](const Simulation<1> &s) { observe(s); };
+    }
+
   private:
     const double  dt;
     const double  zeta;
@@ -117,8 +125,8 @@ namespace
     const Matrix &momentum_mass;
     const Matrix &stiffness;
     State         old_state;
-    FieldVector         old_delta_theta;
-    FieldVector         old_gamma;
+    FieldVector   old_delta_theta;
+    FieldVector   old_gamma;
 
     void
     observe(const Simulation<1> &simulation)
@@ -129,7 +137,8 @@ namespace
       if (n >= 1)
         {
           const FieldVector theta =
-            difference(state.temperature, simulation.body().energy.steady_profile());
+            difference(state.temperature,
+                       simulation.body().energy.steady_profile());
           const FieldVector delta_theta =
             difference(state.temperature, old_state.temperature, 1. / dt);
           const FieldVector gamma =
@@ -146,7 +155,7 @@ namespace
     }
 
     void
-    add_theorem_4_1(const State &state,
+    add_theorem_4_1(const State       &state,
                     const FieldVector &theta,
                     const FieldVector &delta_theta,
                     const FieldVector &gamma)
@@ -174,7 +183,7 @@ namespace
 
     /** The number of the present step is the n + 1 of the theorem. */
     void
-    add_theorem_4_3(const State &state,
+    add_theorem_4_3(const State       &state,
                     const FieldVector &delta_theta,
                     const FieldVector &gamma)
     {
@@ -205,7 +214,7 @@ namespace
     parameters.time.step_size = dt;
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
     Follower      follower(simulation);
-    simulation.run({observe});
+    simulation.run({follower.observer()});
     AssertThrow(follower.has_contact, ExcMessage("no contact"));
     return follower.estimates;
   }

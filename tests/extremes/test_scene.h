@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_extremes_scene_h
-#define thermocontact_extremes_scene_h
+#ifndef thermocontact_extremes_test_scene_h
+#define thermocontact_extremes_test_scene_h
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 namespace ThermoContact
 {
   /** One run of the campaign: overrides of the defaults and what to expect. */
-  struct Scene
+  struct TestScene
   {
     enum Expectation
     {
