@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/multiples.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/output/csv_rows.h>
 #include <thermocontact/output/output.h>
@@ -8,7 +9,6 @@
 
 #include <deal.II/base/revision.h>
 
-#include <cmath>
 #include <filesystem>
 
 namespace ThermoContact
@@ -28,17 +28,6 @@ namespace ThermoContact
              DEAL_II_PACKAGE_VERSION + '\n';
     }
 
-
-
-    /** Whole intervals up to @p time. */
-    double
-    count_intervals(const double interval, const double time)
-    {
-      // Times are multiples of the step up to rounding, so that a multiple of
-      // the interval may be missed by a hair.
-      const double slack = 1e-9 + 4e-16 * time / interval;
-      return std::floor(time / interval + slack);
-    }
   } // namespace
 
 
@@ -160,7 +149,7 @@ namespace ThermoContact
           std::make_pair(parameters.contact_interval, &next_contact),
           std::make_pair(parameters.space_time_interval, &next_space_time)})
       if (interval > 0.)
-        *next = count_intervals(interval, time) + 1.;
+        *next = whole_intervals(interval, time) + 1.;
     field_output.restore(memory.snapshot_times);
   }
 
@@ -172,7 +161,7 @@ namespace ThermoContact
                       const double time,
                       double      &next) const
   {
-    const double count = count_intervals(interval, time);
+    const double count = whole_intervals(interval, time);
     if (count < next && time < end_time)
       return false;
     next = count + 1.;
