@@ -19,6 +19,7 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -229,8 +230,7 @@ namespace ThermoContact
       }
     Simulation<dim> simulation(parameters, communicator);
     if (checkpoint)
-      simulation.restore(
-        checkpoint->simulation[Utilities::MPI::this_mpi_process(communicator)]);
+      simulation.restore(std::exchange(checkpoint->simulation, {}));
     else
       check_output_directory(directory, communicator);
     if (command.check_only)

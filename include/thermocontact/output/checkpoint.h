@@ -8,15 +8,13 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 namespace ThermoContact
 {
   /**
    * A run at the end of a step: all that it takes to go on as if it had never
    * stopped. The newest two are kept in the output directory, checkpoint.bin
-   * and checkpoint.previous.bin: a line that names the format, a line of JSON
-   * for readers, then bytes.
+   * and checkpoint.previous.bin.
    */
   struct Checkpoint
   {
@@ -29,8 +27,11 @@ namespace ThermoContact
     /** Path and value of every parameter. */
     std::map<std::string, std::string> parameters;
 
-    /** What Simulation::memory() gave, for each rank. */
-    std::vector<std::string> simulation;
+    /** Ranks of the run. */
+    unsigned int n_ranks = 0;
+
+    /** What Simulation::memory() gave on this rank. */
+    std::string simulation;
 
     OutputMemory output;
 
@@ -42,17 +43,21 @@ namespace ThermoContact
 
   /**
    * Makes @p checkpoint the newest of @p directory, in one piece and surviving
-   * a loss of power. On one rank.
+   * a loss of power. Collective; rank 0 writes, and holds no other rank's
+   * memory as a whole.
    *
-   * @return what is wrong, with the path, or nothing; the earlier ones are as
-   *   they were then
+   * @throw ComputationError saying what is wrong, with the path; the earlier
+   *   ones are as they were then
    */
-  std::string
-  write_checkpoint(const std::string &directory, const Checkpoint &checkpoint);
+  void
+  write_checkpoint(const std::string &directory,
+                   const Checkpoint  &checkpoint,
+                   const MPI_Comm     communicator);
 
   /**
    * Reads the newest checkpoint of @p directory that is whole. Collective, read
-   * by rank 0.
+   * by rank 0. The memory of the ranks is read only if they are as many as
+   * those of the run.
    *
    * @throw InputError if there is none, with what is wrong with each file
    */
