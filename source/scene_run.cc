@@ -20,6 +20,7 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -126,18 +127,18 @@ namespace ThermoContact
     /**
      * Runs a scene that is set up, with all that observes it.
      *
-     * @param memory of the files if the run goes on from a checkpoint
+     * @param written of the files if the run goes on from a checkpoint
      */
     template <int dim>
     void
     run_observed(Simulation<dim>                          &simulation,
                  const std::string                        &directory,
                  const std::map<std::string, std::string> &entries,
-                 const OutputMemory                       *memory,
+                 const OutputProgress                     *written,
                  const Timer                              &since_start,
                  Log                                      &log)
     {
-      Output<dim>       output(directory, simulation, memory);
+      Output<dim>       output(directory, simulation, written);
       Checkpointer<dim> checkpointer(
         directory,
         entries,
@@ -229,8 +230,7 @@ namespace ThermoContact
       }
     Simulation<dim> simulation(parameters, communicator);
     if (checkpoint)
-      simulation.restore(
-        checkpoint->simulation[Utilities::MPI::this_mpi_process(communicator)]);
+      simulation.restore(std::exchange(checkpoint->simulation, {}));
     else
       check_output_directory(directory, communicator);
     if (command.check_only)

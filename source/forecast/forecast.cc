@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/multiples.h>
 #include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/method/bracketed_root.h>
@@ -49,9 +50,7 @@ namespace ThermoContact
     double
     n_outputs(const double interval, const double T, const double n_steps)
     {
-      const double count = T / interval;
-      const double last  = count - std::floor(count) > 1e-9 ? 1. : 0.;
-      return std::min(n_steps + 1., std::floor(count + 1e-9) + 1. + last);
+      return std::min(n_steps + 1., intervals_until(interval, T) + 1.);
     }
   } // namespace
 

@@ -4,16 +4,9 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/output/checkpoint.h>
+#include <thermocontact/output/checkpoint_file.h>
 #include <thermocontact/output/output_directory.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-#include <boost/crc.hpp>
-#include <boost/serialization/map.hpp>
-#include <boost/serialization/string.hpp>
-#include <boost/serialization/vector.hpp>
-
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include <cstdio>
@@ -25,9 +18,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Changes whenever an older program could not read the file. */
-    const std::string format = "thermocontact checkpoint 1";
-
     const char *const newest_name   = "/checkpoint.bin";
     const char *const previous_name = "/checkpoint.previous.bin";
 
@@ -41,74 +31,8 @@ namespace ThermoContact
 
 
 
-    std::uint32_t
-    checksum(const std::string &bytes)
-    {
-      boost::crc_32_type crc;
-      crc.process_bytes(bytes.data(), bytes.size());
-      return crc.checksum();
-    }
-
-
-
-    std::string
-    to_bytes(const Checkpoint &checkpoint)
-    {
-      std::ostringstream stream;
-      {
-        boost::archive::binary_oarchive archive(stream,
-                                                boost::archive::no_header);
-        archive << checkpoint.time << checkpoint.step << checkpoint.version
-                << checkpoint.parameters << checkpoint.simulation
-                << checkpoint.output;
-      }
-      const std::string            bytes  = stream.str();
-      const nlohmann::ordered_json header = {{"time", checkpoint.time},
-                                             {"step", checkpoint.step},
-                                             {"ranks",
-                                              checkpoint.simulation.size()},
-                                             {"version", checkpoint.version},
-                                             {"size", bytes.size()},
-                                             {"checksum", checksum(bytes)}};
-      return format + '\n' + header.dump() + '\n' + bytes;
-    }
-
-
-
-    /** @throw std::exception if @p text is not a whole checkpoint */
-    Checkpoint
-    from_bytes(const std::string &text)
-    {
-      std::istringstream stream(text);
-      std::string        line;
-      std::getline(stream, line);
-      if (line != format)
-        throw std::runtime_error("it does not begin with '" + format +
-                                 "': not a checkpoint, or of another version "
-                                 "of thermocontact");
-      std::getline(stream, line);
-      const auto        header = nlohmann::json::parse(line);
-      const std::size_t begin  = format.size() + line.size() + 2;
-      const std::string bytes =
-        begin <= text.size() ? text.substr(begin) : std::string();
-      if (header.at("size") != bytes.size() ||
-          header.at("checksum") != checksum(bytes))
-        throw std::runtime_error("it is damaged: size or checksum is wrong");
-
-      Checkpoint checkpoint;
-
-      std::istringstream              byte_stream(bytes);
-      boost::archive::binary_iarchive archive(byte_stream,
-                                              boost::archive::no_header);
-      archive >> checkpoint.time >> checkpoint.step >> checkpoint.version >>
-        checkpoint.parameters >> checkpoint.simulation >> checkpoint.output;
-      return checkpoint;
-    }
-
-
-
-    /** The newest that is whole; on one rank. */
-    std::string
+    /** The newest that is whole, or none; on one rank. */
+    CheckpointFile
     find_checkpoint(const std::string &directory, std::string &faults)
     {
       for (const char *name : {newest_name, previous_name})
@@ -116,43 +40,57 @@ namespace ThermoContact
             access(path.c_str(), F_OK) == 0)
           try
             {
-              std::string text = read_text(path);
-              from_bytes(text);
-              return text;
+              return open_checkpoint_file(path);
             }
           catch (const std::exception &error)
             {
               faults += path + ": " + error.what() + "\n  ";
             }
+      return {};
+    }
+
+
+
+    /** Makes the file @p next the newest checkpoint; on one rank. */
+    std::string
+    make_newest(const std::string &next, const std::string &directory)
+    {
+      const std::string newest   = directory + newest_name;
+      const std::string previous = directory + previous_name;
+      // A second name, so that there is a newest one at any instant.
+      const std::string second_name = previous + part_suffix;
+      std::remove(second_name.c_str());
+      if (link(newest.c_str(), second_name.c_str()) == 0)
+        {
+          if (std::rename(second_name.c_str(), previous.c_str()) != 0)
+            return previous + ": cannot be replaced";
+        }
+      else // no earlier one, or a file system without second names
+        std::rename(newest.c_str(), previous.c_str());
+      if (std::rename(next.c_str(), newest.c_str()) != 0)
+        return newest + ": cannot be replaced";
+      sync_directory(directory);
       return "";
     }
   } // namespace
 
 
 
-  std::string
-  write_checkpoint(const std::string &directory, const Checkpoint &checkpoint)
+  void
+  write_checkpoint(const std::string &directory,
+                   const Checkpoint  &checkpoint,
+                   const MPI_Comm     communicator)
   {
-    const std::string newest   = directory + newest_name;
-    const std::string previous = directory + previous_name;
-    const std::string next     = directory + "/checkpoint.next.bin";
-    std::string fault = write_atomically(next, to_bytes(checkpoint), true);
-    if (!fault.empty())
-      return fault;
-    // A second name, so that there is a newest one at any instant.
-    const std::string second_name = previous + part_suffix;
-    std::remove(second_name.c_str());
-    if (link(newest.c_str(), second_name.c_str()) == 0)
+    const std::string next = directory + "/checkpoint.next.bin";
+    std::string fault = write_checkpoint_file(next, checkpoint, communicator);
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        if (std::rename(second_name.c_str(), previous.c_str()) != 0)
-          return previous + ": cannot be replaced";
+        if (fault.empty())
+          fault = make_newest(next, directory);
+        else
+          std::remove(next.c_str());
       }
-    else // no earlier one, or a file system without second names
-      std::rename(newest.c_str(), previous.c_str());
-    if (std::rename(next.c_str(), newest.c_str()) != 0)
-      return newest + ": cannot be replaced";
-    sync_directory(directory);
-    return "";
+    throw_everywhere<ComputationError>(fault, communicator);
   }
 
 
@@ -160,19 +98,19 @@ namespace ThermoContact
   Checkpoint
   read_checkpoint(const std::string &directory, const MPI_Comm communicator)
   {
-    std::string text, faults, message;
+    CheckpointFile file;
+    std::string    faults, message;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        text = find_checkpoint(directory, faults);
-        if (text.empty())
+        file = find_checkpoint(directory, faults);
+        if (file.path.empty())
           message = "--resume: no checkpoint in " + directory + "\n  " +
                     faults +
                     "remedy:  run without --resume; set Output/Checkpoint "
                     "interval to have checkpoints";
       }
     throw_everywhere<InputError>(message, communicator);
-    text                  = Utilities::MPI::broadcast(communicator, text);
-    Checkpoint checkpoint = from_bytes(text);
+    Checkpoint checkpoint = read_checkpoint_file(file, communicator);
     checkpoint.warning    = Utilities::MPI::broadcast(communicator, faults);
     return checkpoint;
   }
@@ -191,14 +129,14 @@ namespace ThermoContact
 
 
   std::string
-  find_short_file(const std::string &directory, const OutputMemory &memory)
+  find_short_file(const std::string &directory, const OutputProgress &progress)
   {
     for (const auto &[name, size] :
-         {std::make_pair("/contact.csv", memory.contact_size),
-          std::make_pair("/events.csv", memory.events_size),
-          std::make_pair("/steps.csv", memory.steps_size),
-          std::make_pair("/probes.csv", memory.probes_size),
-          std::make_pair("/space-time.columns", memory.space_time_size)})
+         {std::make_pair("/contact.csv", progress.contact_size),
+          std::make_pair("/events.csv", progress.events_size),
+          std::make_pair("/steps.csv", progress.steps_size),
+          std::make_pair("/probes.csv", progress.probes_size),
+          std::make_pair("/space-time.columns", progress.space_time_size)})
       {
         std::error_code     error;
         const std::uint64_t found =
@@ -235,7 +173,7 @@ namespace ThermoContact
             "the output\n  remedy:  the value of the checkpoint, or run "
             "without --resume");
       }
-    if (const unsigned int n = checkpoint.simulation.size(); n != n_ranks)
+    if (const unsigned int n = checkpoint.n_ranks; n != n_ranks)
       throw InputError(
         "--resume: number of ranks = " + std::to_string(n_ranks) +
         ": the checkpoint has " + std::to_string(n) +

@@ -3,9 +3,7 @@
 #include <thermocontact/base/version.h>
 #include <thermocontact/output/checkpoint.h>
 #include <thermocontact/output/checkpointer.h>
-#include <thermocontact/output/output_directory.h>
 
-#include <limits>
 #include <sstream>
 
 namespace ThermoContact
@@ -85,23 +83,14 @@ namespace ThermoContact
   Checkpointer<dim>::write(const Simulation<dim> &simulation)
   {
     Checkpoint checkpoint;
-    checkpoint.time        = simulation.record().time;
-    checkpoint.step        = simulation.record().step;
-    checkpoint.version     = version();
-    checkpoint.parameters  = parameters;
-    checkpoint.output      = output.sync();
-    const std::string part = simulation.save();
-    std::string       fault;
-    // MPI counts bytes with an int
-    if (Utilities::MPI::sum(static_cast<double>(part.size()), communicator) >
-        std::numeric_limits<int>::max())
-      throw ComputationError("the checkpoint of this scene would be larger "
-                             "than 2 GB\n  remedy:  Output/Checkpoint "
-                             "interval = 0");
-    checkpoint.simulation = Utilities::MPI::gather(communicator, part);
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      fault = write_checkpoint(directory, checkpoint);
-    throw_everywhere<ComputationError>(fault, communicator);
+    checkpoint.time       = simulation.record().time;
+    checkpoint.step       = simulation.record().step;
+    checkpoint.version    = version();
+    checkpoint.n_ranks    = Utilities::MPI::n_mpi_processes(communicator);
+    checkpoint.parameters = parameters;
+    checkpoint.output     = output.sync();
+    checkpoint.simulation = simulation.save();
+    write_checkpoint(directory, checkpoint, communicator);
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/multiples.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/output/csv_rows.h>
 #include <thermocontact/output/output.h>
@@ -8,7 +9,6 @@
 
 #include <deal.II/base/revision.h>
 
-#include <cmath>
 #include <filesystem>
 
 namespace ThermoContact
@@ -28,17 +28,6 @@ namespace ThermoContact
              DEAL_II_PACKAGE_VERSION + '\n';
     }
 
-
-
-    /** Whole intervals up to @p time. */
-    double
-    count_intervals(const double interval, const double time)
-    {
-      // Times are multiples of the step up to rounding, so that a multiple of
-      // the interval may be missed by a hair.
-      const double slack = 1e-9 + 4e-16 * time / interval;
-      return std::floor(time / interval + slack);
-    }
   } // namespace
 
 
@@ -46,7 +35,7 @@ namespace ThermoContact
   template <int dim>
   Output<dim>::Output(const std::string     &directory,
                       const Simulation<dim> &simulation,
-                      const OutputMemory    *memory)
+                      const OutputProgress  *progress)
     : directory(directory)
     , parameters(simulation.parameters().output)
     , end_time(simulation.parameters().time.end_time)
@@ -62,8 +51,8 @@ namespace ThermoContact
     , next_space_time(0.)
   {
     field_timer.reset();
-    const std::string &title = simulation.parameters().title;
-    const OutputMemory sizes = memory ? *memory : OutputMemory();
+    const std::string   &title = simulation.parameters().title;
+    const OutputProgress sizes = progress ? *progress : OutputProgress();
     open<StepRecord>(contact_file, "contact.csv", title, sizes.contact_size);
     open<ContactEvent>(events_file, "events.csv", title, sizes.events_size);
     if (has_attempts)
@@ -75,8 +64,8 @@ namespace ThermoContact
       }
     open_optional(sizes, simulation);
     flush();
-    if (memory)
-      restore(*memory, simulation);
+    if (progress)
+      restore(*progress, simulation);
   }
 
 
@@ -101,7 +90,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Output<dim>::open_optional(const OutputMemory    &sizes,
+  Output<dim>::open_optional(const OutputProgress  &sizes,
                              const Simulation<dim> &simulation)
   {
     const Body<dim> &body = simulation.body();
@@ -139,7 +128,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Output<dim>::restore(const OutputMemory    &memory,
+  Output<dim>::restore(const OutputProgress  &progress,
                        const Simulation<dim> &simulation)
   {
     n_written_events = simulation.events().size();
@@ -156,8 +145,8 @@ namespace ThermoContact
           std::make_pair(parameters.contact_interval, &next_contact),
           std::make_pair(parameters.space_time_interval, &next_space_time)})
       if (interval > 0.)
-        *next = count_intervals(interval, time) + 1.;
-    field_output.restore(memory.snapshot_times);
+        *next = whole_intervals(interval, time) + 1.;
+    field_output.restore(progress.snapshot_times);
   }
 
 
@@ -168,7 +157,7 @@ namespace ThermoContact
                       const double time,
                       double      &next) const
   {
-    const double count = count_intervals(interval, time);
+    const double count = whole_intervals(interval, time);
     if (count < next && time < end_time)
       return false;
     next = count + 1.;
@@ -282,11 +271,11 @@ namespace ThermoContact
 
 
   template <int dim>
-  OutputMemory
+  OutputProgress
   Output<dim>::sync()
   {
-    OutputMemory memory;
-    std::string  fault;
+    OutputProgress progress;
+    std::string    fault;
     if (is_writer)
       {
         for (TableFile *file : tables())
@@ -294,18 +283,18 @@ namespace ThermoContact
             fault = message;
         if (fault.empty())
           fault = field_output.sync();
-        memory.contact_size = contact_file.size();
-        memory.events_size  = events_file.size();
-        memory.steps_size   = steps_file.size();
+        progress.contact_size = contact_file.size();
+        progress.events_size  = events_file.size();
+        progress.steps_size   = steps_file.size();
         if (probe_output)
-          memory.probes_size = probe_output->file().size();
-        memory.space_time_size = space_time_output ?
-                                   space_time_output->file().size() :
-                                   unused_space_time_size;
-        memory.snapshot_times  = field_output.times();
+          progress.probes_size = probe_output->file().size();
+        progress.space_time_size = space_time_output ?
+                                     space_time_output->file().size() :
+                                     unused_space_time_size;
+        progress.snapshot_times  = field_output.times();
       }
     throw_everywhere<ComputationError>(fault, communicator);
-    return memory;
+    return progress;
   }
 
 

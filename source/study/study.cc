@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/long_message.h>
 #include <thermocontact/output/output.h>
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/scene/scene_checks.h>
@@ -9,8 +10,11 @@
 
 #include <deal.II/base/timer.h>
 
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <algorithm>
-#include <map>
 #include <set>
 #include <sstream>
 
@@ -353,28 +357,19 @@ namespace ThermoContact
 
     // The reference is the longest run: first, and the last rank's, so that the
     // others begin with the rest.
-    std::map<unsigned int, StudyRun> done;
-    const unsigned int               n_runs = runs_.size();
     if (reference && this_rank == n_ranks - 1)
-      execute(done[n_runs] = *reference, 1, "");
-    for (unsigned int i = this_rank; i < n_runs; i += n_ranks)
-      execute(done[i] = runs_[i],
+      execute(*reference, 1, "");
+    for (unsigned int i = this_rank; i < runs_.size(); i += n_ranks)
+      execute(runs_[i],
               parameters_.repetitions,
               parameters_.keep_files ? directory + "/run-" + std::to_string(i) :
                                        "");
 
+    for (unsigned int i = 0; i < runs_.size(); ++i)
+      send_object_to_first(i % n_ranks, runs_[i], communicator);
+    if (reference)
+      send_object_to_first(n_ranks - 1, *reference, communicator);
     std::string fault;
-    const auto  gathered = Utilities::MPI::gather(communicator, done);
-    for (const auto &part : gathered)
-      for (const auto &[i, result] : part)
-        {
-          StudyRun      &run  = i < n_runs ? runs_[i] : *reference;
-          const StudyRun plan = run;
-          run                 = result;
-          run.overrides       = plan.overrides;
-          run.entries         = plan.entries;
-          run.set             = plan.set;
-        }
     if (this_rank == 0 && reference && !reference->failure.empty())
       fault = "Study/Reference: the run failed: " + reference->failure;
     throw_everywhere<ComputationError>(fault, communicator);

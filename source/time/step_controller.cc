@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/multiples.h>
 #include <thermocontact/time/step_controller.h>
 
 #include <algorithm>
@@ -12,16 +13,6 @@ namespace ThermoContact
   namespace
   {
     const double infinity = std::numeric_limits<double>::infinity();
-
-    // Times this close to a multiple, in parts of the interval, are on it.
-    const double slack = 1e-6;
-
-    /** The multiple of @p interval that follows @p time. */
-    double
-    next_multiple(const double interval, const double time)
-    {
-      return (std::floor(time / interval + slack) + 1.) * interval;
-    }
   } // namespace
 
 
@@ -127,12 +118,12 @@ namespace ThermoContact
     if (!has_error_control)
       {
         // between multiples the size, and with it the factorisation, is kept
-        const double number = std::floor(time / fixed_size + slack);
+        const double number = whole_intervals(fixed_size, time);
         step.end            = (number + 1.) * fixed_size;
         if (time != number * fixed_size)
           step.size = step.end - time;
       }
-    const double margin = slack * step.size;
+    const double margin = multiple_slack * step.size;
     const auto   end_at = [&](const double end, const TimeStep::Target target) {
       const double remainder = end - time;
       if (has_error_control || std::abs(end - step.end) > margin)

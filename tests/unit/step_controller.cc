@@ -12,7 +12,14 @@
 // Smallest step 0.001: a quarter of 2^-8 is below it, so that 0.001 is tried,
 // and nothing after it. First step 0.05 tol^(1/4) = 0.005 with tolerance 1e-4:
 // -31.
+// A time is on a multiple of an interval if it is less than 1e-6 intervals
+// away: 1 - 1e-7 is on 1 (of intervals of 1), 1 - 1e-5 is not, and 1 + 1e-5 has
+// begun the second; 0.3/0.1 < 3 in doubles. Steps of 0.25 (1 - 1e-7) to T = 1,
+// landing on multiples of 0.25: step n ends n/4 1e-7 early and has landed on
+// multiple n; were it not, a step of n/4 1e-7 would follow. Four steps. As
+// steps that are counted: T/dt = 4 (1 + 1e-7), 4; with dt = 0.25 (1 - 1e-5): 5.
 
+#include <thermocontact/base/multiples.h>
 #include <thermocontact/time/step_controller.h>
 
 #include <cmath>
@@ -149,6 +156,38 @@ namespace
     controller.accept(step, 0.5); // would allow 1.03 * 0.001
     deallog << ", then " << rung(controller) << std::endl;
   }
+
+
+
+  void
+  test_multiples()
+  {
+    for (const double time : {0., 1. - 1e-5, 1. - 1e-7, 1. + 1e-7, 1. + 1e-5})
+      deallog << "whole " << whole_intervals(1., time) << ", until "
+              << intervals_until(1., time) << ", next "
+              << next_multiple(1., time) << std::endl;
+    deallog << "rounding: " << whole_intervals(0.1, 0.3) << ' '
+            << intervals_until(0.1, 0.3)
+            << "; before the first: " << intervals_until(1e9, 1.) << std::endl;
+
+    Parameters parameters              = read_parameters("");
+    parameters.time.end_time           = 1.;
+    parameters.time.step_size          = 0.25 * (1. - 1e-7);
+    parameters.output.land_on_times    = true;
+    parameters.output.fields_interval  = 0.;
+    parameters.output.contact_interval = 0.25;
+    StepController controller(parameters, 4);
+    deallog << "expected " << parameters.time.n_steps() << ", multiples";
+    for (double time = 0.; !controller.is_finished(time);)
+      {
+        const TimeStep step = controller.propose(time);
+        controller.accept(step, 0.);
+        time = step.end;
+        deallog << ' ' << whole_intervals(0.25, time);
+      }
+    parameters.time.step_size = 0.25 * (1. - 1e-5);
+    deallog << "; expected " << parameters.time.n_steps() << std::endl;
+  }
 } // namespace
 
 
@@ -159,4 +198,5 @@ main()
   initlog();
   test_ladder();
   test_targets();
+  test_multiples();
 }

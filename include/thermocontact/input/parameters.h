@@ -3,6 +3,7 @@
 #ifndef thermocontact_input_parameters_h
 #define thermocontact_input_parameters_h
 
+#include <thermocontact/base/multiples.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/scheme.h>
 
@@ -154,12 +155,8 @@ namespace ThermoContact
     unsigned int
     n_steps() const
     {
-      if (end_time <= 0.)
-        return 0;
-      // a remainder below the slack is rounding of T / dt
-      const double count = end_time / step_size.value();
-      const double slack = 1e-9 + 4e-16 * count;
-      return std::max(1u, static_cast<unsigned int>(std::ceil(count - slack)));
+      return static_cast<unsigned int>(
+        intervals_until(step_size.value(), end_time));
     }
   };
 

@@ -8,15 +8,13 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 namespace ThermoContact
 {
   /**
    * A run at the end of a step: all that it takes to go on as if it had never
    * stopped. The newest two are kept in the output directory, checkpoint.bin
-   * and checkpoint.previous.bin: a line that names the format, a line of JSON
-   * for readers, then bytes.
+   * and checkpoint.previous.bin.
    */
   struct Checkpoint
   {
@@ -29,10 +27,13 @@ namespace ThermoContact
     /** Path and value of every parameter. */
     std::map<std::string, std::string> parameters;
 
-    /** What Simulation::save() gave, for each rank. */
-    std::vector<std::string> simulation;
+    /** Ranks of the run. */
+    unsigned int n_ranks = 0;
 
-    OutputMemory output;
+    /** What Simulation::save() gave on this rank. */
+    std::string simulation;
+
+    OutputProgress output;
 
     /** What is wrong with a newer one that cannot be read; mostly empty. */
     std::string warning;
@@ -42,17 +43,21 @@ namespace ThermoContact
 
   /**
    * Makes @p checkpoint the newest of @p directory, in one piece and surviving
-   * a loss of power. On one rank.
+   * a loss of power. Collective; rank 0 writes, and holds no other rank's
+   * memory as a whole.
    *
-   * @return what is wrong, with the path, or nothing; the earlier ones are as
-   *   they were then
+   * @throw ComputationError saying what is wrong, with the path; the earlier
+   *   ones are as they were then
    */
-  std::string
-  write_checkpoint(const std::string &directory, const Checkpoint &checkpoint);
+  void
+  write_checkpoint(const std::string &directory,
+                   const Checkpoint  &checkpoint,
+                   const MPI_Comm     communicator);
 
   /**
    * Reads the newest checkpoint of @p directory that is whole. Collective, read
-   * by rank 0.
+   * by rank 0. The parts of the ranks are read only if they are as many as
+   * those of the run.
    *
    * @throw InputError if there is none, with what is wrong with each file
    */
@@ -67,13 +72,13 @@ namespace ThermoContact
   keep_as_newest(const std::string &directory, const Checkpoint &checkpoint);
 
   /**
-   * Looks whether the tables of a run are as long as @p memory says; on one
+   * Looks whether the tables of a run are as long as @p progress says; on one
    * rank.
    *
    * @return what is wrong, with path and remedy, or nothing
    */
   std::string
-  find_short_file(const std::string &directory, const OutputMemory &memory);
+  find_short_file(const std::string &directory, const OutputProgress &progress);
 
   /**
    * Compares a checkpoint with the run that is to go on from it. End time,

@@ -16,7 +16,7 @@
 namespace ThermoContact
 {
   /** How far the files of a run have been written; for checkpoints. */
-  struct OutputMemory
+  struct OutputProgress
   {
     /** Lengths in bytes of the tables; 0 for one that there is not. */
     std::uint64_t contact_size    = 0;
@@ -49,14 +49,14 @@ namespace ThermoContact
   public:
     /**
      * Opens the files in @p directory, which has been prepared; or goes on with
-     * those of an earlier run, from where they were for @p memory, and cuts off
+     * those of an earlier run, from where they were for @p progress, and cuts off
      * what they hold beyond. @p simulation is restored then.
      *
      * @throw ComputationError naming a file that cannot be opened
      */
     Output(const std::string     &directory,
            const Simulation<dim> &simulation,
-           const OutputMemory    *memory = nullptr);
+           const OutputProgress  *progress = nullptr);
 
     /**
      * Writes what is due at the present state of @p simulation.
@@ -93,7 +93,7 @@ namespace ThermoContact
      * Makes what is written survive a loss of power and tells how far that is;
      * on rank 0. Collective, same exceptions as observe().
      */
-    OutputMemory
+    OutputProgress
     sync();
 
   private:
@@ -127,7 +127,8 @@ namespace ThermoContact
 
     /** Opens what is written on request. */
     void
-    open_optional(const OutputMemory &sizes, const Simulation<dim> &simulation);
+    open_optional(const OutputProgress  &sizes,
+                  const Simulation<dim> &simulation);
 
     /**
      * Opens the table with a row for each Record.
@@ -142,7 +143,7 @@ namespace ThermoContact
          const std::uint64_t size);
 
     void
-    restore(const OutputMemory &memory, const Simulation<dim> &simulation);
+    restore(const OutputProgress &progress, const Simulation<dim> &simulation);
 
     void
     write_events(const std::vector<ContactEvent> &events);

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Bytes between ranks, and checkpoints, on two ranks.
+//
+// 1. 1000 bytes travel in ceil(1000/n) pieces of n bytes, in order, to rank 0
+//    and from it, also if it is rank 0 itself that has or gets them: 143 pieces
+//    of 7, one of 1000 and of 1001. 0 bytes are 0 pieces. Of a run of a study
+//    the result travels and the plan stays.
+// 2. Checkpoints whose parts are of 1000 bytes on rank 0 and of 80 MiB on rank
+// 1,
+//    twenty pieces and more than any parameter file: each rank reads its own.
+//    The peak of the memory of rank 0 grows by less than half of what rank 1
+//    has, since it never holds all of it (measured: 8 MiB).
+// 3. One byte of any part otherwise, a byte less or more at the end: the file
+// is
+//    damaged, and the previous checkpoint is read. With both damaged there is
+//    none. A file that cannot be written leaves the earlier ones alone.
+// 4. A checkpoint of one rank, read on two: the number of ranks is told, and no
+//    memory is read.
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/long_message.h>
+#include <thermocontact/output/checkpoint.h>
+#include <thermocontact/study/study.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <filesystem>
+
+#include "../tests.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  const std::string directory = "checkpoints";
+
+  unsigned int
+  rank()
+  {
+    return Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  }
+
+
+
+  /** True if it is true on all ranks. */
+  bool
+  everywhere(const bool condition)
+  {
+    return Utilities::MPI::min(condition ? 1 : 0, MPI_COMM_WORLD) == 1;
+  }
+
+
+
+  /** Bytes that depend on their place and on @p seed. */
+  std::string
+  pattern(const std::size_t size, const unsigned int seed)
+  {
+    std::string bytes(size, '\0');
+    for (std::size_t i = 0; i < size; ++i)
+      bytes[i] = static_cast<char>(i * 2654435761u >> 13) + seed;
+    return bytes;
+  }
+
+
+
+  void
+  test_pieces(const std::size_t size, const std::size_t piece_size)
+  {
+    for (const unsigned int other : {0u, 1u})
+      {
+        const std::string bytes   = pattern(size, other), nothing;
+        unsigned int      n_taken = 0, n_given = 0;
+        std::string       taken;
+        send_to_first(
+          other,
+          rank() == other ? bytes : nothing,
+          [&](const std::string_view piece) {
+            taken += piece;
+            ++n_taken;
+          },
+          MPI_COMM_WORLD,
+          piece_size);
+        std::size_t       begin = 0;
+        const std::string given = send_from_first(
+          other,
+          rank() == 0 ? size : 0,
+          [&](char *piece, const std::size_t n) {
+            std::copy_n(bytes.data() + begin, n, piece);
+            begin += n;
+            ++n_given;
+          },
+          MPI_COMM_WORLD,
+          piece_size);
+        const bool is_same =
+          everywhere(taken == (rank() == 0 ? bytes : "") &&
+                     given == (rank() == other ? bytes : ""));
+        deallog << size << " bytes by " << piece_size << ", rank " << other
+                << ": taken " << n_taken << ", given " << n_given
+                << " pieces, the same " << is_same << std::endl;
+      }
+  }
+
+
+
+  void
+  test_object()
+  {
+    StudyRun run;
+    run.set = 5 + rank();
+    if (rank() == 1)
+      {
+        run.failure      = "failed";
+        run.n_steps      = 7;
+        run.loop_seconds = {1., 2.};
+      }
+    send_object_to_first(1, run, MPI_COMM_WORLD);
+    deallog << "result: " << run.failure << ' ' << run.n_steps << ' '
+            << run.loop_seconds.size() << ", plan: " << run.set << std::endl;
+  }
+
+
+
+  Checkpoint
+  make_checkpoint(const unsigned int step,
+                  const std::size_t  size_of_last,
+                  const unsigned int n_ranks = 2)
+  {
+    Checkpoint checkpoint;
+    checkpoint.time                  = 0.1 * step;
+    checkpoint.step                  = step;
+    checkpoint.n_ranks               = n_ranks;
+    checkpoint.parameters            = {{"Time/End time", "1"}};
+    checkpoint.output.snapshot_times = {0., 0.5};
+    checkpoint.simulation = pattern(rank() == 0 ? 1000 : size_of_last, step);
+    return checkpoint;
+  }
+
+
+
+  bool
+  are_equal(const Checkpoint &a, const Checkpoint &b)
+  {
+    return everywhere(a.time == b.time && a.step == b.step &&
+                      a.n_ranks == b.n_ranks && a.parameters == b.parameters &&
+                      a.output.snapshot_times == b.output.snapshot_times &&
+                      a.simulation == b.simulation);
+  }
+
+
+
+  /** High-water mark of the memory, in MiB. */
+  double
+  peak_memory()
+  {
+    Utilities::System::MemoryStats stats;
+    Utilities::System::get_memory_stats(stats);
+    return stats.VmHWM / 1024.;
+  }
+
+
+
+  void
+  test_large()
+  {
+    const unsigned int megabytes  = 80;
+    const Checkpoint   checkpoint = make_checkpoint(1, megabytes << 20);
+    const double       before     = peak_memory();
+    write_checkpoint(directory, checkpoint, MPI_COMM_WORLD);
+    const Checkpoint read   = read_checkpoint(directory, MPI_COMM_WORLD);
+    const double     growth = peak_memory() - before;
+    deallog << megabytes << " MiB: the same " << are_equal(read, checkpoint)
+            << ", warned " << !read.warning.empty() << ", rank 0 grows by "
+            << "less than half of it " << (growth < 0.5 * megabytes)
+            << std::endl;
+  }
+
+
+
+  void
+  write_text(const std::string &path, const std::string &text)
+  {
+    if (rank() == 0)
+      std::ofstream(path, std::ios::binary) << text;
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+
+
+
+  void
+  test_damage()
+  {
+    const Checkpoint first = make_checkpoint(2, 500);
+    const Checkpoint last  = make_checkpoint(3, 500);
+    write_checkpoint(directory, first, MPI_COMM_WORLD);
+    write_checkpoint(directory, last, MPI_COMM_WORLD);
+    const std::string  path = directory + "/checkpoint.bin";
+    std::ostringstream contents;
+    contents << std::ifstream(path, std::ios::binary).rdbuf();
+    const std::string text   = contents.str();
+    const auto        change = [&text](const std::size_t from_end) {
+      std::string changed = text;
+      changed[changed.size() - from_end] ^= 1;
+      return changed;
+    };
+    const auto read = [&](const std::string &name, const std::string &damaged) {
+      write_text(path, damaged);
+      const Checkpoint found = read_checkpoint(directory, MPI_COMM_WORLD);
+      deallog << name << ": previous " << are_equal(found, first) << ", newest "
+              << are_equal(found, last) << ", said "
+              << (found.warning ==
+                  path + ": it is damaged: size or checksum is wrong\n  ")
+              << std::endl;
+    };
+    read("whole", text);
+    read("part of rank 1", change(1));
+    read("part of rank 0", change(501));
+    read("first part", change(1501));
+    read("a byte less", text.substr(0, text.size() - 1));
+    read("a byte more", text + '\0');
+    write_text(directory + "/checkpoint.previous.bin", change(1));
+    try
+      {
+        write_text(path, change(1));
+        read_checkpoint(directory, MPI_COMM_WORLD);
+      }
+    catch (const InputError &error)
+      {
+        deallog << "both: "
+                << (std::string(error.what())
+                      .find("--resume: no checkpoint in " + directory) == 0)
+                << std::endl;
+      }
+
+    write_text(path, text);
+    if (rank() == 0)
+      std::filesystem::create_directory(directory + "/checkpoint.next.bin");
+    try
+      {
+        write_checkpoint(directory, first, MPI_COMM_WORLD);
+      }
+    catch (const ComputationError &error)
+      {
+        const Checkpoint found = read_checkpoint(directory, MPI_COMM_WORLD);
+        deallog << "cannot be written: the earlier one "
+                << are_equal(found, last) << std::endl;
+      }
+  }
+
+
+
+  void
+  test_other_ranks()
+  {
+    if (rank() == 0)
+      std::filesystem::remove(directory + "/checkpoint.next.bin");
+    if (rank() == 0)
+      write_checkpoint(directory, make_checkpoint(4, 0, 1), MPI_COMM_SELF);
+    MPI_Barrier(MPI_COMM_WORLD);
+    const Checkpoint found = read_checkpoint(directory, MPI_COMM_WORLD);
+    deallog << "of " << found.n_ranks << " rank: step " << found.step
+            << ", no memory " << everywhere(found.simulation.empty())
+            << std::endl;
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  if (rank() == 0)
+    {
+      initlog();
+      std::filesystem::remove_all(directory);
+      std::filesystem::create_directory(directory);
+    }
+  for (const std::size_t piece_size : {1, 7, 1000, 1001})
+    test_pieces(1000, piece_size);
+  test_pieces(0, 7);
+  test_object();
+  test_large();
+  test_damage();
+  test_other_ranks();
+}
