@@ -5,6 +5,7 @@
 
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/scene/scene_checks.h>
 
 #include <algorithm>
 #include <cmath>

@@ -313,7 +313,7 @@ namespace
     parameters.time.end_time                  = end_time;
     parameters.time.step_size                 = end_time / resolution.n_steps;
     set_data<dim>(amplitudes, parameters);
-    parameters.check();
+    check_scene(parameters);
 
     Simulation<dim> simulation(parameters, MPI_COMM_SELF);
     unsigned int    n_positive = 0, n_zero = 0;
