@@ -13,6 +13,7 @@ memory are left out, and used.prm, which names the directory.
 import csv
 import json
 import os
+import re
 import sys
 import tempfile
 from pathlib import Path
@@ -64,20 +65,20 @@ def chosen_steps(reference, n_steps):
     times = [float(row["time"]) for row in table(reference / "contact.csv")]
     chosen = {5, round(0.6 * n_steps), n_steps - 2}
     events = table(reference / "events.csv")
-    for kind in ("begin", "end"):
-        for event in [e for e in events if e["kind"] == kind][:2]:
-            step = next((n for n, time in enumerate(times)
-                         if time >= float(event["time"]) * (1 - 1e-12)), n_steps)
-            chosen |= {step}
+    for event in [*events[:2], *events[-2:]]:
+        chosen |= {next((step for step, time in enumerate(times)
+                         if time >= float(event["time"]) * (1 - 1e-12)), 0)}
+    summary = json.loads((reference / "summary.json").read_text())
+    for warning in re.findall(r"\bstep (\d+),", " ".join(summary["warnings"])):
+        chosen |= {int(warning) - 1, int(warning)}
     if (reference / "steps.csv").exists():
-        attempts = table(reference / "steps.csv")
-        step = 0
-        for attempt, following in zip(attempts, attempts[1:]):
+        step, before_rejections = 0, []
+        for attempt in table(reference / "steps.csv"):
             step += attempt["accepted"] == "1"
-            if attempt["accepted"] == "1" and following["accepted"] == "0":
-                chosen |= {step, step + 1}
-                if step > n_steps / 2:
-                    break
+            if attempt["accepted"] == "0" and step > 5:
+                before_rejections.append(step)
+        for step in before_rejections[:1] + before_rejections[-1:]:
+            chosen |= {step, step + 1}
     return sorted(step for step in chosen if 5 <= step < n_steps - 1)
 
 
@@ -114,7 +115,7 @@ def main():
             if status != 0:
                 faults.append(f"{what}: {message}")
     print("stopped several times, resumed, and resumed when it was done:"
-          if len(steps) > 3 else f"stopped after steps {steps} only:",
+          if len(steps) > 2 else f"stopped after steps {steps} only:",
           ", ".join(sorted(faults)) or "the same")
 
 
