@@ -31,7 +31,8 @@ def run(*arguments, memory=None, file_size=None):
 
 def for_all(function, arguments):
     """The results of function in the order of arguments, on all processors."""
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
+    # a process waits for half of its time, for its set-up of MPI
+    with ThreadPoolExecutor(2 * os.cpu_count()) as pool:
         return list(pool.map(function, arguments))
 
 
