@@ -5,8 +5,8 @@
 usage: check_checkpoint_file.py DIR
 
 A checkpoint is a line with its format, a line of JSON with size and CRC-32 of
-what follows, and an archive of Boost, in which a text is its length, 8 bytes,
-and its letters.
+each part that follows, and the parts: archives of Boost, in which a text is its
+length, 8 bytes, and its letters.
 """
 import json
 import re
@@ -25,13 +25,18 @@ def text(word):
 
 
 def replace(path, old, new):
-    """In the archive, once; with the checksum of the result."""
-    form, header, archive = path.read_bytes().split(b"\n", 2)
-    assert archive.count(old) == 1, (old, archive.count(old))
-    archive = archive.replace(old, new)
-    header = dict(json.loads(header), size=len(archive),
-                  checksum=zlib.crc32(archive))
-    path.write_bytes(b"\n".join([form, json.dumps(header).encode(), archive]))
+    """In one of the parts, once; with the checksum of the result."""
+    form, header, rest = path.read_bytes().split(b"\n", 2)
+    header = json.loads(header)
+    assert rest.count(old) == 1, (old, rest.count(old))
+    parts = []
+    for part in header["parts"]:
+        data, rest = rest[:part["size"]], rest[part["size"]:]
+        data = data.replace(old, new)
+        part.update(size=len(data), checksum=zlib.crc32(data))
+        parts.append(data)
+    path.write_bytes(b"\n".join([form, json.dumps(header).encode(),
+                                 b"".join(parts)]))
 
 
 def damage(path):
@@ -73,7 +78,7 @@ def main():
     resume(reference, "another format", lambda newest, previous:
            newest.write_bytes(newest.read_bytes()[1:]))
     resume(reference, "an entry unknown then", lambda newest, previous: replace(
-        newest, text("Mesh/Grading"), text("Mesh/Gradinf")))
+        newest, text("Mesh/Grading"), text("Mesh/" + "Gradinf")))
     resume(reference, "numbers of another mesh", lambda newest, previous: replace(
         newest, text("Mesh/Cells") + text("8"), text("Mesh/Cells") + text("9")),
         "Mesh/Cells=9")

@@ -34,40 +34,41 @@ QUIET = ("Output/Fields interval=0",)
 STEPS = "Time/Step size=0.01"
 STUDY = ("Study/Vary=Mesh/Cells = 4 | 8", "Study/Reference=Time/Tolerance = 1e-9")
 PLANE = "Dimension=2"
-MECHANICAL = """Model/Inertia Model/Viscosity Model/Coupling
-    Model/Thermoelastic_heating Model/Poisson_ratio Boundary/Lateral_support
-    Contact/Gap Contact/Massless_nodes Initial_values/Displacement
-    Initial_values/Velocity Sources/Body_force Sources/End_traction Time/Start
-    Time/Locate_contact_events"""
-THERMAL = """Model/Coupling Model/Thermoelastic_heating
-    Boundary/Fixed_end_temperature Boundary/Heat_exchange
-    Boundary/Obstacle_temperature Initial_values/Temperature
-    Sources/Heat_source Sources/End_heat_flux"""
+MECHANICAL = """Model/Inertia; Model/Viscosity; Model/Coupling;
+     Model/Thermoelastic heating; Model/Poisson ratio;
+     Boundary/Lateral support; Contact/Gap; Contact/Massless nodes;
+     Initial values/Displacement; Initial values/Velocity;
+     Sources/Body force; Sources/End traction; Time/Start;
+     Time/Locate contact events"""
+THERMAL = """Model/Coupling; Model/Thermoelastic heating;
+     Boundary/Fixed end temperature; Boundary/Heat exchange;
+     Boundary/Obstacle temperature; Initial values/Temperature;
+     Sources/Heat source; Sources/End heat flux"""
 
 # reason, entries, the scenes without effect, neighbours where all have one
 SCENES = [
-    ("Dimension = 1", """Model/Poisson_ratio Boundary/Lateral_support Mesh/Width
-     Mesh/Cells_across""", (), (PLANE,), ("Dimension=3", "Mesh/Cells=1")),
+    ("Dimension = 1", """Model/Poisson ratio; Boundary/Lateral support; Mesh/Width;
+     Mesh/Cells across""", (), (PLANE,), ("Dimension=3", "Mesh/Cells=1")),
     ("Contact/Condition = rigid", "Contact/Compliance",
      ("Contact/Condition=rigid",), ("Contact/Condition=normal compliance",)),
     ("Contact/Condition = none", "Contact/Compliance",
      ("Contact/Condition=none",), ("Contact/Condition=normal compliance",)),
     ("Contact/Condition = none",
-     "Contact/Gap Contact/Massless_nodes Time/Locate_contact_events",
+     "Contact/Gap; Contact/Massless nodes; Time/Locate contact events",
      ("Contact/Condition=none",), ("Contact/Condition=normal compliance",),
      ("Contact/Condition=rigid",)),
-    ("Boundary/Heat exchange = 0", "Boundary/Obstacle_temperature",
+    ("Boundary/Heat exchange = 0", "Boundary/Obstacle temperature",
      ("Boundary/Heat exchange=0",), ("Boundary/Heat exchange=1e-9",)),
-    ("Time/Step size = a number", """Time/Tolerance Time/First_step_size
-     Time/Minimum_step_size Time/Maximum_step_size""", (STEPS,),
+    ("Time/Step size = a number", """Time/Tolerance; Time/First step size; Time/Minimum step size;
+     Time/Maximum step size""", (STEPS,),
      ("Time/Step size=automatic",)),
     ("Output/Contact interval = 0 and no other interval is set",
-     "Output/Land_on_output_times", QUIET, QUIET + ("Output/Contact interval=1",),
+     "Output/Land on output times", QUIET, QUIET + ("Output/Contact interval=1",),
      ("Output/Fields interval=1",), QUIET + ("Output/Space-time interval=1",)),
-    ("Study/Vary = (empty)", """Study/Reference Study/Repetitions
-     Study/Target_error Study/Keep_files""", (), STUDY),
+    ("Study/Vary = (empty)", """Study/Reference; Study/Repetitions; Study/Target error;
+     Study/Keep files""", (), STUDY),
     ("Solver/Step solver = monolithic",
-     "Solver/Fixed_point_tolerance Solver/Fixed_point_iterations", (),
+     "Solver/Fixed point tolerance; Solver/Fixed point iterations", (),
      ("Solver/Step solver=fixed point", "Time/Scheme=backward euler", STEPS)),
     ("Model/Fields = temperature", MECHANICAL,
      ("Model/Fields=temperature", PLANE), (PLANE,)),
@@ -75,25 +76,25 @@ SCENES = [
      ("Model/Fields=temperature",), ()),
     ("Model/Fields = temperature", "Contact/Condition",
      ("Model/Fields=temperature",), ()),
-    ("Model/Fields = temperature", "Study/Target_error",
+    ("Model/Fields = temperature", "Study/Target error",
      ("Model/Fields=temperature",), STUDY),
     ("Model/Fields = displacement", THERMAL, ("Model/Fields=displacement",), ()),
-    ("Model/Coupling = 0", "Model/Thermoelastic_heating", ("Model/Coupling=0",),
+    ("Model/Coupling = 0", "Model/Thermoelastic heating", ("Model/Coupling=0",),
      ("Model/Coupling=-1e-9",)),
-    ("Model/Inertia = 0", "Mesh/Mass_matrix",
+    ("Model/Inertia = 0", "Mesh/Mass matrix",
      ("Model/Fields=displacement", "Model/Inertia=0"),
      ("Model/Fields=displacement",), ("Model/Inertia=0",),
      ("Model/Fields=temperature",)),
-    ("Model/Inertia = 0", "Initial_values/Velocity Contact/Massless_nodes",
+    ("Model/Inertia = 0", "Initial values/Velocity; Contact/Massless nodes",
      ("Model/Inertia=0",), ("Model/Inertia=1e-6",)),
-    ("Model/Inertia = 0 and Viscosity = 0", "Initial_values/Displacement",
+    ("Model/Inertia = 0 and Viscosity = 0", "Initial values/Displacement",
      ("Model/Inertia=0", "Model/Viscosity=0"), ("Model/Inertia=0",),
      ("Model/Viscosity=0",)),
 ]
 
 
 def entries(text):
-    return [word.replace("_", " ") for word in text.split()]
+    return [" ".join(entry.split()) for entry in text.split(";")]
 
 
 def setting(path):
@@ -108,14 +109,15 @@ def as_stated(path, reason, answer):
 
 
 def uncovered():
-    """Lists of entries in the sources, add({...}, reason), more often there
-    than above."""
+    """Lists of entries in the sources, add_if(condition, {...}, reason), more
+    often there than above."""
     in_sources = [path for file in source_files()
                   for text in [without_comments(file)]
-                  for call in re.finditer(r"\badd\(\s*\{", text)
-                  for path in re.findall(
-                      r'"([^"]*)"', text[call.end() - 1:
-                                         closing(text, call.end() - 1)])]
+                  for call in re.finditer(r"\badd_if\(", text)
+                  for entry_list in re.findall(
+                      r"\{([^}]*)\}", text[call.end() - 1:
+                                           closing(text, call.end() - 1)])
+                  for path in re.findall(r'"([^"]*)"', entry_list)]
     here = [path for _, words, *_ in SCENES for path in entries(words)]
     return sorted({path for path in in_sources
                    if in_sources.count(path) > here.count(path)}), in_sources
