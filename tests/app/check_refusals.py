@@ -191,7 +191,7 @@ def main():
 
     # other tests hold the messages about commands, files and rods in SI units
     messages = [message for status, message in answers.values() if status == 2]
-    messages += [part for path in sorted(Path(__file__).parent.glob("*.output"))
+    messages += [part for path in sorted(Path(__file__).parents[1].glob("*/*.output"))
                  for part in path.read_text().split("\n$ ")]
     print("refusals in the sources that no test meets:",
           "; ".join(unmet_refusals(messages)) or "none")
