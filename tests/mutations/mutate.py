@@ -23,6 +23,9 @@ import faults as lists
 import suite
 
 LEFT_OUT = {".git", "build", "results", "__pycache__"}
+# All sources read this first; a header of its own before it would undo it.
+FIRST_HEADER = Path("source/precompiled.h")
+SWITCH = b'#include "../tests/mutations/fault_switch.h"\n'
 N_JOBS = 2
 
 
@@ -62,6 +65,8 @@ def copy_project(top, copy, faults):
                     lists.apply([fault], content.decode())
             elif mutated:
                 content = lists.apply(mutated, content.decode()).encode()
+            if place == FIRST_HEADER:
+                content += SWITCH
             digest.update(str(place).encode() + content)
             target = copy / place
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -86,13 +91,11 @@ def run_quietly(log, *words):
 
 
 def build(copy, tree):
-    """Release, unit tests too, with the switch in every source."""
+    """Release, unit tests too."""
     say(f"building {tree}")
     tree.mkdir(exist_ok=True)
     run_quietly(tree / "cmake.log", "cmake", "-S", copy, "-B", tree,
-                "-DCMAKE_BUILD_TYPE=Release", "-DTHERMOCONTACT_UNIT_TESTS=ON",
-                "-DTHERMOCONTACT_UNITY_BUILD=OFF",
-                f"-DCMAKE_CXX_FLAGS=-include {copy}/tests/mutations/fault_switch.h")
+                "-DCMAKE_BUILD_TYPE=Release", "-DTHERMOCONTACT_UNIT_TESTS=ON")
     tests = suite.tests_of(tree)
     run_quietly(tree / "build.log", "make", "-C", tree, f"-j{N_JOBS}",
                 "thermocontact", "thermocontact_test_driver",
