@@ -79,13 +79,9 @@ namespace ThermoContact
                parameters.contact.massless_nodes,
                "on or automatic, since Time/Scheme = " + time.scheme,
                "Contact/Massless nodes = automatic");
-      if (scene.scheme.needs_linear_contact && !scene.contact.law->is_linear())
-        refuse("Time/Scheme",
-               time.scheme,
-               "a scheme of another name, since Contact/Condition = " +
-                 parameters.contact.condition,
-               "Time/Scheme = " + default_scheme().name +
-                 ": the scheme knows the potential of linear laws only");
+      check_scheme_fits_law(scene.scheme,
+                            contact_law(parameters.contact.condition),
+                            *scene.contact.law);
       if (!scene.scheme.can_hold_contact && time.locates_contact_events())
         refuse("Time/Locate contact events",
                time.locate_contact_events,
@@ -220,6 +216,21 @@ namespace ThermoContact
                "a finer mesh: their mass moves to nodes that are not held");
     }
   } // namespace
+
+
+
+  void
+  check_scheme_fits_law(const Scheme         &scheme,
+                        const ContactLawKind &kind,
+                        const ContactLaw     &law)
+  {
+    if (scheme.needs_linear_contact && !law.is_linear())
+      refuse("Time/Scheme",
+             scheme.name,
+             "a scheme of another name, since Contact/Condition = " + kind.name,
+             "Time/Scheme = " + default_scheme().name +
+               ": the scheme knows the potential of linear laws only");
+  }
 
 
 

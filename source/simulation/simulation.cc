@@ -49,7 +49,8 @@ namespace ThermoContact
     error_norm.add(record.energy_terms);
     energy_watch.start(record.energy_terms);
     tracker.start(state_, history_.events);
-    history_.add_maxima();
+    history_.max_penetration   = record.penetration;
+    history_.max_contact_force = record.contact_force;
   }
 
 

@@ -5,6 +5,8 @@ The coefficients come from formulas that name no scale:
   a^2 = E alpha^2 theta_ref/(rho c), b = (kappa/(rho c L))^2 rho/E,
   zeta = eta kappa/(rho c L^2 E), k = h L/kappa, epsilon = (E A/L)/stiffness,
   g = gap/L, a theta_A = alpha (theta_A - theta_ref), T = t kappa/(rho c L^2).
+If the sides cannot move, E stands for lambda + 2 mu, and alpha for
+(3 lambda + 2 mu) alpha/(lambda + 2 mu), with Lame's constants.
 At rest the rod is a bar with the temperature theta_A - c (theta_A - theta_obs) x/L,
 c = k/(k + 1), in series with a spring: with the free expansion
 G = alpha L ((theta_A - theta_ref) - c (theta_A - theta_obs)/2),
@@ -26,6 +28,8 @@ RODS = {
         alpha=2.6e-6, kappa=30.0, c=705.0, ref=300.0, fixed=600.0, obstacle=300.0,
         gap=0.1e-6, stiffness=1e4, h=1e5, t=0.01),
 }
+RODS["Steel rod, confined"] = {**RODS["Steel rod, 1 m"], "file": "confined.prm",
+                               "nu": 0.3}
 
 results = sys.argv[1]
 rows = [line for line in open(f"{results}/contact.csv") if not line.startswith("#")]
@@ -36,6 +40,11 @@ rod = RODS[title]
 scene = open(rod["file"]).read()
 L, A, rho, E, c = (rod[name] for name in ("L", "A", "rho", "E", "c"))
 alpha, kappa, h = rod["alpha"], rod["kappa"], rod["h"]
+if "nu" in rod:
+    lamda = E * rod["nu"] / ((1 + rod["nu"]) * (1 - 2 * rod["nu"]))
+    mu = E / (2 * (1 + rod["nu"]))
+    alpha *= (3 * lamda + 2 * mu) / (lamda + 2 * mu)
+    E = lamda + 2 * mu
 faults = []
 
 

@@ -8,6 +8,8 @@
 //   T = 0:               no step
 //   T = 71711.8845, dt = 3e-4: 239039615 steps of dt, although the quotient
 //                        rounds to more
+// A law that is not linear: only the scheme that conserves its energy refuses
+// it.
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/time/step_controller.h>
@@ -123,6 +125,79 @@ namespace
       }
     deallog << "; ends at T exactly " << (time == end_time) << std::endl;
   }
+
+
+
+  /** s(p) = p^3: a law that is not linear. */
+  class CubicLaw : public ContactLaw
+  {
+  public:
+    double
+    pressure(const double penetration) const override
+    {
+      return std::cbrt(std::max(penetration, 0.));
+    }
+
+    double
+    penetration(const double pressure) const override
+    {
+      return pressure * pressure * pressure;
+    }
+
+    double
+    tangent(const double pressure) const override
+    {
+      return 3. * pressure * pressure;
+    }
+
+    bool
+    is_linear() const override
+    {
+      return false;
+    }
+
+    double
+    energy(const double pressure) const override
+    {
+      return 0.75 * pressure * penetration(pressure);
+    }
+
+    double
+    penetration_of_energy(const double energy) const override
+    {
+      return std::pow(energy / 0.75, 0.75);
+    }
+
+    double
+    local_pressure(const double, const double) const override
+    {
+      return 0.;
+    }
+
+    double
+    local_closed_pressure(const double, const double) const override
+    {
+      return 0.;
+    }
+  };
+
+
+
+  void
+  test_scheme_and_law()
+  {
+    const ContactLawKind cubic{"cubic", "for this test", {}, nullptr};
+    for (const Scheme &scheme : schemes())
+      try
+        {
+          check_scheme_fits_law(scheme, cubic, CubicLaw());
+          deallog << scheme.name << ": treats any law" << std::endl;
+        }
+      catch (const InputError &error)
+        {
+          deallog << error.what() << std::endl;
+        }
+  }
 } // namespace
 
 
@@ -142,4 +217,5 @@ main()
   time.end_time  = 71711.8845;
   time.step_size = 3e-4;
   deallog << "steps " << time.n_steps() << std::endl;
+  test_scheme_and_law();
 }

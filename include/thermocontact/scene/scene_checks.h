@@ -4,6 +4,8 @@
 #define thermocontact_scene_scene_checks_h
 
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/method/contact_law.h>
+#include <thermocontact/method/scheme.h>
 
 #include <string>
 #include <vector>
@@ -43,7 +45,17 @@ namespace ThermoContact
   check_scene(const Parameters &parameters);
 
   /**
-   * The same for a parameter file.
+   * The part of it that asks whether a scheme can treat a contact law.
+   *
+   * @param law of that kind
+   */
+  void
+  check_scheme_fits_law(const Scheme         &scheme,
+                        const ContactLawKind &kind,
+                        const ContactLaw     &law);
+
+  /**
+   * check_scene() for a parameter file.
    *
    * @param name what messages call it
    */

@@ -1,0 +1,200 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Scenes that no run can have, each beside the nearest one that can be."""
+import re
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+from refused_scenes import check_all, unmet_refusals  # noqa: E402
+
+PLANE = ("Dimension=2", "Mesh/Width=1")
+FIXED = ("Time/Step size=0.01",)
+EULER = FIXED + ("Time/Scheme=backward euler",)
+CONSERVING = FIXED + ("Time/Scheme=energy conserving",)
+QUASI_STATIC = ("Model/Inertia=0",)
+ITERATION = EULER + ("Solver/Step solver=fixed point",)
+MASSLESS = ("Contact/Massless nodes=on",)
+STUDY = ("Study/Vary=Mesh/Cells = 4 | 8",)
+RIGID = ("Contact/Condition=rigid",)
+
+# entry at fault, what the scenes share, what is refused, its accepted neighbours
+SCENES = [
+    ("Model/Poisson ratio", PLANE, "Model/Poisson ratio=-1",
+     "Model/Poisson ratio=-0.999"),
+    ("Model/Poisson ratio", PLANE, "Model/Poisson ratio=0.5",
+     "Model/Poisson ratio=0.4999"),
+    ("Contact/Compliance", (), "Contact/Compliance=0",
+     "Contact/Compliance=1e-13"),
+    # (1 + dimension) x nodes of two fields, at most 1e9. The nearest ones that
+    # are allowed would not fit into the memory of a test.
+    ("Mesh/Cells", ("Mesh/Degree=25", "Mesh/Refinements=1"),
+     "Mesh/Cells=10000000", "Mesh/Cells=10"),  # 2 (5e8 + 1)
+    ("Mesh/Cells", PLANE + ("Mesh/Degree=1", "Mesh/Cells across=333"),
+     "Mesh/Cells=1000000", "Mesh/Cells=10"),  # 3 x 1000001 x 334
+    ("Mesh/Cells", ("Dimension=3", "Mesh/Degree=1", "Mesh/Cells=62"),
+     "Mesh/Cells across=2000", "Mesh/Cells across=2"),  # 4 x 63 x 2001^2
+    # a mass that moves to other nodes needs one
+    ("Mesh/Cells", MASSLESS + ("Mesh/Degree=1",), "Mesh/Cells=1",
+     "Mesh/Cells=2"),
+    ("Mesh/Cells", MASSLESS + ("Mesh/Cells=1",), "Mesh/Degree=1",
+     "Mesh/Degree=2", ("Mesh/Degree=1", "Mesh/Refinements=1"),
+     ("Mesh/Degree=1", "Contact/Massless nodes=off"),
+     ("Mesh/Degree=1", "Contact/Massless nodes=automatic")),
+    ("Mesh/Cells", CONSERVING + ("Mesh/Degree=1",), "Mesh/Cells=1",
+     "Mesh/Cells=2", ("Mesh/Cells=1", "Contact/Condition=none"),
+     ("Mesh/Cells=1", "Time/Scheme=sdirk2")),
+
+    # steps
+    ("Time/Step size", ("Time/Scheme=backward euler",), "Time/Step size=automatic",
+     "Time/Step size=0.01", "Time/Scheme=sdirk4"),
+    ("Time/Step size", ("Time/Scheme=energy conserving",),
+     "Time/Step size=automatic", "Time/Step size=0.01", "Time/Scheme=sdirk4"),
+    *[("Time/Step size", (f"Time/Scheme={scheme}",), "Time/Step size=automatic",
+       "Time/Step size=0.01") for scheme in ("sdirk2", "sdirk3")],
+    ("Time/Step size", (), "Time/Step size=0", "Time/Step size=1e-6"),
+    ("Time/Step size", ("Time/End time=0",), "Time/Step size=0",
+     "Time/Step size=1e-6"),
+    ("Time/Step size", (), "Time/Step size=-0.01", "Time/Step size=0.01"),
+    ("Time/Step size", ("Time/Step size=1",), "Time/End time=1000000001",
+     "Time/End time=1000000000"),
+    ("Time/First step size", (), "Time/First step size=0",
+     "Time/First step size=1e-9"),
+    ("Time/First step size", (), "Time/First step size=-1e-3",
+     "Time/First step size=1e-3"),
+    ("Time/First step size", ("Time/Minimum step size=1e-4",),
+     "Time/First step size=0.99999e-4", "Time/First step size=1e-4",
+     "Time/First step size=automatic"),
+    ("Time/Maximum step size", (), "Time/Maximum step size=0",
+     "Time/Maximum step size=1e-9"),
+    ("Time/Maximum step size", ("Time/Minimum step size=1e-4",),
+     "Time/Maximum step size=0.99999e-4", "Time/Maximum step size=1e-4"),
+
+    # scheme and start
+    ("Time/Start", FIXED + ("Time/Start=paper",), "Time/Scheme=sdirk4",
+     "Time/Scheme=backward euler"),
+    ("Time/Start", EULER + QUASI_STATIC, "Time/Start=paper",
+     "Time/Start=automatic", ("Time/Start=paper", "Model/Inertia=1e-3")),
+    ("Time/Start", EULER + ("Time/Start=paper",), "Contact/Massless nodes=on",
+     "Contact/Massless nodes=off", "Contact/Massless nodes=automatic"),
+    ("Time/Scheme", CONSERVING + QUASI_STATIC, "Model/Inertia=0",
+     "Model/Inertia=1e-6", "Time/Scheme=sdirk4"),
+    ("Contact/Massless nodes", CONSERVING, "Contact/Massless nodes=off",
+     "Contact/Massless nodes=on", "Contact/Massless nodes=automatic",
+     ("Contact/Massless nodes=off", "Time/Scheme=sdirk4")),
+    ("Time/Locate contact events", CONSERVING, "Time/Locate contact events=true",
+     "Time/Locate contact events=false",
+     ("Time/Locate contact events=true", "Time/Scheme=sdirk4")),
+
+    # the iteration of the paper
+    ("Solver/Step solver", FIXED + ("Solver/Step solver=fixed point",),
+     "Time/Scheme=sdirk4", "Time/Scheme=backward euler"),
+    ("Solver/Step solver", ITERATION, "Contact/Condition=rigid",
+     "Contact/Condition=normal compliance"),
+    ("Solver/Step solver", ITERATION, "Model/Inertia=0",
+     "Model/Inertia=1e-3"),
+    ("Solver/Step solver", ITERATION, "Model/Fields=displacement",
+     "Model/Fields=temperature and displacement"),
+    ("Time/Locate contact events", ITERATION, "Time/Locate contact events=true",
+     "Time/Locate contact events=false",
+     ("Time/Locate contact events=true", "Solver/Step solver=monolithic")),
+
+    # probes: in the body, edges included
+    ("Output/Probes", (), "Output/Probes=1.0000001", "Output/Probes=1"),
+    ("Output/Probes", (), "Output/Probes=-1e-9", "Output/Probes=0"),
+    ("Output/Probes", (), "Output/Probes=0.5, 0", "Output/Probes=0.5; 0"),
+    ("Output/Probes", PLANE, "Output/Probes=0.5", "Output/Probes=0.5, 0"),
+    ("Output/Probes", PLANE, "Output/Probes=0.5, 1.0000001",
+     "Output/Probes=0.5, 1"),
+    ("Output/Probes", (), "Output/Probes=0.5 m", "Output/Probes=0.5"),
+    ("Output/Probes", (), "Output/Probes=0.5;", "Output/Probes=0.5"),
+
+    # expressions
+    ("Sources/Heat source", (), "Sources/Heat source=", "Sources/Heat source=0"),
+    ("Sources/Heat source", (), "Sources/Heat source=0,5",
+     "Sources/Heat source=0.5", "Sources/Heat source=max(0,5)"),
+    ("Sources/Heat source", (), "Sources/Heat source=if(x=0.5, 1, 0)",
+     "Sources/Heat source=if(x==0.5, 1, 0)", "Sources/Heat source=if(x<=0.5, 1, 0)"),
+    ("Sources/Heat source", (), "Sources/Heat source=rand()",
+     "Sources/Heat source=rand_seed(3)"),
+    ("Sources/Heat source", (), "Sources/Heat source=1/x",
+     "Sources/Heat source=1/(x+1e-9)"),
+    ("Sources/Heat source", (), "Sources/Heat source=1/t",
+     "Sources/Heat source=1/(t+1e-9)"),
+    ("Sources/Heat source", (), "Sources/Heat source=x*y", "Sources/Heat source=x*t"),
+    ("Initial values/Velocity", (), "Initial values/Velocity=x*t",
+     "Initial values/Velocity=x*pi"),
+    ("Initial values/Velocity", (), "Initial values/Velocity=1/x",
+     "Initial values/Velocity=x/(1+x)"),
+    ("Initial values/Velocity", (), "Initial values/Velocity=x; x",
+     "Initial values/Velocity=x"),
+    ("Initial values/Velocity", PLANE, "Initial values/Velocity=x; 0; 0",
+     "Initial values/Velocity=x", "Initial values/Velocity=x; 0"),
+
+    # studies
+    ("Study/Vary", (), "Study/Vary=Time/Tolerance 1e-4",
+     "Study/Vary=Time/Tolerance = 1e-4"),
+    ("Study/Vary", (), "Study/Vary=Mesh/Cells = 4; Mesh/Cells = 8",
+     "Study/Vary=Mesh/Cells = 4 | 8"),
+    ("Study/Target error", STUDY + ("Study/Target error=1e-3",),
+     "Study/Reference=none", "Study/Reference=Time/Tolerance = 1e-9"),
+    ("Study/Reference", STUDY, "Study/Reference=Mesh/Cells = 8 | 16",
+     "Study/Reference=Mesh/Cells = 8"),
+    ("Study/Reference", STUDY, "Study/Reference=Mesh/Width = 2",
+     ("Study/Reference=Mesh/Width = 2", "Dimension=2")),
+    ("Study/Reference", STUDY, "Study/Reference=Time/End time = 9.99",
+     "Study/Reference=Time/End time = 10"),
+
+    # initial values: fixed at x = 0, not in a rigid obstacle
+    ("Initial values/Velocity", (), "Initial values/Velocity=1e-3+x",
+     "Initial values/Velocity=x"),
+    ("Initial values/Displacement", (), "Initial values/Displacement=1e-3-x",
+     "Initial values/Displacement=-x"),
+    ("Contact/Gap", RIGID, "Initial values/Displacement=0.1001*x",
+     "Initial values/Displacement=0.0999*x", "Initial values/Displacement=0.1*x",
+     ("Initial values/Displacement=0.1001*x",
+      "Contact/Condition=normal compliance")),
+    ("Contact/Gap", EULER + RIGID, "Initial values/Velocity=10.01*x",
+     "Initial values/Velocity=9.99*x",
+     ("Initial values/Velocity=10.01*x", "Time/Start=consistent")),
+    ("Initial values", FIXED, "Initial values/Velocity=1e200*x",
+     "Initial values/Velocity=1e100*x"),
+]
+
+
+def overrides(settings):
+    return (settings,) if isinstance(settings, str) else settings
+
+
+def begins_with(message, entry):
+    """The entry as in "Mesh/Cells = 8" or "Contact/Gap: ...", not as in
+    "Mesh/Cells across = 8", perhaps behind the file that it stands in."""
+    return re.match(rf"(\S+\.prm:\d+: )?{re.escape(entry)}( = |:)", message)
+
+
+def main():
+    asked = []
+    for entry, shared, refused, *accepted in SCENES:
+        asked.append((entry, shared + overrides(refused), 2))
+        asked += [(entry, shared + overrides(neighbour), 0)
+                  for neighbour in accepted]
+    answers = check_all([scene for _, scene, _ in asked])
+    faults = []
+    for entry, scene, expected in asked:
+        status, message = answers[scene]
+        if status != expected or (expected == 2 and
+                                  not begins_with(message, entry)):
+            faults.append(f"{' '.join(scene)}: status {status} {message[:90]!r},"
+                          f" expected {expected} for {entry}")
+    print("refused with the entry named and accepted beside it:",
+          "; ".join(faults) or "all")
+
+    # other tests hold the messages about commands, files and rods in SI units
+    messages = [message for status, message in answers.values() if status == 2]
+    messages += [part for path in sorted(Path(__file__).parents[1].glob("*/*.output"))
+                 for part in path.read_text().split("\n$ ")]
+    print("refusals in the sources that no test meets:",
+          "; ".join(unmet_refusals(messages)) or "none")
+
+
+main()

@@ -1,0 +1,242 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""All that --units prints, line by line, computed from the SI values.
+
+A rod whose sides cannot move has lambda + 2 mu instead of E, and expands by
+(3 lambda + 2 mu) alpha/(lambda + 2 mu) instead of alpha, with Lame's constants
+lambda and mu. With that stiffness M and expansion beta, the diffusivity
+D = kappa/(rho c), and Theta the temperature above the reference at which
+M (beta Theta)^2 = beta^2 M^2 theta_ref/(rho c):
+  unit of time L^2/D, b = (D/L)^2 rho/M, zeta = eta D/(L^2 M), a = beta Theta,
+  k = h L/kappa, epsilon = (M A/L)/stiffness.
+Terms below 1e-6 are dropped unless they are to be kept. At last each number is
+falsified once: the comparison must notice.
+"""
+import math
+import re
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+from program import run  # noqa: E402
+
+# All values differ, so that none can stand for another. Copper-like.
+ROD = dict(L=0.3, A=2e-5, rho=8900.0, E=1.2e11, nu=0.34, sides="free", eta=7e3,
+           alpha=17e-6, kappa=390.0, c=385.0, ref=290.0, initial=310.0,
+           fixed=350.0, obstacle=270.0, gap=1e-4, stiffness=3e7, h=900.0,
+           t=500.0, small="dropped")
+
+
+def scaled(**other):
+    """A rod with inertia b and viscosity zeta as given, by L and eta."""
+    rod = {**ROD, **other}
+    diffusivity = rod["kappa"] / (rod["rho"] * rod["c"])
+    if "b" in rod:
+        rod["L"] = diffusivity * math.sqrt(rod["rho"] / (modulus(rod) * rod["b"]))
+    if "zeta" in rod:
+        rod["eta"] = rod["zeta"] * rod["L"]**2 * modulus(rod) / diffusivity
+    return rod
+
+
+def lame(rod):
+    E, nu = rod["E"], rod["nu"]
+    return E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))
+
+
+def modulus(rod):
+    lamda, mu = lame(rod)
+    return lamda + 2 * mu if rod["sides"] == "confined" else rod["E"]
+
+
+def expansion(rod):
+    lamda, mu = lame(rod)
+    return rod["alpha"] * ((3 * lamda + 2 * mu) / (lamda + 2 * mu)
+                           if rod["sides"] == "confined" else 1)
+
+
+CONFINED = dict(sides="confined")
+RODS = {
+    "free": ROD,
+    "free, kept": {**ROD, "small": "kept"},
+    "free, rigid": {**ROD, "stiffness": "infinity"},
+    "free, no heat exchange": {**ROD, "h": 0.0},
+    "confined": {**ROD, **CONFINED},
+    "confined, kept, rigid, shrinks": {
+        **ROD, **CONFINED, "small": "kept", "stiffness": "infinity",
+        "alpha": -3e-6, "gap": -2e-5},
+    # on both sides of 1e-6
+    "confined, b kept": scaled(**CONFINED, b=1.001e-6, zeta=0.999e-6),
+    "confined, zeta kept": scaled(**CONFINED, b=0.999e-6, zeta=1.001e-6),
+    "free, both kept": scaled(b=1.001e-6, zeta=1.001e-6),
+}
+
+
+def si_file(rod):
+    return f"""set Title = rod
+set Small terms = {rod["small"]}
+subsection Rod
+  set Length = {rod["L"]!r}
+  set Cross-section area = {rod["A"]!r}
+  set Density = {rod["rho"]!r}
+  set Young's modulus = {rod["E"]!r}
+  set Poisson ratio = {rod["nu"]!r}
+  set Lateral sides = {rod["sides"]}
+  set Viscosity = {rod["eta"]!r}
+  set Linear expansion = {rod["alpha"]!r}
+  set Conductivity = {rod["kappa"]!r}
+  set Heat capacity = {rod["c"]!r}
+end
+subsection Temperatures
+  set Reference = {rod["ref"]!r}
+  set Initial = {rod["initial"]!r}
+  set Fixed end = {rod["fixed"]!r}
+  set Obstacle = {rod["obstacle"]!r}
+end
+subsection Obstacle
+  set Gap = {rod["gap"]!r}
+  set Stiffness = {rod["stiffness"]}
+  set Exchange coefficient = {rod["h"]!r}
+end
+subsection Time
+  set End time = {rod["t"]!r}
+end
+"""
+
+
+def scales(rod):
+    """D, L^2/D and Theta."""
+    capacity = rod["rho"] * rod["c"]
+    diffusivity = rod["kappa"] / capacity
+    return (diffusivity, rod["L"]**2 / diffusivity,
+            math.sqrt(modulus(rod) * rod["ref"] / capacity))
+
+
+def expected_comments(rod):
+    """What is printed first: lines with {} for numbers, and the numbers."""
+    L, A, M, kappa = rod["L"], rod["A"], modulus(rod), rod["kappa"]
+    diffusivity, time, Theta = scales(rod)
+    yield "# One unit of the scene is",
+    yield "# length, displacement {} m", L
+    yield "# time {} s", time
+    yield "# temperature above the reference {} K", Theta
+    yield "# velocity {} m/s", diffusivity / L
+    yield "# stress, pressure {} Pa", M
+    yield "# force {} N", M * A
+    yield "# heat flux {} W/m^2", kappa * Theta / L
+    yield "# energy {} J", M * A * L
+    yield "#",
+    yield "# Columns of contact.csv in SI units: multiply by",
+    yield "# time, step_size {} s", time
+    yield "# displacement_*, gap, penetration {} m", L
+    yield "# velocity_end {} m/s", diffusivity / L
+    yield "# stress_end {} Pa", M
+    yield "# contact_force {} N", M * A
+    yield "# contact_impulse {} N s", M * A * time
+    yield "# temperature_*, then add {} {} K", rod["ref"], Theta
+    yield "# heat_flux_end {} W/m^2", kappa * Theta / L
+    yield "# energy, work, *dissipation {} J", M * A * L
+    yield "",
+
+
+def expected_scene(rod):
+    """What is printed then."""
+    L, M = rod["L"], modulus(rod)
+    diffusivity, time, Theta = scales(rod)
+    yield "set Title = rod",
+    yield "subsection Model",
+    kept = {}
+    for entry, symbol, value in (
+            ("Inertia", "b", (diffusivity / L)**2 * rod["rho"] / M),
+            ("Viscosity", "zeta", rod["eta"] * diffusivity / (L**2 * M))):
+        kept[symbol] = rod["small"] == "kept" or value >= 1e-6
+        if kept[symbol]:
+            yield f"set {entry} = {{}} # {symbol}", value
+        else:
+            yield (f"set {entry} = {{}} # {symbol} = {{}}, dropped; kept by Small "
+                   "terms = kept"), 0, value
+    yield "set Coupling = {} # a", expansion(rod) * Theta
+    yield "end",
+    yield "subsection Boundary",
+    yield ("set Fixed end temperature = {} # theta_A; {} K",
+           (rod["fixed"] - rod["ref"]) / Theta, rod["fixed"])
+    yield "set Heat exchange = {} # k", rod["h"] * L / rod["kappa"]
+    if rod["h"] > 0:
+        yield ("set Obstacle temperature = {} # theta_obs; {} K",
+               (rod["obstacle"] - rod["ref"]) / Theta, rod["obstacle"])
+    yield "end",
+    yield "subsection Contact",
+    if rod["stiffness"] == "infinity":
+        yield "set Condition = rigid",
+    else:
+        yield ("set Compliance = {} # epsilon; {} N/m",
+               M * rod["A"] / L / rod["stiffness"], rod["stiffness"])
+    yield "set Gap = {} # g; {} m", rod["gap"] / L, rod["gap"]
+    yield "end",
+    yield "subsection Initial values",
+    yield ("set Temperature = {} # theta_0; {} K",
+           (rod["initial"] - rod["ref"]) / Theta, rod["initial"])
+    if kept["b"] or kept["zeta"]:
+        yield "set Displacement = {}", 0
+    if kept["b"]:
+        yield "set Velocity = {}", 0
+    yield "end",
+    yield "subsection Time",
+    yield "set End time = {} # T; {} s", rod["t"] / time, rod["t"]
+    yield "end",
+    yield "subsection Output",
+    yield "set Fields interval = {}", float(f"{rod['t'] / time / 20:.6g}")
+    yield "end",
+
+
+def differences(text, expected):
+    """Lines of text that are not as expected. 12 digits are printed."""
+    lines = text.splitlines()
+    found = [f"{len(lines)} lines"] if len(lines) != len(expected) else []
+    for line, (pattern, *numbers) in zip(lines, expected):
+        match = re.fullmatch(
+            re.escape(pattern).replace(r"\{\}", r"(\S+?)"),
+            re.sub(" +", " ", line.strip()))
+        if not match or not all(
+                abs(float(value) - number) <= 1e-11 * abs(number)
+                for value, number in zip(match.groups(), numbers)):
+            found.append(f"{line.strip()}, expected {pattern.format(*numbers)}")
+    return found
+
+
+def falsified(text):
+    """The text with each of its numbers, in turn, off by a millionth."""
+    for match in re.finditer(r"(?<=[ =])-?\d[\d.]*(e[+-]?\d+)?(?=[ ,\n])", text):
+        wrong = repr(float(match[0]) * (1 + 1e-6) or 1e-6)
+        yield text[:match.start()] + wrong + text[match.end():]
+
+
+def answer(si_text):
+    Path("rod.prm").write_text(si_text, encoding="utf-8")
+    result = run("--units", "rod.prm")
+    Path("rod.prm").unlink()
+    return result
+
+
+def main():
+    faults, n_blind = [], 0
+    for name, rod in RODS.items():
+        status, text, message = answer(si_file(rod))
+        expected = [*expected_comments(rod), *expected_scene(rod)]
+        if status != 0:
+            faults.append(f"{name}: {message}")
+            continue
+        faults += [f"{name}: {fault}" for fault in differences(text, expected)]
+        noticed = [len(differences(wrong, expected)) for wrong in falsified(text)]
+        n_numbers = sum(len(numbers) for _, *numbers in expected)
+        n_blind += noticed.count(0) + abs(n_numbers - len(noticed))
+    print("lines of --units:", "; ".join(faults) or "as by hand")
+    print("numbers whose fault is not noticed:", n_blind)
+
+    for old, new in (("  set Density = 8900.0\n", ""),
+                     ("Stiffness = 30000000.0", "Stiffness = 0")):
+        status, _, message = answer(si_file(ROD).replace(old, new))
+        print(message.rstrip())
+        print("exit status", status)
+
+
+main()

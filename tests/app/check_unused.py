@@ -1,0 +1,146 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Entries without effect in a scene are refused; in its neighbour, where they
+have one, they are accepted."""
+import re
+import sys
+
+sys.dont_write_bytecode = True
+from refused_scenes import (  # noqa: E402
+    check_all, closing, source_files, without_comments)
+
+# A value of each entry that is not its default.
+VALUES = {
+    "Model/Inertia": "2", "Model/Viscosity": "0.3", "Model/Coupling": "0.1",
+    "Model/Thermoelastic heating": "false", "Model/Poisson ratio": "0.3",
+    "Boundary/Fixed end temperature": "5", "Boundary/Heat exchange": "2",
+    "Boundary/Obstacle temperature": "1", "Boundary/Lateral support": "free",
+    "Contact/Condition": "rigid", "Contact/Compliance": "0.02",
+    "Contact/Gap": "0.2", "Contact/Massless nodes": "on",
+    "Initial values/Temperature": "1", "Initial values/Displacement": "0.01*x",
+    "Initial values/Velocity": "x", "Sources/Heat source": "1",
+    "Sources/Body force": "1", "Sources/End traction": "1",
+    "Sources/End heat flux": "1", "Mesh/Mass matrix": "lumped",
+    "Mesh/Width": "2", "Mesh/Cells across": "2", "Time/Start": "consistent",
+    "Time/Tolerance": "1e-4", "Time/First step size": "1e-3",
+    "Time/Minimum step size": "1e-6", "Time/Maximum step size": "0.1",
+    "Time/Locate contact events": "true", "Solver/Fixed point tolerance": "1e-9",
+    "Solver/Fixed point iterations": "50", "Output/Land on output times": "true",
+    "Study/Reference": "Time/Tolerance = 1e-9", "Study/Repetitions": "2",
+    "Study/Target error": "1e-3", "Study/Keep files": "true",
+}
+
+QUIET = ("Output/Fields interval=0",)
+STEPS = "Time/Step size=0.01"
+STUDY = ("Study/Vary=Mesh/Cells = 4 | 8", "Study/Reference=Time/Tolerance = 1e-9")
+PLANE = "Dimension=2"
+MECHANICAL = """Model/Inertia; Model/Viscosity; Model/Coupling;
+     Model/Thermoelastic heating; Model/Poisson ratio;
+     Boundary/Lateral support; Contact/Gap; Contact/Massless nodes;
+     Initial values/Displacement; Initial values/Velocity;
+     Sources/Body force; Sources/End traction; Time/Start;
+     Time/Locate contact events"""
+THERMAL = """Model/Coupling; Model/Thermoelastic heating;
+     Boundary/Fixed end temperature; Boundary/Heat exchange;
+     Boundary/Obstacle temperature; Initial values/Temperature;
+     Sources/Heat source; Sources/End heat flux"""
+
+# reason, entries, the scenes without effect, neighbours where all have one
+SCENES = [
+    ("Dimension = 1", """Model/Poisson ratio; Boundary/Lateral support; Mesh/Width;
+     Mesh/Cells across""", (), (PLANE,), ("Dimension=3", "Mesh/Cells=1")),
+    ("Contact/Condition = rigid", "Contact/Compliance",
+     ("Contact/Condition=rigid",), ("Contact/Condition=normal compliance",)),
+    ("Contact/Condition = none", "Contact/Compliance",
+     ("Contact/Condition=none",), ("Contact/Condition=normal compliance",)),
+    ("Contact/Condition = none",
+     "Contact/Gap; Contact/Massless nodes; Time/Locate contact events",
+     ("Contact/Condition=none",), ("Contact/Condition=normal compliance",),
+     ("Contact/Condition=rigid",)),
+    ("Boundary/Heat exchange = 0", "Boundary/Obstacle temperature",
+     ("Boundary/Heat exchange=0",), ("Boundary/Heat exchange=1e-9",)),
+    ("Time/Step size = a number", """Time/Tolerance; Time/First step size; Time/Minimum step size;
+     Time/Maximum step size""", (STEPS,),
+     ("Time/Step size=automatic",)),
+    ("Output/Contact interval = 0 and no other interval is set",
+     "Output/Land on output times", QUIET, QUIET + ("Output/Contact interval=1",),
+     ("Output/Fields interval=1",), QUIET + ("Output/Space-time interval=1",)),
+    ("Study/Vary = (empty)", """Study/Reference; Study/Repetitions; Study/Target error;
+     Study/Keep files""", (), STUDY),
+    ("Solver/Step solver = monolithic",
+     "Solver/Fixed point tolerance; Solver/Fixed point iterations", (),
+     ("Solver/Step solver=fixed point", "Time/Scheme=backward euler", STEPS)),
+    ("Model/Fields = temperature", MECHANICAL,
+     ("Model/Fields=temperature", PLANE), (PLANE,)),
+    ("Model/Fields = temperature", "Contact/Compliance",
+     ("Model/Fields=temperature",), ()),
+    ("Model/Fields = temperature", "Contact/Condition",
+     ("Model/Fields=temperature",), ()),
+    ("Model/Fields = temperature", "Study/Target error",
+     ("Model/Fields=temperature",), STUDY),
+    ("Model/Fields = displacement", THERMAL, ("Model/Fields=displacement",), ()),
+    ("Model/Coupling = 0", "Model/Thermoelastic heating", ("Model/Coupling=0",),
+     ("Model/Coupling=-1e-9",)),
+    ("Model/Inertia = 0", "Mesh/Mass matrix",
+     ("Model/Fields=displacement", "Model/Inertia=0"),
+     ("Model/Fields=displacement",), ("Model/Inertia=0",),
+     ("Model/Fields=temperature",)),
+    ("Model/Inertia = 0", "Initial values/Velocity; Contact/Massless nodes",
+     ("Model/Inertia=0",), ("Model/Inertia=1e-6",)),
+    ("Model/Inertia = 0 and Viscosity = 0", "Initial values/Displacement",
+     ("Model/Inertia=0", "Model/Viscosity=0"), ("Model/Inertia=0",),
+     ("Model/Viscosity=0",)),
+]
+
+
+def entries(text):
+    return [" ".join(entry.split()) for entry in text.split(";")]
+
+
+def setting(path):
+    return f"{path}={VALUES[path]}"
+
+
+def as_stated(path, reason, answer):
+    """One of several reasons may be named."""
+    status, message = answer
+    return status == 2 and message.startswith(
+        f"{path} = {VALUES[path]} has no effect, since {reason}\n")
+
+
+def uncovered():
+    """Lists of entries in the sources, add_if(condition, {...}, reason), more
+    often there than above."""
+    in_sources = [path for file in source_files()
+                  for text in [without_comments(file)]
+                  for call in re.finditer(r"\badd_if\(", text)
+                  for entry_list in re.findall(
+                      r"\{([^}]*)\}", text[call.end() - 1:
+                                           closing(text, call.end() - 1)])
+                  for path in re.findall(r'"([^"]*)"', entry_list)]
+    here = [path for _, words, *_ in SCENES for path in entries(words)]
+    return sorted({path for path in in_sources
+                   if in_sources.count(path) > here.count(path)}), in_sources
+
+
+def main():
+    refused = [(path, reason, without + (setting(path),))
+               for reason, words, without, *_ in SCENES
+               for path in entries(words)]
+    accepted = [neighbour + tuple(setting(path) for path in entries(words))
+                for _, words, _, *neighbours in SCENES
+                for neighbour in neighbours]
+    answers = check_all([scene for *_, scene in refused] + accepted)
+    faults = [f"{' '.join(scene)}: {answers[scene]}"
+              for path, reason, scene in refused
+              if not as_stated(path, reason, answers[scene])]
+    faults += [f"{' '.join(scene)}: {answers[scene]}, to be accepted"
+               for scene in accepted if answers[scene][0] != 0]
+    print("without effect: refused, with effect: accepted:",
+          "; ".join(faults) or "all")
+    missing, in_sources = uncovered()
+    print("entries in the sources that no scene here has:",
+          "; ".join(missing) or ("none" if in_sources else "nothing found"))
+
+
+main()

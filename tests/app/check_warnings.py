@@ -1,0 +1,149 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Warnings where they are due, and none where they are not.
+
+Without loads physics lets no energy grow. Schemes may let it exceed its
+smallest value so far by a part of its largest sum of absolute terms so far
+(energy_watch.h): 1e-9 if they cannot create energy, 1e-3 with fixed steps else,
+1e-9 + 2 Time/Tolerance for each step since the smallest with automatic steps.
+An elastic rod with a rigid obstacle, or with an elastic one, has no negative
+terms: their sum is the energy. It counts from the state after a first step that
+is prescribed.
+"""
+import csv
+import json
+import re
+import shutil
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+from program import for_all, run, settings  # noqa: E402
+from refused_scenes import source_files, without_comments  # noqa: E402
+
+SCENE = Path(__file__).with_name("warnings.prm")
+SMALLER = "a smaller Time/Step size"
+TOLERANCE = "a smaller Time/Tolerance"
+MASSLESS = ", Contact/Massless nodes = on"
+CONSERVING = ", or Time/Scheme = energy conserving with fixed steps"
+AUTOMATIC = ("Time/Scheme=sdirk4", "Time/Step size=automatic",
+             "Time/Tolerance=0.01", "Time/End time=6")
+ELASTIC = ("Contact/Condition=normal compliance", "Contact/Compliance=1e-4")
+
+# overrides, energy that is allowed at once and per step, remedy if it is due
+ENERGY = [
+    ((), 1e-3, 0, SMALLER + MASSLESS + CONSERVING),  # 27 times what is allowed
+    (("Contact/Massless nodes=on",), 1e-3, 0, SMALLER + CONSERVING),
+    (("Time/Scheme=sdirk3", "Time/Step size=0.02"), 1e-3, 0,
+     SMALLER + MASSLESS + CONSERVING),  # 1.8 times
+    (("Time/Step size=0.03",), 1e-3, 0, None),  # 0.63 times
+    (("Time/Step size=0.05",), 1e-3, 0, None),
+    (("Time/Locate contact events=true",), 1e-3, 0, None),
+    (("Time/Scheme=backward euler",), 1e-9, 0, None),
+    (("Time/Scheme=energy conserving", "Contact/Massless nodes=automatic"),
+     1e-9, 0, None),
+    (ELASTIC, 1e-3, 0, SMALLER + MASSLESS + CONSERVING),
+    (AUTOMATIC, 1e-9, 0.02, TOLERANCE + MASSLESS + CONSERVING),
+    (AUTOMATIC + ELASTIC, 1e-9, 0.02, None),  # 9.6 times 1e-3
+    # a force does work
+    (("Sources/Body force=0.1",), None, 0, None),
+]
+
+THERMAL = ("Model/Fields=temperature and displacement",)
+SOFT = THERMAL + ("Contact/Condition=normal compliance", "Time/End time=0")
+# overrides and what the warning must say, by hand: the temperature of the fixed
+# end is 10; pressure = penetration/0.01
+START = [
+    (SOFT + ("Initial values/Temperature=theta_A + 1e-9 + x",),
+     ["Initial values/Temperature differs by 1e-09 from theta_A = 10 at the "
+      "fixed end: a corner layer starts there"]),
+    (SOFT + ("Initial values/Temperature=theta_A + x",), []),
+    (SOFT + ("Initial values/Displacement=0.11*x",),
+     ["Contact/Gap = 0.1: the body is in contact at the start, end displacement "
+      "0.11, initial pressure 1"]),
+    (SOFT + ("Initial values/Displacement=0.0999*x",), []),
+    (SOFT + ("Contact/Gap=-0.02",),
+     ["Contact/Gap = -0.02: negative, the undeformed body overlaps the obstacle "
+      "(preload), end displacement 0, initial pressure 2"]),
+    (SOFT + ("Contact/Gap=0",), []),
+]
+
+
+def said(text):
+    return re.findall(r"^  warning:  (.*)$", text, re.MULTILINE)
+
+
+def warnings_of(overrides, directory):
+    """Where warnings stand; screen and log.txt must be the same."""
+    status, screen, message = run("--output", directory, SCENE,
+                                  *settings(overrides))
+    if status != 0:
+        return [message]
+    summary = json.loads((directory / "summary.json").read_text())["warnings"]
+    log = said((directory / "log.txt").read_text())
+    return (summary if said(screen) == log == summary else
+            [f"screen {said(screen)}, log {log}, summary {summary}"])
+
+
+def due(directory, allowed_at_once, allowed_per_step):
+    """Step, time, energy created and allowed when a warning is due, or none."""
+    with open(directory / "contact.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(row for row in file if row[0] != "#"))
+    prescribed = "backward euler" in (directory / "used.prm").read_text()
+    energies = [float(row["energy"]) for row in rows][prescribed:]
+    smallest = scale = energies[0]
+    last = 0
+    for step, energy in enumerate(energies[1:], 1):
+        scale = max(scale, energy)
+        created = energy - smallest
+        if created <= 0:
+            smallest, last = energy, step
+        allowed = (allowed_at_once + (step - last) * allowed_per_step) * scale
+        if created > allowed:
+            return (step + prescribed, float(rows[step + prescribed]["time"]),
+                    created, allowed)
+    return None
+
+
+def check_energy(case):
+    number, (overrides, at_once, per_step, remedy) = case
+    directory = Path(f"energy-{number}")
+    warnings = warnings_of(overrides, directory)
+    expected = []
+    if at_once is not None and (place := due(directory, at_once, per_step)):
+        step, time, created, allowed = place
+        expected = [f"step {step}, t = {time:g}: the scheme has created the energy "
+                    f"{created:g}, more than its accuracy explains ({allowed:g}); "
+                    f"remedy: {remedy}"]
+    shutil.rmtree(directory)
+    if bool(expected) != (remedy is not None):
+        return f"{' '.join(overrides)}: due {expected}"
+    return report(overrides, warnings, expected)
+
+
+def check_start(case):
+    number, (overrides, expected) = case
+    directory = Path(f"start-{number}")
+    warnings = warnings_of(overrides, directory)
+    shutil.rmtree(directory, ignore_errors=True)
+    return report(overrides, warnings, expected)
+
+
+def report(overrides, warnings, expected):
+    return ("" if warnings == expected else
+            f"{' '.join(overrides)}: {warnings}, expected {expected}")
+
+
+def main():
+    for what, check, cases in (("energy", check_energy, ENERGY),
+                               ("start", check_start, START)):
+        faults = list(filter(None, for_all(check, enumerate(cases))))
+        print(f"warnings about the {what}:", "; ".join(faults) or "as derived")
+    places = sum(len(re.findall(r"\bwarnings_?\.push_back\(",
+                                without_comments(file)))
+                 for file in source_files())
+    # corner layer; contact at the start or preload; energy
+    print("kinds of warnings in the sources:", "known" if places == 3 else places)
+
+
+main()
