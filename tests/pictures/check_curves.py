@@ -216,7 +216,9 @@ def check_scenes(plot, make):
         low = make(name, 0, "Low", energy=[2, 1, value, 1, 1, 1])
         labels = figure[:-1] + [run_pictures.PLAIN_ENERGY
                                 if value == -0.01 else figure[-1]]
-        check_histories(plot, name, [low], {**ALL, "figure": (labels, 2)})
+        for runs in ([low], [make(f"high {name}", 1, "High"), low]):
+            check_histories(plot, f"{name} of {len(runs)}", runs,
+                            {**ALL, "figure": (labels, 2)})
     blind = make("blind", 0, "Blind", energy=None)
     check_histories(plot, "no energy", [blind], {
         "figure": (figure[:-1], 2), "contact": ALL["contact"]})

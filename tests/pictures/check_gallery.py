@@ -59,10 +59,12 @@ def check(name, good, message=""):
 
 
 def make_tree(top, script, page):
-    """A project with stand-ins; runs its scripts/gallery."""
+    """A project with stand-ins, and a picture that is not made any more; runs its
+    scripts/gallery."""
     shutil.rmtree(top, ignore_errors=True)
     (top / "scripts").mkdir(parents=True)
-    (top / "doc").mkdir()
+    (top / "doc/images/gallery").mkdir(parents=True)
+    (top / "doc/images/gallery/old.png").touch()
     (top / "doc/gallery.md").write_text(page)
     for name, text in (("gallery", script), ("plot", STAND_IN), ("program",
                        STAND_IN), ("paraview", STAND_IN),

@@ -319,17 +319,20 @@ def shows_field(axes, bar, mesh):
     return (numpy.array_equal(picture.get_array(), values) and
             numpy.array_equal(corners.x, mesh.points[:, 0]) and
             numpy.array_equal(corners.y, mesh.points[:, 1]) and
-            abs(sum(triangle_areas(corners)) - end) < 1e-6 and
+            numpy.allclose(moments(corners), [end, end / 2, end * end / 2],
+                           rtol=0, atol=1e-6) and
             (low, high) == bar.get_xlim() and
             picture.colorbar.extend == extend and
             numpy.allclose([low, high], ends, rtol=0, atol=near) and
             numpy.allclose(limits, [0, 1, 0, end]))
 
 
-def triangle_areas(corners):
+def moments(corners):
+    """Integrals of 1, x and y over all triangles, which must not overlap."""
     x, y = corners.x[corners.triangles], corners.y[corners.triangles]
-    return abs((x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) -
-               (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])) / 2
+    areas = abs((x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) -
+                (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])) / 2
+    return [sum(areas), sum(areas * x.mean(1)), sum(areas * y.mean(1))]
 
 
 def check_message():

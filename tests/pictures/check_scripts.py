@@ -148,8 +148,8 @@ def check_build(top):
               result.stderr.splitlines()[0] == f"scripts: configuring {tree}"
               and shown in result.stderr.splitlines() and
               f"configuring failed; its log: {tree}/build.log" in result.stderr
-              and len(calls) == 1 and not (tree / "Makefile").exists(),
-              result.stderr)
+              and len(calls) == 1 and "-DCMAKE_BUILD_TYPE=Release" in calls[0]
+              and not (tree / "Makefile").exists(), result.stderr)
     for words, shown in (("a.cc:3: error: x", "31:a.cc:3: error: x"),
                          ("No rule to make target", "No rule to make target")):
         result, calls = project.run("build", "Release", FAIL="make",

@@ -1,0 +1,104 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""usage: check_numbers.py THERMOCONTACT SOURCE_DIRECTORY
+
+Numbers behind the pictures of scripts/paraview, of runs made up by hand: the times
+of the pictures, the obstacle, the speed of the animation. Exit status 77,
+"skipped", without matplotlib and its PIL.
+"""
+import math
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from types import SimpleNamespace
+
+try:
+    import drawings
+    from PIL import Image
+except ImportError as error:
+    print(f"skipped: {error}")
+    sys.exit(77)
+
+program, source = sys.argv[1], Path(sys.argv[2]).resolve()
+n_failed = 0
+
+
+def check(name, good, message=""):
+    global n_failed
+    n_failed += not good
+    print(f"{'passed' if good else 'FAILED'}: {name}  {message}".rstrip())
+
+
+def check_marks(numbers):
+    """The largest force; without force the end that is farthest from its place,
+    whichever way it went; contact begins where it begins first."""
+    nan = math.nan
+    for forces, displacements, contacts, expected in (
+            ([0, 1, 3, 2], [0, 9, 1, 1], [(0.5, 1), (2, 3)],
+             {"peak": 2, "first-contact": 0.5}),
+            ([0, 0, 0, 0], [0.1, -0.3, 0.2, 0], [], {"peak": 1}),
+            ([nan] * 4, [0.1, -0.3, 0.4, 0], [], {"peak": 2}),
+            ([nan] * 4, [nan] * 4, [], {"peak": 0})):
+        run = SimpleNamespace(contacts=contacts, data={
+            "time": [0, 1, 2, 3], "contact_force": forces,
+            "displacement_end": displacements})
+        marks = numbers.marks_of(run)
+        check(f"marks of {forces}, {displacements}", marks == expected, str(marks))
+
+
+def check_plates(numbers):
+    """At 1 + scale g, as thick as the end comes, but 0.03; not beyond x = 2."""
+    for reach, scale, gap, expected in (
+            (0.1, 2, 0.3, (1.6, 1.63)), (0.4, 2, 0.3, (1.6, 1.83)),
+            (0.4, 2, 0, (1, 1.83)), (0.1, 2, 0.5, (2, 2.03)),
+            (0.1, 2, 0.51, (None, 1.2)), (0.1, 2, None, (None, 1.2))):
+        ranges = numbers.Ranges()
+        ranges.reach = reach
+        begin, end = ranges.plate(scale, gap)
+        good = (begin is None) == (expected[0] is None) and all(
+            value is None or abs(value - wanted) < 1e-12
+            for value, wanted in zip((begin, end), expected))
+        check(f"plate at {gap}", good, f"{begin}, {end}")
+
+
+def check_gaps(script):
+    """Settings have the gap of the scene, also 0."""
+    for gap in (0.1, 0):
+        subprocess.run(
+            [program, "--quiet", "--output", f"gap-{gap}", "--set",
+             f"Contact/Gap={gap}", "--set", "Time/End time=0.002", "--set",
+             "Mesh/Cells=2", "--set", "Output/Fields interval=0.001",
+             source / "prm/paper/experiment-1.prm"], check=True, env={
+                 **os.environ, "OMPI_MCA_btl": "self",
+                 "OMPI_MCA_ess_singleton_isolated": "1"})
+        before, sys.argv = sys.argv, ["paraview", f"gap-{gap}"]
+        found = script.settings_of(script.parse_arguments())["gap"]
+        sys.argv = before
+        check(f"gap {gap}", found is not None and abs(found - gap) < 1e-11,
+              str(found))
+
+
+def check_animation(script):
+    """Ten frames a second, each of them, again and again."""
+    folder = Path("frames")
+    folder.mkdir()
+    for i in range(3):
+        Image.new("RGB", (4, 4), (80 * i, 0, 0)).save(
+            folder / f"frame-{i:04d}.png")
+    script.animate(folder, Path("animation.gif"))
+    with Image.open("animation.gif") as picture:
+        found = picture.n_frames, picture.info["duration"], picture.info["loop"]
+    check("animation", found == (3, 100, 0), str(found))
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    os.chdir(scratch)
+    paraview = drawings.load(source / "scripts", "paraview")
+    check_marks(paraview.paraview_numbers)
+    check_plates(paraview.paraview_numbers)
+    check_gaps(paraview)
+    check_animation(paraview)
+    os.chdir("/")
+sys.exit(1 if n_failed else 0)
