@@ -21,7 +21,6 @@
 // 5. Ties: 5 nodes that just touch (free penetration zero), uncoupled and
 //    coupled: zero pressure, and no more iterations than nodes, although
 //    rounding of either sign makes it a problem of its own.
-
 // 6. Every law of the program, at pressures p between 0.1 and 3: d energy = p
 // ds
 //    and ds = tangent dp (central differences of step 1e-4 p, so to 1e-7),
