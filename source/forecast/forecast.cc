@@ -94,15 +94,13 @@ namespace ThermoContact
         scene.parameters.dimension > 1)
       return {};
     // chi grows from 0 to 1 with the length of the stage
-    const double log_size =
-      bracketed_root(
-        [&](const double log_tau) {
-          return rod_response(scene.material, std::exp(log_tau)) - compliance;
-        },
-        std::log(1e-100),
-        std::log(1e100))
-        .first;
-    return std::exp(log_size);
+    const auto excess = [&](const double log_tau) {
+      return rod_response(scene.material, std::exp(log_tau)) - compliance;
+    };
+    const double smallest = std::log(1e-100), largest = std::log(1e100);
+    if (excess(smallest) >= 0. || excess(largest) <= 0.)
+      return {}; // beyond all numbers that a step can have
+    return std::exp(bracketed_root(excess, smallest, largest).first);
   }
 
 

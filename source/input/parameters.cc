@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/number_or_word.h>
 #include <thermocontact/input/parameters.h>
 
@@ -31,6 +32,14 @@ namespace ThermoContact
       for (const Kind &kind : kinds)
         names += (names.empty() ? "" : "|") + kind.name;
       return names;
+    }
+
+
+
+    std::string
+    describe_scheme(const Scheme &scheme)
+    {
+      return text(" (order ", scheme.order, ", ", scheme.text, ")");
     }
 
 
@@ -254,13 +263,7 @@ namespace ThermoContact
     prm.add_parameter("Scheme",
                       scheme,
                       "Time integrator: " +
-                        in_words(schemes(),
-                                 [](const auto &scheme) {
-                                   return " (order " +
-                                          std::to_string(scheme.order) + ", " +
-                                          scheme.text + ")";
-                                 }) +
-                        ".",
+                        in_words(schemes(), describe_scheme) + ".",
                       Selection(names_of(schemes())));
     prm.add_parameter("Start",
                       start,

@@ -91,6 +91,8 @@ namespace ThermoContact
           }
         if (s_high >= 0. || (high < 1. && s_high >= -tolerable_dip))
           continue;
+        if (value(low) < 0.)
+          return low; // by rounding
         // zero itself is not negative
         return bracketed_root(
                  [this](const double x) {

@@ -21,8 +21,7 @@
 // 5. Ties: 5 nodes that just touch (free penetration zero), uncoupled and
 //    coupled: zero pressure, and no more iterations than nodes, although
 //    rounding of either sign makes it a problem of its own.
-// 6. Every law of the program, at pressures p between 0.1 and 3: d energy = p
-// ds
+// 6. Every law of the program, at p between 0.1 and 3: d energy = p ds
 //    and ds = tangent dp (central differences of step 1e-4 p, so to 1e-7),
 //    pressure(s(p)) = p and penetration_of_energy(energy(p)) = s(p) unless it
 //    is rigid, local_pressure solves s_free - chi p = s(p), odd penetrations.

@@ -25,9 +25,10 @@ namespace ThermoContact
    * The step size above which the iteration of the paper fails while the rod is
    * in contact: $\rho(\Delta t)=1$ in (M.20).
    *
-   * @return nothing if there is none: obstacles with $\varepsilon\ge1$ yield
-   *   more than the rod; and where (M.20) does not apply: no inertia, no
-   *   elastic obstacle, more than one dimension
+   * @return nothing if there is none between 1e-100 and 1e100: obstacles with
+   *   $\varepsilon\ge1$ yield more than the rod; and where (M.20) does not
+   *   apply: no inertia, no elastic obstacle, a law that is not linear, more
+   *   than one dimension
    */
   std::optional<double>
   critical_step_size(const Scene &scene);

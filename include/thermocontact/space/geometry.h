@@ -26,7 +26,8 @@ namespace ThermoContact
   /**
    * How the mesh $(0,1)\times(0,\text{width})^{dim-1}$ stands for a body in
    * space: what its points weigh in an integral, and which strains a
-   * displacement makes. All integrals and all stresses come from here.
+   * displacement makes. All integrals of the
+   * equations and all stresses come from here.
    * Nondimensional.
    */
   template <int dim>
