@@ -107,7 +107,7 @@ namespace ThermoContact
         // Newton's method goes on until the law is met
         const bool is_inexact =
           !law.is_linear() && is_active[i] &&
-          std::abs(reach - law.penetration(p)) > 10. * rounding;
+          !(std::abs(reach - law.penetration(p)) <= 10. * rounding);
         changed |= is_wrong || is_inexact;
       }
     return changed;
@@ -135,13 +135,12 @@ namespace ThermoContact
         solve_on_active_set(response, free_penetration, all, pressure);
         if (law.is_linear())
           return iteration;
-        double residual = 0.;
+        bool is_solution = true; // a residual that is NaN is none
         for (unsigned int i = 0; i < n; ++i)
-          residual = std::max(residual,
-                              std::abs(free_penetration[i] -
-                                       loss(response, pressure, i) -
-                                       law.penetration(pressure[i])));
-        if (residual <= rounding)
+          is_solution &=
+            std::abs(free_penetration[i] - loss(response, pressure, i) -
+                     law.penetration(pressure[i])) <= rounding;
+        if (is_solution)
           return iteration;
       }
     throw ComputationError("the pressures of " + std::to_string(n) +

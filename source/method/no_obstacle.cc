@@ -2,16 +2,20 @@
 
 #include <thermocontact/method/contact_law.h>
 
-#include <limits>
-
 namespace ThermoContact
 {
   namespace
   {
-    /** A free end: an obstacle that yields to no pressure. */
+    /** A free end: nothing pushes back. */
     class NoObstacle : public ContactLaw
     {
     public:
+      std::string
+      description() const override
+      {
+        return "none: free end";
+      }
+
       bool
       is_active() const override
       {
@@ -33,7 +37,7 @@ namespace ThermoContact
       double
       tangent(const double) const override
       {
-        return std::numeric_limits<double>::infinity();
+        return 0.;
       }
 
       double

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/text.h>
 #include <thermocontact/method/contact_law.h>
 
 #include <algorithm>
@@ -16,6 +17,12 @@ namespace ThermoContact
       explicit NormalCompliance(const double compliance)
         : compliance(compliance)
       {}
+
+      std::string
+      description() const override
+      {
+        return text("elastic obstacle, epsilon = ", compliance);
+      }
 
       double
       pressure(const double penetration) const override

@@ -10,6 +10,12 @@ namespace ThermoContact
     class RigidObstacle : public ContactLaw
     {
     public:
+      std::string
+      description() const override
+      {
+        return "rigid obstacle";
+      }
+
       bool
       is_rigid() const override
       {

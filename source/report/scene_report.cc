@@ -68,16 +68,11 @@ namespace ThermoContact
     {
       const SceneContact &contact = scene.contact;
       if (!contact.law->is_active())
-        return "none: free end";
-      const std::string nodes =
-        contact.has_massless_nodes ? ", massless contact nodes" : "";
-      if (contact.law->is_rigid())
-        return text("rigid obstacle, g = ", contact.gap, nodes);
-      return text("elastic obstacle, epsilon = ",
-                  scene.parameters.contact.compliance,
+        return contact.law->description();
+      return text(contact.law->description(),
                   ", g = ",
                   contact.gap,
-                  nodes);
+                  contact.has_massless_nodes ? ", massless contact nodes" : "");
     }
 
 

@@ -65,12 +65,12 @@ namespace ThermoContact
     {
       const Parameters     &parameters = scene.parameters;
       const TimeParameters &time       = parameters.time;
-      if (scene.scheme.needs_inertia && !scene.material.has_inertia())
+      if (!scene.scheme.needs_inertia.empty() && !scene.material.has_inertia())
         refuse("Time/Scheme",
                time.scheme,
                "a scheme of another name, since Model/Inertia = 0",
-               "Time/Scheme = " + default_scheme().name +
-                 ": without inertia there is no energy of motion to conserve");
+               "Time/Scheme = " + default_scheme().name + ": " +
+                 scene.scheme.needs_inertia);
       if (!scene.contact.law->is_active())
         return;
       if (scene.scheme.needs_massless_contact &&
@@ -82,13 +82,13 @@ namespace ThermoContact
       check_scheme_fits_law(scene.scheme,
                             contact_law(parameters.contact.condition),
                             *scene.contact.law);
-      if (!scene.scheme.can_hold_contact && time.locates_contact_events())
+      if (!scene.scheme.cannot_hold_contact.empty() &&
+          time.locates_contact_events())
         refuse("Time/Locate contact events",
                time.locate_contact_events,
                "false or automatic, since Time/Scheme = " + time.scheme,
-               "the scheme conserves energy through contact in steps of any "
-               "size; " +
-                 default_scheme().name + " can end its steps at events");
+               scene.scheme.cannot_hold_contact + "; " + default_scheme().name +
+                 " can end its steps at events");
     }
 
 
@@ -110,8 +110,8 @@ namespace ThermoContact
                        find_scheme([](const Scheme &s) {
                          return s.is_of_paper;
                        })->name);
-      if (scene.contact.law->is_rigid())
-        refuse_since("Contact/Condition = rigid",
+      if (scene.contact.law->is_rigid() || !scene.contact.law->is_linear())
+        refuse_since("Contact/Condition = " + parameters.contact.condition,
                      "the iteration of the paper needs an elastic obstacle");
       if (!scene.fields.has_temperature || !scene.material.has_inertia())
         refuse_since(
@@ -224,12 +224,12 @@ namespace ThermoContact
                         const ContactLawKind &kind,
                         const ContactLaw     &law)
   {
-    if (scheme.needs_linear_contact && !law.is_linear())
+    if (!scheme.needs_linear_contact.empty() && !law.is_linear())
       refuse("Time/Scheme",
              scheme.name,
              "a scheme of another name, since Contact/Condition = " + kind.name,
-             "Time/Scheme = " + default_scheme().name +
-               ": the scheme knows the potential of linear laws only");
+             "Time/Scheme = " + default_scheme().name + ": " +
+               scheme.needs_linear_contact);
   }
 
 

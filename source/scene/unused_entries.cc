@@ -6,7 +6,7 @@
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
 
-#include <algorithm>
+#include <set>
 
 namespace ThermoContact
 {
@@ -91,12 +91,14 @@ namespace ThermoContact
     Paths
     foreign_to_law(const ContactLawKind &law)
     {
-      Paths paths;
+      std::set<std::string> entries;
       for (const ContactLawKind &other : contact_laws())
-        for (const std::string &entry : other.entries)
-          if (std::find(law.entries.begin(), law.entries.end(), entry) ==
-              law.entries.end())
-            paths.push_back("Contact/" + entry);
+        entries.insert(other.entries.begin(), other.entries.end());
+      for (const std::string &entry : law.entries)
+        entries.erase(entry);
+      Paths paths;
+      for (const std::string &entry : entries)
+        paths.push_back("Contact/" + entry);
       return paths;
     }
   } // namespace

@@ -19,8 +19,10 @@ namespace ThermoContact
         return remedy;
       if (scene.contact.has_mass())
         remedy += ", Contact/Massless nodes = on";
-      const Scheme *const conserving = find_scheme([](const Scheme &s) {
-        return !s.can_create_energy && s.needs_massless_contact;
+      const ContactLaw   &law        = *scene.contact.law;
+      const Scheme *const conserving = find_scheme([&](const Scheme &s) {
+        return !s.can_create_energy && s.order > 1 &&
+               (s.needs_linear_contact.empty() || law.is_linear());
       });
       if (conserving != nullptr && scene.material.has_inertia() &&
           &scene.scheme != conserving)

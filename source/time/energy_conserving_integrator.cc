@@ -36,13 +36,16 @@ namespace ThermoContact
     scheme.text                   = "for impacts of elastic bodies";
     scheme.order                  = 2;
     scheme.can_create_energy      = false;
-    scheme.needs_inertia          = true;
     scheme.needs_massless_contact = true;
-    scheme.needs_linear_contact   = true;
     scheme.has_viscous_contact    = false;
-    scheme.can_hold_contact       = false;
-    scheme.step_exponent          = 0.5;
-    scheme.integrator             = &maker;
+    scheme.needs_inertia =
+      "without inertia there is no energy of motion to conserve";
+    scheme.needs_linear_contact =
+      "the scheme knows the potential of linear laws only";
+    scheme.cannot_hold_contact =
+      "the scheme conserves energy through contact in steps of any size";
+    scheme.step_exponent = 0.5;
+    scheme.integrator    = &maker;
     return scheme;
   }
 

@@ -266,8 +266,8 @@ namespace
       rates.temperature[i] = std::sin(1. + i);
     for (unsigned int i = 0; i < rates.displacement.size(); ++i)
       rates.displacement[i] = std::cos(2. * i);
-    op.zero_constrained(0, rates.temperature);
-    op.zero_constrained(1, rates.displacement);
+    op.zero_constrained(Field::temperature, rates.temperature);
+    op.zero_constrained(Field::displacement, rates.displacement);
 
     Vector system = space.make_system_vector(), product(system);
     space.join(rates.temperature, rates.displacement, system);
@@ -303,19 +303,20 @@ namespace
              -tau * m.coupling,
              rates.temperature,
              result.displacement);
-    op.zero_constrained(0, result.temperature);
-    op.zero_constrained(1, result.displacement);
+    op.zero_constrained(Field::temperature, result.temperature);
+    op.zero_constrained(Field::displacement, result.displacement);
 
     // identity rows: the product has the rates themselves, zero, there
     double constrained = 0.;
     space.split(product, heat, momentum);
-    for (const unsigned int e : space.constrained_entries(0))
+    for (const unsigned int e : space.constrained_entries(Field::temperature))
       raise(constrained, std::abs(heat[e]));
-    for (const unsigned int e : space.constrained_entries(1))
+    for (const unsigned int e : space.constrained_entries(Field::displacement))
       raise(constrained, std::abs(momentum[e]));
     deallog << dim << "-D: constrained temperatures "
-            << space.constrained_entries(0).size() << ", displacements "
-            << space.constrained_entries(1).size()
+            << space.constrained_entries(Field::temperature).size()
+            << ", displacements "
+            << space.constrained_entries(Field::displacement).size()
             << "; stage matrix is its blocks "
             << (result.temperature.linfty_norm() < 1e-13 &&
                 result.displacement.linfty_norm() < 1e-13)

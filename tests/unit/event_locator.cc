@@ -18,7 +18,8 @@
 //    Without location: gap 0.3 to -0.1 between t = 1 and 2 has its zero
 //    at 1.75, -0.1 to 0.1 between t = 2 and 4 at 3. Two nodes of which one
 //    touches: neither open nor closed holds for both, so that the next step is
-//    unilateral, and contact has begun once.
+//    unilateral, and contact has begun once. An event at the start of a step
+//    waits until a step is accepted, and is dropped if it is taken back.
 
 #include <thermocontact/method/event_locator.h>
 

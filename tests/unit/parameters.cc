@@ -19,6 +19,8 @@
 
 #include "../tests.h"
 
+#include "../cubic_law.h"
+
 using namespace ThermoContact;
 
 namespace
@@ -125,61 +127,6 @@ namespace
       }
     deallog << "; ends at T exactly " << (time == end_time) << std::endl;
   }
-
-
-
-  /** s(p) = p^3: a law that is not linear. */
-  class CubicLaw : public ContactLaw
-  {
-  public:
-    double
-    pressure(const double penetration) const override
-    {
-      return std::cbrt(std::max(penetration, 0.));
-    }
-
-    double
-    penetration(const double pressure) const override
-    {
-      return pressure * pressure * pressure;
-    }
-
-    double
-    tangent(const double pressure) const override
-    {
-      return 3. * pressure * pressure;
-    }
-
-    bool
-    is_linear() const override
-    {
-      return false;
-    }
-
-    double
-    energy(const double pressure) const override
-    {
-      return 0.75 * pressure * penetration(pressure);
-    }
-
-    double
-    penetration_of_energy(const double energy) const override
-    {
-      return std::pow(energy / 0.75, 0.75);
-    }
-
-    double
-    local_pressure(const double, const double) const override
-    {
-      return 0.;
-    }
-
-    double
-    local_closed_pressure(const double, const double) const override
-    {
-      return 0.;
-    }
-  };
 
 
 

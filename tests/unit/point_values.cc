@@ -158,7 +158,7 @@ namespace
 
     const double nu = parameters.model.poisson_ratio, lambda = nu / (1. - nu),
                  zeta = parameters.model.viscosity,
-                 a    = parameters.model.thermal_stress();
+                 a    = scene.material.thermal_stress;
     double error      = 0.;
     for (unsigned int i = 0; i < places.size(); ++i)
       {

@@ -176,7 +176,7 @@ namespace
     parameters.output.land_on_times    = true;
     parameters.output.fields_interval  = 0.;
     parameters.output.contact_interval = 0.25;
-    StepController controller(parameters, 4);
+    StepController controller          = make_controller(parameters);
     deallog << "expected " << parameters.time.n_steps() << ", multiples";
     for (double time = 0.; !controller.is_finished(time);)
       {

@@ -44,6 +44,10 @@ namespace ThermoContact
   public:
     virtual ~ContactLaw() = default;
 
+    /** The obstacle with its numbers, for the screen. */
+    virtual std::string
+    description() const = 0;
+
     /** False if there is no obstacle. */
     virtual bool
     is_active() const
@@ -69,7 +73,7 @@ namespace ThermoContact
     virtual double
     penetration(const double pressure) const = 0;
 
-    /** $ds/dp\ge0$; infinite where the obstacle yields at once. */
+    /** $ds/dp\ge0$, finite. */
     virtual double
     tangent(const double pressure) const = 0;
 

@@ -27,23 +27,23 @@ namespace ThermoContact
     /** Its errors can increase the energy of a body that nothing drives. */
     bool can_create_energy = true;
 
-    /** It needs a body with inertia. */
-    bool needs_inertia = false;
+    /** Why it needs a body with inertia; empty: it does not. */
+    std::string needs_inertia;
 
     /** Its contact nodes have no mass. */
     bool needs_massless_contact = false;
 
-    /** It knows what linear contact laws store, and no others. */
-    bool needs_linear_contact = false;
+    /** Why it treats linear contact laws alone; empty: it treats all. */
+    std::string needs_linear_contact;
 
     /** The viscosity acts on its contact nodes. */
     bool has_viscous_contact = true;
 
     /**
-     * A step can hold the state of contact, so that steps can end where it
-     * changes.
+     * Why a step cannot hold the state of contact, so that steps do not end
+     * where it changes; empty: it can.
      */
-    bool can_hold_contact = true;
+    std::string cannot_hold_contact;
 
     /**
      * It is the one of the paper: with its prescribed first step and its fixed

@@ -40,7 +40,12 @@ namespace ThermoContact
 
 
 
-  /** Computes one step from a state to the next. */
+  /**
+   * Computes one step from a state to the next. The result depends on the
+   * arguments alone, and on nothing of earlier steps but factorisations, so
+   * that a step can be taken again, from another state, or by a run that goes
+   * on from a checkpoint.
+   */
   class TimeIntegrator
   {
   public:
