@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/interruption.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/output/checkpoint.h>
@@ -26,6 +27,19 @@ namespace ThermoContact
 {
   namespace
   {
+    void
+    report_program(const MPI_Comm communicator, Log &log)
+    {
+      log.line(text("thermocontact ",
+                    version(),
+                    ", deal.II ",
+                    DEAL_II_PACKAGE_VERSION,
+                    ", ranks: ",
+                    Utilities::MPI::n_mpi_processes(communicator)));
+    }
+
+
+
     /** Says where a run goes on. */
     void
     report_resumption(const Checkpoint &checkpoint, Log &log)
@@ -253,9 +267,7 @@ namespace ThermoContact
     throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",
                                                      checkpoint.has_value()),
                                        communicator);
-    log.line(std::string("thermocontact ") + version() + ", deal.II " +
-             DEAL_II_PACKAGE_VERSION + ", ranks: " +
-             std::to_string(Utilities::MPI::n_mpi_processes(communicator)));
+    report_program(communicator, log);
     if (checkpoint)
       report_resumption(*checkpoint, log);
     report_scene(simulation, log);

@@ -28,7 +28,7 @@ namespace ThermoContact
 
     /**
      * The time at which the free end reaches the obstacle, or NaN: the first of
-     * 500 instants at which it is beyond, refined by bisection.
+     * 500 instants at which it is beyond, refined between the two.
      */
     double
     arrival(const FreeMotion &motion, const double gap, const double horizon)

@@ -265,12 +265,14 @@ namespace ThermoContact
                       "Time integrator: " +
                         in_words(schemes(), describe_scheme) + ".",
                       Selection(names_of(schemes())));
-    prm.add_parameter("Start",
-                      start,
-                      "First step: paper (the end of the step is u_0 + dt u_1, "
-                      "then the heat equation alone), consistent (a step like "
-                      "all others), automatic (paper for backward euler).",
-                      Selection("automatic|paper|consistent"));
+    prm.add_parameter(
+      "Start",
+      start,
+      "First step: paper (the end of the step is u_0 + dt u_1, "
+      "then the heat equation alone), consistent (a step like "
+      "all others), automatic (paper for " +
+        find_scheme([](const Scheme &s) { return s.is_of_paper; })->name + ").",
+      Selection("automatic|paper|consistent"));
     prm.add_parameter("End time", end_time, "End time T >= 0.", duration);
     add_number_or_word(
       prm,

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/method/conserving_contact.h>
+#include <thermocontact/method/scheme.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -261,8 +262,7 @@ namespace ThermoContact
         newton_update(derivative, receptance, residual, update);
         const std::vector<double> old_pressure = pressure;
         const double              old_norm     = norm;
-        double                    factor       = 1.;
-        for (unsigned int halving = 0; halving < 10; ++halving, factor *= 0.5)
+        for (double factor = 1.; factor > 1e-3; factor *= 0.5)
           {
             for (unsigned int i = 0; i < n; ++i)
               pressure[i] = old_pressure[i] - factor * update(i);
@@ -287,6 +287,7 @@ namespace ThermoContact
     throw ComputationError(
       "the pressures of " + std::to_string(n) +
       " contact nodes that conserve energy were not found\n  remedy:  a smaller "
-      "Time/Step size, or Time/Scheme = sdirk4");
+      "Time/Step size, or Time/Scheme = " +
+      default_scheme().name);
   }
 } // namespace ThermoContact

@@ -92,7 +92,7 @@ namespace ThermoContact
         if (s_high >= 0. || (high < 1. && s_high >= -tolerable_dip))
           continue;
         if (value(low) < 0.)
-          return low; // by rounding
+          return low; // in a dip that is tolerated, which does not end
         // zero itself is not negative
         return bracketed_root(
                  [this](const double x) {

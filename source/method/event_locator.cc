@@ -24,9 +24,9 @@ namespace ThermoContact
     unsigned int
     foremost(const ContactValues &values)
     {
-      return std::max_element(values.displacement.begin(),
-                              values.displacement.end()) -
-             values.displacement.begin();
+      return std::max_element(values.penetration.begin(),
+                              values.penetration.end()) -
+             values.penetration.begin();
     }
   } // namespace
 

@@ -47,7 +47,7 @@ namespace ThermoContact
 
 
 
-    /** All but the memory of the ranks. */
+    /** All but what the ranks have saved. */
     template <class Archive, class AnyCheckpoint>
     void
     archive_common(Archive &archive, AnyCheckpoint &checkpoint)

@@ -20,6 +20,17 @@ namespace ThermoContact
 {
   namespace
   {
+    /** Largest memory so far, of all ranks together, in MB. */
+    double
+    peak_memory(const MPI_Comm communicator)
+    {
+      Utilities::System::MemoryStats memory;
+      Utilities::System::get_memory_stats(memory);
+      return Utilities::MPI::sum(memory.VmHWM / 1024., communicator);
+    }
+
+
+
     /**
      * What was known before the run, beside what came out; null where nothing
      * was.
@@ -90,11 +101,6 @@ namespace ThermoContact
     const auto          &space      = simulation.discretization();
     const auto          &events     = simulation.events();
 
-    Utilities::System::MemoryStats memory;
-    Utilities::System::get_memory_stats(memory);
-    const double peak_memory =
-      Utilities::MPI::sum(memory.VmHWM / 1024., space.communicator());
-
     nlohmann::ordered_json summary = {
       {"title", parameters.title},
       {"status", status},
@@ -127,7 +133,7 @@ namespace ThermoContact
       {"contact_seconds", counters.contact_seconds},
       {"output_seconds", times.output},
       {"wall_seconds", times.wall},
-      {"peak_memory_mb", peak_memory},
+      {"peak_memory_mb", peak_memory(space.communicator())},
       {"warnings", simulation.history().warnings}};
     if (!events.empty())
       summary["first_contact_time"] = events.front().time;

@@ -101,7 +101,7 @@ namespace ThermoContact
         changed |= p < 0.;
         p = std::max(p, 0.);
       }
-    if (begins_contact)
+    if (begins_contact && !body.law().is_rigid())
       {
         changed = true;
         body.contact_end().get_penetrations(result.state.displacement,

@@ -116,6 +116,25 @@ namespace ThermoContact
 
   template <int dim>
   EnergyTerms
+  Energy<dim>::common(const EnergyTerms &terms) const
+  {
+    const MPI_Comm communicator = discretization.communicator();
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return terms;
+    const std::vector<double> values =
+      Utilities::MPI::broadcast(communicator,
+                                std::vector<double>{terms.thermal,
+                                                    terms.kinetic,
+                                                    terms.elastic,
+                                                    terms.obstacle,
+                                                    terms.coupling});
+    return {values[0], values[1], values[2], values[3], values[4]};
+  }
+
+
+
+  template <int dim>
+  EnergyTerms
   Energy<dim>::energy(const State &state) const
   {
     heat_scratch = state.temperature;
@@ -133,7 +152,7 @@ namespace ThermoContact
       terms.coupling = -material.thermal_stress *
                        (steady_stress * state.displacement) /
                        discretization.geometry().cross_section();
-    return terms;
+    return common(terms);
   }
 
 
@@ -158,7 +177,7 @@ namespace ThermoContact
           pressure[i] > 0. && tangent > 0.)
         terms.obstacle += 0.5 / tangent * end.share(i) * end_displacement[i] *
                           end_displacement[i];
-    return terms;
+    return common(terms);
   }
 
 

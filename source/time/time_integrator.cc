@@ -18,13 +18,6 @@ namespace ThermoContact
       failure = "another rank has failed";
     std::vector<double> values;
     const auto          visit = [this](const auto &act) {
-      for (EnergyTerms *terms : {&energy, &error})
-        for (double *term : {&terms->thermal,
-                             &terms->kinetic,
-                             &terms->elastic,
-                             &terms->obstacle,
-                             &terms->coupling})
-          act(*term);
       for (double *value :
            {&work, &dissipation, &numerical_dissipation, &impulse})
         act(*value);

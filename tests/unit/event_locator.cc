@@ -5,7 +5,8 @@
 // 1. CubicHermite: cubics with known roots. A root where it becomes negative
 //    counts, one where it touches zero or rises does not; "inf" without one, 0
 //    if it is never positive. 16 (x - 1/4)(x - 1/2) has its minimum -1/4
-//    between its roots, a dip above it is tolerated.
+//    between its roots, a dip above it is tolerated. (x - 0.995)^2 - 5e-5 is
+//    still below zero at 1: then its dip counts from 0.995 on.
 // 2. EventLocator, gap 0.1, compliance 0.01, tolerance 1e-3, momentum 1. From
 //    t = 1, u = 0 with u_t = 0.2 contact begins at 1.5. A step to t = 2 is to
 //    be taken to there; one that was aimed ends the state if the miss s of u(1)
@@ -77,6 +78,9 @@ namespace
     print_first_zero("two roots", {{2., -12., 16., 0.}});
     print_first_zero("two roots, dip 0.2", {{2., -12., 16., 0.}}, 0.2);
     print_first_zero("two roots, dip 0.3", {{2., -12., 16., 0.}}, 0.3);
+    print_first_zero("dip of 5e-5 that goes on to the end, dip 1e-4",
+                     {{0.989975, -1.99, 1., 0.}},
+                     1e-4);
     print_first_zero("touches", {{0.25, -1., 1., 0.}});
     print_first_zero("grazes, -1e-6", {{0.249999, -1., 1., 0.}});
     print_first_zero("negative, recovers", {{-1., 4., 0., 0.}});

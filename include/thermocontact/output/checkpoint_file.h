@@ -15,7 +15,7 @@ namespace ThermoContact
   /**
    * A checkpoint file that is whole, open for reading: a line that names the
    * format, a line of JSON for readers, with size and checksum of each part,
-   * then the parts: what all ranks have in common, and the memory of one rank
+   * then the parts: what all ranks have in common, and what one rank has saved
    * after the other. Parts of ranks may be as large as the disk allows; rank 0
    * holds only a piece of them. On rank 0; empty on the others.
    */
@@ -39,7 +39,7 @@ namespace ThermoContact
   open_checkpoint_file(const std::string &path);
 
   /**
-   * Reads the checkpoint of @p file; the memory of this rank only if there are
+   * Reads the checkpoint of @p file; what this rank has saved only if there are
    * as many ranks as the run had. Collective.
    *
    * @throw InputError if the file cannot be read any more

@@ -35,10 +35,12 @@ namespace ThermoContact
    *   x' = integrate x^+ from t to t' with m held
    *   not solved, or too large an error:       t' = something smaller
    *   contact changes at t:                    m = the other; x^+ = I(x)
+   *     but not at all nodes together:         m = the law
    *     and at once back again:                m = the law;   x^+ = x
    *   contact changes at s between t and t':   t' = s
    *     and s was missed too often:            m = the law
    *   contact changes at t':                   x' = I(x'); m = the other; done
+   *     where nodes are in equilibrium:        x' anew with m = the law first
    *   contact stays as m says:                 done
    * x = x'; t = t'
    * @endcode

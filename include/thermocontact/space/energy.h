@@ -40,7 +40,9 @@ namespace ThermoContact
 
   /**
    * Energy and its audit, doc/model.md (M.8), (M.22)-(M.25), each line by its
-   * own formula. All results are per unit cross-section area.
+   * own formula. All results are per unit cross-section area. Collective.
+   * Energies steer steps and events: sums over ranks may differ in rounding
+   * from one to the other, and all ranks get those of rank 0.
    */
   template <int dim>
   class Energy
@@ -129,6 +131,10 @@ namespace ThermoContact
     mutable std::vector<double>            end_displacement;
     mutable std::vector<double>            old_end_displacement;
     mutable std::vector<double>            old_penetration;
+
+    /** The terms of rank 0, on all ranks. */
+    EnergyTerms
+    common(const EnergyTerms &terms) const;
 
     /** $b/2\|v\|^2$ */
     double

@@ -31,7 +31,7 @@ namespace ThermoContact
     /** @param body borrowed; its scheme names the tableau */
     explicit DirkIntegrator(Body<dim> &body);
 
-    /** (M.27), (M.28). */
+    /** Through the stages, (M.27), (M.28), with the estimate (M.29). */
     void
     step(const State      &state,
          const double      old_energy,

@@ -30,9 +30,8 @@ namespace ThermoContact
     std::string  failure;                    ///< empty: the step is solved
 
     /**
-     * All ranks take the scalars of rank 0, and the failure of any: sums over
-     * ranks may differ in rounding from one to the other, and what is decided
-     * from them must not. Collective.
+     * All ranks take work, dissipation and impulse of rank 0, as energies are,
+     * and the failure of any, so that they decide alike. Collective.
      */
     void
     agree(const MPI_Comm communicator);
@@ -82,7 +81,7 @@ namespace ThermoContact
     virtual void
     prescribed_step(const State &, const TimeStep &, StepResult &)
     {
-      Assert(false, dealii::ExcNotImplemented());
+      AssertThrow(false, dealii::ExcNotImplemented());
     }
 
     /** The solver of its stages. */
