@@ -10,7 +10,8 @@ A list has entries such as
   tests    app/columns app/study
 
 find: what stands there, once in the file; white space counts as one blank.
-fault: the expression that stands there instead if the fault is switched on.
+fault: the expression that stands there instead if the fault is switched on; the one
+in 'find' is put in brackets, and so must be one: not b - c of a - b - c.
 replace: instead of fault, the whole text; FAULT is whether the fault is switched
 on, FIND what stood there. Scripts are not built: both replace the text.
 tests: regular expressions of the names of tests that should notice.
