@@ -202,7 +202,7 @@ namespace ThermoContact
 
 
   template <int dim>
-  TrilinosWrappers::MPI::BlockVector
+  BlockVector
   FieldOutput<dim>::joined(const Vector &temperature,
                            const Vector &displacement) const
   {
@@ -211,8 +211,7 @@ namespace ThermoContact
     for (const Field::Block field : all_fields)
       if (discretization.has_field(field))
         owned.push_back(discretization.owned_by_block()[field]);
-    TrilinosWrappers::MPI::BlockVector result(owned,
-                                              discretization.communicator());
+    BlockVector result(owned, discretization.communicator());
     if (discretization.has_field(Field::temperature))
       result.block(0) = temperature;
     if (discretization.has_field(Field::displacement))

@@ -158,7 +158,7 @@ namespace ThermoContact
   void
   Discretization<dim>::join(const Vector &temperature,
                             const Vector &displacement,
-                            Vector       &system) const
+                            SystemVector &system) const
   {
     // Owned indices of the system are those of block 0, then those of block 1.
     std::copy(displacement.begin(),
@@ -172,9 +172,9 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Discretization<dim>::split(const Vector &system,
-                             Vector       &temperature,
-                             Vector       &displacement) const
+  Discretization<dim>::split(const SystemVector &system,
+                             Vector             &temperature,
+                             Vector             &displacement) const
   {
     const auto middle = system.begin() + temperature.locally_owned_size();
     std::copy(system.begin(), middle, temperature.begin());

@@ -63,7 +63,7 @@ namespace ThermoContact
   {
     if (!discretization.has_field(Field::temperature))
       return;
-    Vector system = discretization.make_system_vector();
+    SystemVector system = discretization.make_system_vector();
     VectorTools::interpolate(discretization.mapping(),
                              discretization.dof_handler(),
                              SteadyProfile<dim>(discretization.n_components(),

@@ -19,7 +19,7 @@ namespace ThermoContact
     template <int dim, typename Test>
     void
     add_difference(const Function<dim>     &function,
-                   const Vector            &interpolant,
+                   const SystemVector      &interpolant,
                    const FEValuesBase<dim> &values,
                    const Test              &test,
                    dealii::Vector<double>  &cell_rhs)
@@ -118,9 +118,9 @@ namespace ThermoContact
 
 
   template <int dim>
-  Vector
+  SystemVector
   H1Projection<dim>::correction_rhs(const Function<dim> &function,
-                                    const Vector        &interpolant) const
+                                    const SystemVector  &interpolant) const
   {
     const FiniteElement<dim> &fe = discretization.finite_element();
     // The data are no polynomials: more points than the products need.
@@ -138,11 +138,11 @@ namespace ThermoContact
                                     update_quadrature_points |
                                     update_JxW_values);
 
-    Vector ghosted(discretization.owned(),
-                   discretization.relevant(),
-                   discretization.communicator());
-    ghosted    = interpolant;
-    Vector rhs = discretization.make_system_vector();
+    SystemVector ghosted(discretization.owned(),
+                         discretization.relevant(),
+                         discretization.communicator());
+    ghosted          = interpolant;
+    SystemVector rhs = discretization.make_system_vector();
 
     dealii::Vector<double>               cell_rhs(fe.dofs_per_cell);
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
@@ -190,13 +190,13 @@ namespace ThermoContact
                              Vector              &temperature,
                              Vector              &displacement)
   {
-    Vector projection = discretization.make_system_vector();
+    SystemVector projection = discretization.make_system_vector();
     VectorTools::interpolate(discretization.mapping(),
                              discretization.dof_handler(),
                              function,
                              projection);
-    const Vector rhs = correction_rhs(function, projection);
-    Vector       correction(rhs);
+    const SystemVector rhs = correction_rhs(function, projection);
+    SystemVector       correction(rhs);
     laplace_solver->solve(correction, rhs);
     projection += correction;
     discretization.split(projection, temperature, displacement);

@@ -33,7 +33,9 @@ namespace ThermoContact
                   discretization.finite_element(),
                   QGauss<dim - 1>(n_points(discretization)),
                   update_values | update_quadrature_points | update_JxW_values)
-    , sources(discretization.owned_by_block(), discretization.communicator())
+    , sources(discretization.owned_by_block(),
+              discretization.relevant_by_block(),
+              discretization.communicator())
     , cell_load(discretization.finite_element().dofs_per_cell)
     , obstacle_heat_(discretization.make_vector(Field::temperature))
   {

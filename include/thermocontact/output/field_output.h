@@ -72,7 +72,7 @@ namespace ThermoContact
      * Both fields in one vector. By blocks: DataOut takes other vectors only if
      * the owned indices are contiguous.
      */
-    TrilinosWrappers::MPI::BlockVector
+    BlockVector
     joined(const Vector &temperature, const Vector &displacement) const;
 
     /**

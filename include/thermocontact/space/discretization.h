@@ -200,7 +200,7 @@ namespace ThermoContact
       return prototypes[field];
     }
 
-    Vector
+    SystemVector
     make_system_vector() const
     {
       return system_prototype;
@@ -217,13 +217,13 @@ namespace ThermoContact
     void
     join(const Vector &temperature,
          const Vector &displacement,
-         Vector       &system) const;
+         SystemVector &system) const;
 
     /** The reverse of join(). */
     void
-    split(const Vector &system,
-          Vector       &temperature,
-          Vector       &displacement) const;
+    split(const SystemVector &system,
+          Vector             &temperature,
+          Vector             &displacement) const;
 
   private:
     const MPI_Comm      communicator_;
@@ -239,7 +239,7 @@ namespace ThermoContact
     std::vector<IndexSet>                  owned_by_block_;
     std::vector<IndexSet>                  relevant_by_block_;
     std::vector<Vector>                    prototypes;
-    Vector                                 system_prototype;
+    SystemVector                           system_prototype;
     std::unique_ptr<const ContactEnd<dim>> contact_end_;
     std::vector<IndexSet>                  constrained_;
     std::vector<std::vector<unsigned int>> constrained_entries_;

@@ -50,9 +50,9 @@ namespace ThermoContact
     void
     assemble_laplace_matrix();
 
-    Vector
+    SystemVector
     correction_rhs(const Function<dim> &function,
-                   const Vector        &interpolant) const;
+                   const SystemVector  &interpolant) const;
   };
 } // namespace ThermoContact
 
