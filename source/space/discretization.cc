@@ -155,6 +155,22 @@ namespace ThermoContact
 
 
   template <int dim>
+  BlockVector
+  Discretization<dim>::make_ghosted_vector() const
+  {
+    std::vector<IndexSet> owned, relevant;
+    for (const Field::Block field : all_fields)
+      if (has_field(field))
+        {
+          owned.push_back(owned_by_block_[field]);
+          relevant.push_back(relevant_by_block_[field]);
+        }
+    return BlockVector(owned, relevant, communicator_);
+  }
+
+
+
+  template <int dim>
   void
   Discretization<dim>::join(const Vector &temperature,
                             const Vector &displacement,

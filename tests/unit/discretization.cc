@@ -120,7 +120,7 @@ namespace
     projection.project(Fields<1>(w, polynomial),
                        state.temperature,
                        state.displacement);
-    Vector system = space.make_system_vector();
+    auto system = space.make_system_vector();
     space.join(state.temperature, state.displacement, system);
 
     // values at the vertices, and the error of the derivative against the
@@ -191,8 +191,8 @@ namespace
     const Discretization<dim>             space(scene, MPI_COMM_SELF);
     const ThermoviscoelasticOperator<dim> op(scene, space);
     const auto interpolate = [&](const Fields<dim> &fields) {
-      State  state  = space.make_state();
-      Vector system = space.make_system_vector();
+      State state  = space.make_state();
+      auto  system = space.make_system_vector();
       VectorTools::interpolate(space.mapping(),
                                space.dof_handler(),
                                fields,

@@ -206,6 +206,20 @@ namespace ThermoContact
       return system_prototype;
     }
 
+    /**
+     * A vector of zeros of the fields that the scene has, with the ghosts that
+     * cells need: several ranks cannot exchange those of an empty block.
+     */
+    BlockVector
+    make_ghosted_vector() const;
+
+    /** The block of a field that the scene has in a ghosted vector. */
+    unsigned int
+    ghosted_block(const Field::Block field) const
+    {
+      return has_field(Field::temperature) ? field : 0;
+    }
+
     /** A state of zeros. */
     State
     make_state() const;
