@@ -128,11 +128,12 @@ namespace ThermoContact
      * dimensions a body has.
      */
     LinearSolver
-    resolve_linear_solver(const Parameters  &parameters,
-                          const SceneFields &fields,
-                          const Scheme      &scheme,
-                          const bool         is_fixed_point,
-                          const bool         has_prescribed_start)
+    resolve_linear_solver(const Parameters   &parameters,
+                          const SceneFields  &fields,
+                          const Scheme       &scheme,
+                          const SceneContact &contact,
+                          const bool          is_fixed_point,
+                          const bool          has_prescribed_start)
     {
       const SolverParameters &solver = parameters.solver;
       const unsigned int      dim    = parameters.dimension;
@@ -152,6 +153,8 @@ namespace ThermoContact
         return direct("Solver/Step solver = fixed point");
       if (has_prescribed_start)
         return direct("Time/Start = paper");
+      if (contact.has_impacts() || !contact.law->is_linear())
+        return direct("Contact/Condition = " + parameters.contact.condition);
       const double n_unknowns =
         parameters.mesh.n_nodes(dim) * fields.n_components(dim);
       const double limit = dim == 2 ? 2e5 : 1.5e4;
@@ -185,6 +188,7 @@ namespace ThermoContact
     , linear_solver(resolve_linear_solver(parameters,
                                           fields,
                                           scheme,
+                                          contact,
                                           is_fixed_point,
                                           has_prescribed_start))
   {}

@@ -166,6 +166,12 @@ namespace ThermoContact
     double      tolerance; ///< relative residual; of the iterative one
     std::string reason;    ///< of the choice
 
+    std::string
+    name() const
+    {
+      return is_iterative ? "iterative" : "direct";
+    }
+
     /** The field matrices are there, and what is solved is factorised. */
     bool
     has_matrices() const
