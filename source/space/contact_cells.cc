@@ -70,59 +70,51 @@ namespace ThermoContact
       massless_quadrature<dim>(degree, scene.has_lumped_mass),
       flags);
 
-    const MatrixFree<dim> &cells      = discretization.matrix_free().cells();
-    unsigned int           n_matrices = 0;
-    for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
-      {
-        const unsigned int n = cells.n_active_entries_per_cell_batch(batch);
-        const bool         is_at_end =
-          touches_contact_end<dim>(cells.get_cell_iterator(batch, 0));
-        n_lanes.push_back(n);
-        first_matrix.push_back(is_at_end ? n_matrices :
-                                           numbers::invalid_unsigned_int);
-        if (!is_at_end)
-          continue;
-        n_matrices += n;
-        for (unsigned int lane = 0; lane < n; ++lane)
-          {
-            const auto cell = typename DoFHandler<dim>::active_cell_iterator(
-              &discretization.dof_handler().get_triangulation(),
-              cells.get_cell_iterator(batch, lane)->level(),
-              cells.get_cell_iterator(batch, lane)->index(),
-              &discretization.dof_handler());
-            if (scene.fields.has_temperature)
-              {
-                face_values.reinit(cell, contact_face<dim>(cell));
-                add_mass(discretization,
-                         lexicographic,
-                         discretization.first_component(Field::temperature),
-                         face_values,
-                         scene.heat.coefficient,
-                         heat_exchange.emplace_back(n_nodes, n_nodes));
-              }
-            if (scene.contact.has_massless_nodes)
-              {
-                FullMatrix<double> &matrix =
-                  missing_mass.emplace_back(n_nodes, n_nodes);
-                const unsigned int axial =
-                  discretization.first_component(Field::displacement);
-                mass_values.reinit(cell);
-                massless_values.reinit(cell);
-                add_mass(discretization,
-                         lexicographic,
-                         axial,
-                         mass_values,
-                         -1.,
-                         matrix);
-                add_mass(discretization,
-                         lexicographic,
-                         axial,
-                         massless_values,
-                         1.,
-                         matrix);
-              }
-          }
-      }
+    const MatrixFree<dim> &cells = discretization.matrix_free().cells();
+    cells_of_batch.resize(cells.n_cell_batches());
+    unsigned int n_matrices = 0;
+    for (unsigned int batch = 0; batch < cells_of_batch.size(); ++batch)
+      for (unsigned int lane = 0;
+           lane < cells.n_active_entries_per_cell_batch(batch);
+           ++lane)
+        {
+          const auto field_cell = cells.get_cell_iterator(batch, lane);
+          const typename DoFHandler<dim>::active_cell_iterator cell(
+            &discretization.dof_handler().get_triangulation(),
+            field_cell->level(),
+            field_cell->index(),
+            &discretization.dof_handler());
+          if (!touches_contact_end<dim>(cell))
+            continue;
+          cells_of_batch[batch].push_back({lane, n_matrices++});
+          if (scene.fields.has_temperature)
+            {
+              face_values.reinit(cell, contact_face<dim>(cell));
+              add_mass(discretization,
+                       lexicographic,
+                       discretization.first_component(Field::temperature),
+                       face_values,
+                       scene.heat.coefficient,
+                       heat_exchange.emplace_back(n_nodes, n_nodes));
+            }
+          if (scene.contact.has_massless_nodes)
+            {
+              FullMatrix<double> &matrix =
+                missing_mass.emplace_back(n_nodes, n_nodes);
+              const unsigned int axial =
+                discretization.first_component(Field::displacement);
+              mass_values.reinit(cell);
+              massless_values.reinit(cell);
+              add_mass(
+                discretization, lexicographic, axial, mass_values, -1., matrix);
+              add_mass(discretization,
+                       lexicographic,
+                       axial,
+                       massless_values,
+                       1.,
+                       matrix);
+            }
+        }
   }
 
 
@@ -153,8 +145,8 @@ namespace ThermoContact
                                        const VectorizedArray<double> *x,
                                        VectorizedArray<double>       *y) const
   {
-    for (unsigned int lane = 0; lane < n_lanes[batch]; ++lane)
-      add(heat_exchange[first_matrix[batch] + lane], factor, lane, x, y);
+    for (const Cell &cell : cells_of_batch[batch])
+      add(heat_exchange[cell.matrix], factor, cell.lane, x, y);
   }
 
 
@@ -168,38 +160,42 @@ namespace ThermoContact
   {
     if (missing_mass.empty())
       return;
-    for (unsigned int lane = 0; lane < n_lanes[batch]; ++lane)
-      add(missing_mass[first_matrix[batch] + lane], factor, lane, x, y);
+    for (const Cell &cell : cells_of_batch[batch])
+      add(missing_mass[cell.matrix], factor, cell.lane, x, y);
   }
 
 
 
   template <int dim>
   void
-  ContactCells<dim>::extend(VectorizedArray<double> *values) const
+  ContactCells<dim>::extend(const unsigned int       batch,
+                            VectorizedArray<double> *values) const
   {
-    for (unsigned int line = 0; line < n_nodes; line += nodes_along)
-      {
-        VectorizedArray<double> value = 0.;
-        for (unsigned int k = 0; k + 1 < nodes_along; ++k)
-          value += extension[k] * values[line + k];
-        values[line + nodes_along - 1] = value;
-      }
+    for (const Cell &cell : cells_of_batch[batch])
+      for (unsigned int line = 0; line < n_nodes; line += nodes_along)
+        {
+          double value = 0.;
+          for (unsigned int k = 0; k + 1 < nodes_along; ++k)
+            value += extension[k] * values[line + k][cell.lane];
+          values[line + nodes_along - 1][cell.lane] = value;
+        }
   }
 
 
 
   template <int dim>
   void
-  ContactCells<dim>::restrict_to_others(VectorizedArray<double> *values) const
+  ContactCells<dim>::restrict_to_others(const unsigned int       batch,
+                                        VectorizedArray<double> *values) const
   {
-    for (unsigned int line = 0; line < n_nodes; line += nodes_along)
-      {
-        VectorizedArray<double> &at_end = values[line + nodes_along - 1];
-        for (unsigned int k = 0; k + 1 < nodes_along; ++k)
-          values[line + k] += extension[k] * at_end;
-        at_end = 0.;
-      }
+    for (const Cell &cell : cells_of_batch[batch])
+      for (unsigned int line = 0; line < n_nodes; line += nodes_along)
+        {
+          double &at_end = values[line + nodes_along - 1][cell.lane];
+          for (unsigned int k = 0; k + 1 < nodes_along; ++k)
+            values[line + k][cell.lane] += extension[k] * at_end;
+          at_end = 0.;
+        }
   }
 
 

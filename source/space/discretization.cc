@@ -43,7 +43,7 @@ namespace ThermoContact
           matrix_free_ = std::make_shared<const MatrixFreeSpaces<dim>>(*this);
           for (const Field::Block field : all_fields)
             if (has_field(field))
-              prototypes[field] = matrix_free_->make_vector(field);
+              prototypes[field].reinit(matrix_free_->make_vector(field));
         }
     contact_end_ =
       std::make_unique<const ContactEnd<dim>>(*this, scene.contact.gap);

@@ -143,9 +143,9 @@ namespace ThermoContact
     if (!has_own_viscous)
       return;
     std::copy(values, values + n, output.begin());
-    contact_cells.extend(input.begin());
+    contact_cells.extend(batch, input.begin());
     integrate_momentum({0., factors.viscous_stiffness, 0.}, input.begin(), u);
-    contact_cells.restrict_to_others(values);
+    contact_cells.restrict_to_others(batch, values);
     for (unsigned int i = 0; i < n; ++i)
       values[i] += output[i];
   }

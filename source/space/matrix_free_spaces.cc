@@ -86,15 +86,6 @@ namespace ThermoContact
       MatrixFree<dim>::AdditionalData::TasksParallelScheme::none;
     data.mapping_update_flags = update_values | update_gradients |
                                 update_JxW_values | update_quadrature_points;
-    const auto &triangulation =
-      discretization.dof_handler().get_triangulation();
-    data.cell_vectorization_category.assign(triangulation.n_active_cells(), 0);
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() && touches_contact_end<dim>(cell))
-        data.cell_vectorization_category[cell->active_cell_index()] = 1;
-    data.cell_vectorization_categories_strict = true;
-
     std::vector<const DoFHandler<dim> *>           used;
     std::vector<const AffineConstraints<double> *> constraints;
     for (const Field::Block field : all_fields)

@@ -27,11 +27,11 @@ namespace ThermoContact
 
     ContactCells(const Scene &scene, const Discretization<dim> &discretization);
 
-    /** True if this batch of cells is at the contact end. */
+    /** True if this batch has cells at the contact end. */
     bool
     contain(const unsigned int batch) const
     {
-      return first_matrix[batch] != numbers::invalid_unsigned_int;
+      return !cells_of_batch[batch].empty();
     }
 
     /** Adds @p factor times $kB$ to @p y. */
@@ -50,21 +50,25 @@ namespace ThermoContact
 
     /** Gives the contact nodes the values that the others extend to. */
     void
-    extend(VectorizedArray<double> *values) const;
+    extend(const unsigned int batch, VectorizedArray<double> *values) const;
 
     /** The transpose of extend(). */
     void
-    restrict_to_others(VectorizedArray<double> *values) const;
+    restrict_to_others(const unsigned int       batch,
+                       VectorizedArray<double> *values) const;
 
   private:
     const unsigned int nodes_along; ///< in the direction of the axis
     unsigned int       n_nodes;     ///< of a cell
 
-    /** Of each batch, the matrices of its first cell. */
-    std::vector<unsigned int> first_matrix;
+    /** A cell at the end: its place in a batch, and that of its matrices. */
+    struct Cell
+    {
+      unsigned int lane;
+      unsigned int matrix;
+    };
 
-    /** Number of cells of each batch. */
-    std::vector<unsigned int> n_lanes;
+    std::vector<std::vector<Cell>> cells_of_batch;
 
     std::vector<FullMatrix<double>> heat_exchange;
     std::vector<FullMatrix<double>> missing_mass;

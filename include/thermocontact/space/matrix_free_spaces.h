@@ -27,8 +27,6 @@ namespace ThermoContact
    * The spaces of the single fields, and what products without matrices need of
    * their cells. Each field has a DoFHandler of its own, whose numbers are
    * those of its block in the Discretization, so that vectors are the same.
-   *
-   * Batches of cells touch the contact end with all their cells or with none.
    */
   template <int dim>
   class MatrixFreeSpaces
