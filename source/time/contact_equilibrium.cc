@@ -13,15 +13,15 @@ namespace ThermoContact
   {
     Vector unit = body.discretization.make_vector(Field::displacement);
     Vector force(unit);
-    return body.contact_end().response_matrix(
-      [&](const unsigned int node) -> const Vector & {
-        std::vector<double> unit_value(body.contact_end().n_nodes(), 0.);
-        unit_value[node] = 1.;
-        unit             = 0.;
-        body.contact_end().set_values(Field::displacement, unit_value, unit);
-        body.equations.stiffness().vmult(force, unit);
-        return force;
-      });
+    return body.contact_end().all_response_matrix([&](const unsigned int node)
+                                                    -> const Vector & {
+      std::vector<double> unit_value(body.contact_end().n_all_nodes(), 0.);
+      unit_value[node] = 1.;
+      unit             = 0.;
+      body.contact_end().set_all_values(Field::displacement, unit_value, unit);
+      body.equations.stiffness().vmult(force, unit);
+      return force;
+    });
   }
 
 
@@ -29,34 +29,43 @@ namespace ThermoContact
   template <int dim>
   FullMatrix<double>
   contact_receptance(const ContactEnd<dim>    &end,
-                     const FullMatrix<double> &stiffness)
+                     const FullMatrix<double> &flexibility)
   {
-    FullMatrix<double> receptance(stiffness);
-    receptance.gauss_jordan();
+    FullMatrix<double> receptance(end.n_all_nodes(), end.n_nodes());
     for (unsigned int i = 0; i < receptance.m(); ++i)
       for (unsigned int j = 0; j < receptance.n(); ++j)
-        receptance(i, j) *= end.nodes()[j].weight;
+        receptance(i, j) = flexibility(i, j) * end.nodes()[j].weight;
     return receptance;
+  }
+
+
+
+  FullMatrix<double>
+  between_pressures(const FullMatrix<double> &receptance)
+  {
+    FullMatrix<double> square(receptance.n(), receptance.n());
+    square.fill(receptance);
+    return square;
   }
 
 
 
   namespace
   {
-    /** Values of the nodes plus the displacement by forces on them. */
+    /** Values of all nodes plus the displacement by forces on them. */
     template <int dim>
     std::vector<double>
     moved_by_force(const ContactEnd<dim>    &end,
-                   const FullMatrix<double> &receptance,
+                   const FullMatrix<double> &flexibility,
                    const Vector             &force,
                    const Vector             &field)
     {
       std::vector<double> forces, moved;
-      end.get_values(Field::displacement, force, forces);
-      end.get_values(Field::displacement, field, moved);
+      end.get_all_values(Field::displacement, force, forces);
+      end.get_all_values(Field::displacement, field, moved);
       for (unsigned int i = 0; i < moved.size(); ++i)
         for (unsigned int j = 0; j < moved.size(); ++j)
-          moved[i] += receptance(i, j) * forces[j] / end.nodes()[j].weight;
+          moved[i] += flexibility(i, j) * forces[j];
       return moved;
     }
   } // namespace
@@ -67,12 +76,13 @@ namespace ThermoContact
   void
   settle_contact_nodes(Body<dim> &body, State &state)
   {
-    const ContactEnd<dim>   &end = body.contact_end();
-    const FullMatrix<double> receptance =
-      contact_receptance(end, contact_stiffness(body));
-    const Discretization<dim> &space = body.discretization;
-    Vector heat_load                 = space.make_vector(Field::temperature);
-    Vector momentum_load             = space.make_vector(Field::displacement);
+    const ContactEnd<dim> &end         = body.contact_end();
+    FullMatrix<double>     flexibility = contact_stiffness(body);
+    flexibility.gauss_jordan();
+    const FullMatrix<double> receptance = contact_receptance(end, flexibility);
+    const Discretization<dim> &space    = body.discretization;
+    Vector heat_load                    = space.make_vector(Field::temperature);
+    Vector momentum_load = space.make_vector(Field::displacement);
     Vector heat_rhs(heat_load), force(momentum_load);
     body.loads.assemble(state.time, heat_load, momentum_load);
 
@@ -81,24 +91,25 @@ namespace ThermoContact
     body.equations.stage_rhs(
       state, 1., heat_load, momentum_load, heat_rhs, force);
     const std::vector<double> s =
-      moved_by_force(end, receptance, force, state.displacement);
-    std::vector<double> free_penetration(s);
-    for (unsigned int i = 0; i < s.size(); ++i)
+      moved_by_force(end, flexibility, force, state.displacement);
+    std::vector<double> free_penetration(s.begin(), s.begin() + end.n_nodes());
+    for (unsigned int i = 0; i < end.n_nodes(); ++i)
       free_penetration[i] -= end.nodes()[i].gap;
     std::vector<double> &p = state.contact_pressure;
-    ContactSolver(body.law()).solve(receptance, free_penetration, p);
+    ContactSolver(body.law())
+      .solve(between_pressures(receptance), free_penetration, p);
 
     body.equations.stiffness().vmult(force, state.velocity);
     force *= -1.;
     const std::vector<double> s_rate =
-      moved_by_force(end, receptance, force, state.velocity);
-    for (const auto &[node, entry] : end.entries(Field::displacement))
+      moved_by_force(end, flexibility, force, state.velocity);
+    for (const auto &[node, entry] : end.all_entries(Field::displacement))
       {
         // where there is pressure, the law is exact to rounding of u
         double displacement = s[node], velocity = s_rate[node];
         for (unsigned int j = 0; j < p.size(); ++j)
           displacement -= receptance(node, j) * p[j];
-        if (p[node] > 0.)
+        if (node < p.size() && p[node] > 0.)
           {
             const double tangent = body.law().tangent(p[node]);
             displacement =
