@@ -46,7 +46,8 @@ namespace ThermoContact
   const std::vector<GeometryKind> &
   geometries()
   {
-    static const std::vector<GeometryKind> kinds = {plane_strain()};
+    static const std::vector<GeometryKind> kinds = {plane_strain(),
+                                                    axisymmetric()};
     return kinds;
   }
 

@@ -117,6 +117,10 @@ namespace ThermoContact
   /** The kind of that name, which exists. */
   const GeometryKind &
   geometry(const std::string &name);
+
+  // the kinds that have files of their own
+  GeometryKind
+  axisymmetric();
 } // namespace ThermoContact
 
 #endif
