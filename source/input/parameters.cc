@@ -242,10 +242,19 @@ namespace ThermoContact
                       mass_matrix,
                       "consistent, or lumped (Gauss-Lobatto rule: diagonal).",
                       Selection("consistent|lumped"));
+    prm.add_parameter("Geometry",
+                      geometry,
+                      "What the mesh stands for, for Dimension = 2: " +
+                        in_words(geometries(),
+                                 [](const auto &kind) {
+                                   return " (" + kind.text + ")";
+                                 }) +
+                        ".",
+                      Selection(names_of(geometries())));
     prm.add_parameter("Width",
                       width,
                       "Width (and height) of the body, for Dimension > 1; its "
-                      "length is 1.",
+                      "length is 1. With Geometry = axisymmetric its radius.",
                       Double(1e-3, 1e3));
     prm.add_parameter("Cells across",
                       cells_across,
@@ -371,8 +380,9 @@ namespace ThermoContact
                       "Title of the run, for the log and the CSV files.");
     prm.add_parameter("Dimension",
                       dimension,
-                      "Space dimension: 1 is the rod; in 2 (plane strain) and "
-                      "3 the body is a box of length 1.",
+                      "Space dimension: 1 is the rod; in 2 the body is a strip "
+                      "or a round rod (Mesh/Geometry), in 3 a box, of length "
+                      "1.",
                       Integer(1, 3));
     model.add_parameters(prm);
     boundary.add_parameters(prm);

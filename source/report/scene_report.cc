@@ -19,17 +19,15 @@ namespace ThermoContact
     {
       const MeshParameters &mesh = simulation.parameters().mesh;
       const unsigned int    n    = simulation.discretization().n_active_cells();
-      if (dim == 1)
-        return text("rod of length 1, ", n, " cells of degree ", mesh.degree);
-      return text(dim,
-                  "-D body of length 1 and width ",
-                  mesh.width,
+      return text(simulation.scene().geometry->description(),
                   ", ",
                   n,
                   " cells of degree ",
                   mesh.degree,
-                  ", lateral faces: ",
-                  simulation.parameters().boundary.lateral_support);
+                  dim == 1 ?
+                    "" :
+                    ", lateral faces: " +
+                      simulation.parameters().boundary.lateral_support);
     }
 
 

@@ -170,6 +170,8 @@ namespace ThermoContact
   Scene::Scene(const Parameters &parameters)
     : parameters(parameters)
     , fields(resolve_fields(parameters.model))
+    , geometry(ThermoContact::geometry(parameters.mesh.geometry)
+                 .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, fields))
     , heat({parameters.boundary.heat_exchange,
             parameters.boundary.fixed_end_temperature,

@@ -286,6 +286,12 @@ namespace ThermoContact
              parameters.contact.compliance,
              "epsilon > 0",
              "for a rigid obstacle set Contact/Condition = rigid");
+    if (scene.has_lumped_mass && !scene.geometry->has_uniform_weight())
+      refuse("Mesh/Mass matrix",
+             parameters.mesh.mass_matrix,
+             "consistent, since Mesh/Geometry = " + parameters.mesh.geometry,
+             "Mesh/Mass matrix = consistent: lumped nodes on the axis would "
+             "have no mass");
     check_number_of_unknowns(parameters.mesh, parameters.dimension);
     parse_probe_positions(parameters.output.probes,
                           parameters.dimension,

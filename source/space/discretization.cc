@@ -22,7 +22,7 @@ namespace ThermoContact
   Discretization<dim>::Discretization(const Scene   &scene,
                                       const MPI_Comm communicator)
     : communicator_(communicator)
-    , geometry_(scene.parameters.mesh)
+    , geometry_(scene)
     , triangulation(DimensionTraits<dim>::make_triangulation(communicator))
     , finite_element_(FE_Q<dim>(scene.parameters.mesh.degree),
                       scene.fields.n_components(dim))
@@ -35,7 +35,7 @@ namespace ThermoContact
                 0 :
                 scene.parameters.mesh.n_halvings());
     distribute_dofs(scene.fields);
-    make_constraints(scene.has_rollers);
+    make_constraints();
     collect_constrained();
     if constexpr (dim > 1)
       if (!scene.linear_solver.has_matrices())
@@ -110,22 +110,21 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Discretization<dim>::make_constraints(const bool has_rollers)
+  Discretization<dim>::make_constraints()
   {
     constraints_.reinit(relevant_);
 
     const Functions::ZeroFunction<dim> zero(n_components());
     VectorTools::interpolate_boundary_values(
       mapping_, dof_handler_, fixed_boundary_id, zero, constraints_);
-    for (unsigned int d = 1;
-         has_rollers && has_field(Field::displacement) && d < dim;
-         ++d)
+    for (unsigned int d = 1; has_field(Field::displacement) && d < dim; ++d)
       {
         ComponentMask normal(n_components(), false);
         normal.set(first_component(Field::displacement) + d, true);
-        for (const types::boundary_id id : {2 * d, 2 * d + 1})
-          VectorTools::interpolate_boundary_values(
-            mapping_, dof_handler_, id, zero, constraints_, normal);
+        for (const types::boundary_id face : {2 * d, 2 * d + 1})
+          if (geometry_.is_held(face))
+            VectorTools::interpolate_boundary_values(
+              mapping_, dof_handler_, face, zero, constraints_, normal);
       }
     constraints_.close();
   }

@@ -13,6 +13,7 @@ namespace ThermoContact
     const Scene               &scene,
     const Discretization<dim> &discretization)
     : discretization(discretization)
+    , geometry(discretization.geometry())
     , material(scene.material)
     , spaces(discretization.matrix_free())
     , has_lumped_mass(scene.has_lumped_mass)
@@ -38,7 +39,7 @@ namespace ThermoContact
     values.reinit(batch);
     values.evaluate(x, EvaluationFlags::values);
     for (unsigned int q = 0; q < values.n_q_points; ++q)
-      values.submit_value(factor * values.get_value(q), q);
+      values.submit_value(factor * weight(values, q) * values.get_value(q), q);
     values.integrate(EvaluationFlags::values, y, true);
   }
 
@@ -59,10 +60,12 @@ namespace ThermoContact
                    EvaluationFlags::values | EvaluationFlags::gradients);
     for (unsigned int q = 0; q < theta.n_q_points; ++q)
       {
-        theta.submit_value((has_bulk_mass ? factors.mass : 0.) *
+        const VectorizedArray<double> w = weight(theta, q);
+        theta.submit_value((has_bulk_mass ? factors.mass : 0.) * w *
                              theta.get_value(q),
                            q);
-        theta.submit_gradient(factors.conduction * theta.get_gradient(q), q);
+        theta.submit_gradient(factors.conduction * w * theta.get_gradient(q),
+                              q);
       }
     theta.integrate(EvaluationFlags::values | EvaluationFlags::gradients,
                     values);
@@ -84,28 +87,44 @@ namespace ThermoContact
                                               const VectorizedArray<double> *x,
                                               Vectorial &u) const
   {
+    const bool needs_values =
+      factors.mass != 0. || !geometry.has_uniform_weight();
     const EvaluationFlags::EvaluationFlags flags =
-      factors.mass != 0. ?
-        EvaluationFlags::values | EvaluationFlags::gradients :
-        EvaluationFlags::gradients;
+      needs_values ? EvaluationFlags::values | EvaluationFlags::gradients :
+                     EvaluationFlags::gradients;
     const double two_mu = factors.stiffness * material.two_mu;
     const double lambda = factors.stiffness * material.lambda;
     u.evaluate(x, flags);
     for (unsigned int q = 0; q < u.n_q_points; ++q)
       {
-        if (factors.mass != 0.)
-          u.submit_value(factors.mass * u.get_value(q), q);
-        if (factors.laplacian != 0.)
-          {
-            u.submit_gradient(factors.laplacian * u.get_gradient(q), q);
-            continue;
-          }
+        const VectorizedArray<double> w = weight(u, q);
+        // read all before the first value is submitted over it
+        const auto gradient = u.get_gradient(q);
         SymmetricTensor<2, dim, VectorizedArray<double>> stress =
           u.get_symmetric_gradient(q);
-        const VectorizedArray<double> pressure = lambda * trace(stress);
-        stress *= VectorizedArray<double>(two_mu);
+        Tensor<1, dim, VectorizedArray<double>> force;
+        VectorizedArray<double>                 strain = trace(stress);
+        if (needs_values)
+          {
+            const auto value = u.get_value(q);
+            force            = value * (factors.mass * w);
+            if (factors.laplacian == 0.)
+              {
+                const VectorizedArray<double> c      = hoop(u, q);
+                const VectorizedArray<double> around = c * value[dim - 1];
+                strain += around;
+                force[dim - 1] += c * w * (two_mu * around + lambda * strain);
+              }
+            u.submit_value(force, q);
+          }
+        if (factors.laplacian != 0.)
+          {
+            u.submit_gradient(gradient * (factors.laplacian * w), q);
+            continue;
+          }
+        stress *= two_mu * w;
         for (unsigned int d = 0; d < dim; ++d)
-          stress[d][d] += pressure;
+          stress[d][d] += lambda * w * strain;
         u.submit_symmetric_gradient(stress, q);
       }
     u.integrate(flags, u.begin_dof_values());
@@ -206,6 +225,17 @@ namespace ThermoContact
   void
   MatrixFreeOperator<dim>::divergence(Vector &heat, const Vector &u) const
   {
+    const EvaluationFlags::EvaluationFlags vector_flags =
+      geometry.has_uniform_weight() ?
+        EvaluationFlags::gradients :
+        EvaluationFlags::values | EvaluationFlags::gradients;
+    const auto divergence_at = [&](const Vectorial   &displacement,
+                                   const unsigned int q) {
+      VectorizedArray<double> result = displacement.get_divergence(q);
+      if (!geometry.has_uniform_weight())
+        result += hoop(displacement, q) * displacement.get_value(q)[dim - 1];
+      return result;
+    };
     spaces.cells().template cell_loop<Vector, Vector>(
       [&](
         const auto &cells, Vector &dst, const Vector &src, const auto &range) {
@@ -215,9 +245,11 @@ namespace ThermoContact
           {
             theta.reinit(batch);
             displacement.reinit(batch);
-            displacement.gather_evaluate(src, EvaluationFlags::gradients);
+            displacement.gather_evaluate(src, vector_flags);
             for (unsigned int q = 0; q < theta.n_q_points; ++q)
-              theta.submit_value(displacement.get_divergence(q), q);
+              theta.submit_value(weight(theta, q) *
+                                   divergence_at(displacement, q),
+                                 q);
             theta.integrate_scatter(EvaluationFlags::values, dst);
           }
       },
@@ -233,6 +265,10 @@ namespace ThermoContact
   MatrixFreeOperator<dim>::thermal_stress(Vector       &momentum,
                                           const Vector &theta) const
   {
+    const EvaluationFlags::EvaluationFlags vector_flags =
+      geometry.has_uniform_weight() ?
+        EvaluationFlags::gradients :
+        EvaluationFlags::values | EvaluationFlags::gradients;
     spaces.cells().template cell_loop<Vector, Vector>(
       [&](
         const auto &cells, Vector &dst, const Vector &src, const auto &range) {
@@ -244,8 +280,18 @@ namespace ThermoContact
             u.reinit(batch);
             temperature.gather_evaluate(src, EvaluationFlags::values);
             for (unsigned int q = 0; q < u.n_q_points; ++q)
-              u.submit_divergence(temperature.get_value(q), q);
-            u.integrate_scatter(EvaluationFlags::gradients, dst);
+              {
+                const VectorizedArray<double> value =
+                  weight(u, q) * temperature.get_value(q);
+                if (!geometry.has_uniform_weight())
+                  {
+                    Tensor<1, dim, VectorizedArray<double>> force;
+                    force[dim - 1] = hoop(u, q) * value;
+                    u.submit_value(force, q);
+                  }
+                u.submit_divergence(value, q);
+              }
+            u.integrate_scatter(vector_flags, dst);
           }
       },
       momentum,

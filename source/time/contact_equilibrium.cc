@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/method/contact_solver.h>
 #include <thermocontact/time/contact_equilibrium.h>
 
@@ -18,15 +19,15 @@ namespace ThermoContact
   {
     Vector unit = body.discretization.make_vector(Field::displacement);
     Vector force(unit);
-    return body.contact_end().response_matrix(
-      [&](const unsigned int node) -> const Vector & {
-        std::vector<double> unit_value(body.contact_end().n_nodes(), 0.);
-        unit_value[node] = 1.;
-        unit             = 0.;
-        body.contact_end().set_values(Field::displacement, unit_value, unit);
-        body.equations.stiffness().vmult(force, unit);
-        return force;
-      });
+    return body.contact_end().all_response_matrix([&](const unsigned int node)
+                                                    -> const Vector & {
+      std::vector<double> unit_value(body.contact_end().n_all_nodes(), 0.);
+      unit_value[node] = 1.;
+      unit             = 0.;
+      body.contact_end().set_all_values(Field::displacement, unit_value, unit);
+      body.equations.stiffness().vmult(force, unit);
+      return force;
+    });
   }
 
 
@@ -34,34 +35,43 @@ namespace ThermoContact
   template <int dim>
   FullMatrix<double>
   contact_receptance(const ContactEnd<dim>    &end,
-                     const FullMatrix<double> &stiffness)
+                     const FullMatrix<double> &flexibility)
   {
-    FullMatrix<double> receptance(stiffness);
-    receptance.gauss_jordan();
+    FullMatrix<double> receptance(end.n_all_nodes(), end.n_nodes());
     for (unsigned int i = 0; i < receptance.m(); ++i)
       for (unsigned int j = 0; j < receptance.n(); ++j)
-        receptance(i, j) *= end.nodes()[j].weight;
+        receptance(i, j) = flexibility(i, j) * end.nodes()[j].weight;
     return receptance;
+  }
+
+
+
+  FullMatrix<double>
+  between_pressures(const FullMatrix<double> &receptance)
+  {
+    FullMatrix<double> square(receptance.n(), receptance.n());
+    square.fill(receptance);
+    return square;
   }
 
 
 
   namespace
   {
-    /** Values of the nodes plus the displacement by forces on them. */
+    /** Values of all nodes plus the displacement by forces on them. */
     template <int dim>
     std::vector<double>
     moved_by_force(const ContactEnd<dim>    &end,
-                   const FullMatrix<double> &receptance,
+                   const FullMatrix<double> &flexibility,
                    const Vector             &force,
                    const Vector             &field)
     {
       std::vector<double> forces, moved;
-      end.get_values(Field::displacement, force, forces);
-      end.get_values(Field::displacement, field, moved);
+      end.get_all_values(Field::displacement, force, forces);
+      end.get_all_values(Field::displacement, field, moved);
       for (unsigned int i = 0; i < moved.size(); ++i)
         for (unsigned int j = 0; j < moved.size(); ++j)
-          moved[i] += receptance(i, j) * forces[j] / end.nodes()[j].weight;
+          moved[i] += flexibility(i, j) * forces[j];
       return moved;
     }
   } // namespace
@@ -79,8 +89,8 @@ namespace ThermoContact
         : body(body)
         , unit(body.discretization.make_vector(Field::displacement))
         , force(unit)
-        , springs(body.contact_end().n_nodes(), 0.)
-        , is_held(body.contact_end().n_nodes(), false)
+        , springs(body.contact_end().n_all_nodes(), 0.)
+        , is_held(body.contact_end().n_all_nodes(), false)
       {}
 
       const Body<dim>    &body;
@@ -93,10 +103,12 @@ namespace ThermoContact
       forces(const std::vector<double> &displacement) const
       {
         unit = 0.;
-        body.contact_end().set_values(Field::displacement, displacement, unit);
+        body.contact_end().set_all_values(Field::displacement,
+                                          displacement,
+                                          unit);
         body.equations.stiffness().vmult(force, unit);
         std::vector<double> result;
-        body.contact_end().get_values(Field::displacement, force, result);
+        body.contact_end().get_all_values(Field::displacement, force, result);
         return result;
       }
 
@@ -141,17 +153,28 @@ namespace ThermoContact
                       State                     &state)
     {
       const ContactEnd<dim>    &end = body.contact_end();
-      const unsigned int        n   = end.n_nodes();
+      const unsigned int        n   = end.n_all_nodes();
       ContactNodeStiffness<dim> stiffness(body);
-      std::vector<double>      &p = state.contact_pressure;
-      std::vector<double>       penetration, change(n, 0.);
-      end.get_penetrations(state.displacement, penetration);
+      std::vector<double>      &p           = state.contact_pressure;
+      const unsigned int        n_pressures = p.size();
+      std::vector<double>       displacement, change(n, 0.);
+      end.get_all_values(Field::displacement, state.displacement, displacement);
+      std::vector<double> penetration(displacement);
+      for (unsigned int i = 0; i < n_pressures; ++i)
+        penetration[i] -= end.nodes()[i].gap;
       const double      tangent = body.law().tangent(0.);
       std::vector<bool> is_active(n, false);
-      for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int i = 0; i < n_pressures; ++i)
         is_active[i] = p[i] > 0.;
-      for (bool has_changed = true; has_changed;)
+      const unsigned int max_sets  = 100 + n;
+      unsigned int       iteration = 0;
+      for (bool has_changed = true; has_changed; ++iteration)
         {
+          if (iteration > max_sets)
+            throw ComputationError(
+              "the active set of " + std::to_string(n) +
+              " contact nodes did not settle at the start\n  remedy:  a larger "
+              "Contact/Compliance or Solver/Linear solver = direct");
           std::vector<double> held(n, 0.), b(load);
           for (unsigned int i = 0; i < n; ++i)
             {
@@ -172,7 +195,7 @@ namespace ThermoContact
             change[i] += held[i];
           const std::vector<double> force = stiffness.forces(change);
           has_changed                     = false;
-          for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int i = 0; i < n_pressures; ++i)
             {
               p[i] = is_active[i] ?
                        (load[i] - force[i]) / end.nodes()[i].weight :
@@ -191,7 +214,7 @@ namespace ThermoContact
                                  end.nodes()[i].weight / tangent :
                                  0.;
       std::vector<double> velocity, b(rate_load), values(n);
-      end.get_values(Field::displacement, state.velocity, velocity);
+      end.get_all_values(Field::displacement, state.velocity, velocity);
       std::vector<double> stop(n, 0.);
       for (unsigned int i = 0; i < n; ++i)
         if (stiffness.is_held[i])
@@ -206,12 +229,12 @@ namespace ThermoContact
         {
           velocity[i] += stop[i] + acceleration[i];
           // where there is pressure, the law is exact to rounding of u
-          values[i] =
-            end.nodes()[i].gap + (p[i] > 0. ? body.law().penetration(p[i]) :
-                                              penetration[i] + change[i]);
+          values[i] = i < n_pressures && p[i] > 0. ?
+                        end.nodes()[i].gap + body.law().penetration(p[i]) :
+                        displacement[i] + change[i];
         }
-      end.set_values(Field::displacement, values, state.displacement);
-      end.set_values(Field::displacement, velocity, state.velocity);
+      end.set_all_values(Field::displacement, values, state.displacement);
+      end.set_all_values(Field::displacement, velocity, state.velocity);
     }
   } // namespace
 
@@ -235,35 +258,37 @@ namespace ThermoContact
     if (!body.scene.linear_solver.has_matrices())
       {
         std::vector<double> load, rate_load;
-        end.get_values(Field::displacement, force, load);
+        end.get_all_values(Field::displacement, force, load);
         body.equations.stiffness().vmult(force, state.velocity);
-        end.get_values(Field::displacement, force, rate_load);
+        end.get_all_values(Field::displacement, force, rate_load);
         for (double &rate : rate_load)
           rate *= -1.;
         settle_many_nodes(body, load, rate_load, state);
         return;
       }
-    const FullMatrix<double> receptance =
-      contact_receptance(end, contact_stiffness(body));
+    FullMatrix<double> flexibility = contact_stiffness(body);
+    flexibility.gauss_jordan();
+    const FullMatrix<double>  receptance = contact_receptance(end, flexibility);
     const std::vector<double> s =
-      moved_by_force(end, receptance, force, state.displacement);
-    std::vector<double> free_penetration(s);
-    for (unsigned int i = 0; i < s.size(); ++i)
+      moved_by_force(end, flexibility, force, state.displacement);
+    std::vector<double> free_penetration(s.begin(), s.begin() + end.n_nodes());
+    for (unsigned int i = 0; i < end.n_nodes(); ++i)
       free_penetration[i] -= end.nodes()[i].gap;
     std::vector<double> &p = state.contact_pressure;
-    ContactSolver(body.law()).solve(receptance, free_penetration, p);
+    ContactSolver(body.law())
+      .solve(between_pressures(receptance), free_penetration, p);
 
     body.equations.stiffness().vmult(force, state.velocity);
     force *= -1.;
     const std::vector<double> s_rate =
-      moved_by_force(end, receptance, force, state.velocity);
-    for (const auto &[node, entry] : end.entries(Field::displacement))
+      moved_by_force(end, flexibility, force, state.velocity);
+    for (const auto &[node, entry] : end.all_entries(Field::displacement))
       {
         // where there is pressure, the law is exact to rounding of u
         double displacement = s[node], velocity = s_rate[node];
         for (unsigned int j = 0; j < p.size(); ++j)
           displacement -= receptance(node, j) * p[j];
-        if (p[node] > 0.)
+        if (node < p.size() && p[node] > 0.)
           {
             const double tangent = body.law().tangent(p[node]);
             displacement =

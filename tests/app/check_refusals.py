@@ -45,6 +45,11 @@ SCENES = [
      "Mesh/Cells=2", ("Mesh/Cells=1", "Contact/Condition=none"),
      ("Mesh/Cells=1", "Time/Scheme=sdirk2")),
 
+    # a round rod has points without weight
+    ("Mesh/Mass matrix", ("Dimension=2", "Mesh/Geometry=axisymmetric"),
+     "Mesh/Mass matrix=lumped", "Mesh/Mass matrix=consistent",
+     ("Mesh/Mass matrix=lumped", "Mesh/Geometry=plane strain")),
+
     # steps
     ("Time/Step size", ("Time/Scheme=backward euler",), "Time/Step size=automatic",
      "Time/Step size=0.01", "Time/Scheme=sdirk4"),

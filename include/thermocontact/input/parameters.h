@@ -4,6 +4,7 @@
 #define thermocontact_input_parameters_h
 
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/scheme.h>
 
@@ -98,6 +99,7 @@ namespace ThermoContact
     unsigned int refinements  = 0;
     double       grading      = 1.;
     std::string  mass_matrix  = "consistent";
+    std::string  geometry     = geometries().front().name;
     double       width        = 0.1;
     unsigned int cells_across = 4;
 

@@ -4,6 +4,7 @@
 #define thermocontact_scene_scene_h
 
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/scheme.h>
 
@@ -210,12 +211,13 @@ namespace ThermoContact
     /** @param parameters may be ones that check_scene() refuses */
     explicit Scene(const Parameters &parameters);
 
-    const Parameters   parameters; ///< as written: for files and words
-    const SceneFields  fields;
-    const Material     material;
-    const HeatExchange heat;
-    const SceneSources sources;
-    const Scheme      &scheme;
+    const Parameters  parameters; ///< as written: for files and words
+    const SceneFields fields;
+    const std::unique_ptr<const BodyGeometry> geometry;
+    const Material                            material;
+    const HeatExchange                        heat;
+    const SceneSources                        sources;
+    const Scheme                             &scheme;
 
     /** The first step has the prescribed velocity of the paper, (M.26). */
     const bool has_prescribed_start;

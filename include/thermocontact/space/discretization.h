@@ -37,7 +37,8 @@ namespace ThermoContact
    * by field, the temperature first. A field
    * that the scene does not have is absent from the FESystem, and its block is
    * empty. The constraints are those of rates: homogeneous, temperature and
-   * displacement at the fixed end, normal displacement at rollers.
+   * displacement at the fixed end, normal displacement at lateral faces that
+   * the geometry holds.
    */
   template <int dim>
   class Discretization
@@ -282,7 +283,7 @@ namespace ThermoContact
     distribute_dofs(const SceneFields &fields);
 
     void
-    make_constraints(const bool has_rollers);
+    make_constraints();
 
     /** Finds the constrained degrees of freedom of each field. */
     void

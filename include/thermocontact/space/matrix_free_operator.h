@@ -72,6 +72,7 @@ namespace ThermoContact
     using Values    = typename ContactCells<dim>::Values;
 
     const Discretization<dim>   &discretization;
+    const Geometry<dim>         &geometry;
     const Material              &material;
     const MatrixFreeSpaces<dim> &spaces;
     const bool                   has_lumped_mass;
@@ -79,6 +80,49 @@ namespace ThermoContact
     const ContactCells<dim>      contact_cells;
     mutable Values               input;  ///< values of a batch
     mutable Values               output; ///< likewise
+
+    /** What quadrature points of the present batch weigh beside the mesh. */
+    template <typename Evaluation>
+    VectorizedArray<double>
+    weight(const Evaluation &evaluation, const unsigned int q) const
+    {
+      if (geometry.has_uniform_weight())
+        return 1.;
+      return at_point(evaluation, q, [this](const Point<dim> &point) {
+        return geometry.weight_at(point);
+      });
+    }
+
+    /** A function of the position of a quadrature point, for all cells. */
+    template <typename Evaluation, typename Function>
+    VectorizedArray<double>
+    at_point(const Evaluation  &evaluation,
+             const unsigned int q,
+             const Function    &function) const
+    {
+      const auto              points = evaluation.quadrature_point(q);
+      VectorizedArray<double> values = 0.;
+      for (unsigned int lane = 0; lane < VectorizedArray<double>::size();
+           ++lane)
+        {
+          Point<dim> point;
+          for (unsigned int d = 0; d < dim; ++d)
+            point[d] = points[d][lane];
+          values[lane] = function(point);
+        }
+      return values;
+    }
+
+    /** The strain across the mesh per displacement along y, if there is one. */
+    VectorizedArray<double>
+    hoop(const Vectorial &u, const unsigned int q) const
+    {
+      if (dim != 2 || geometry.has_uniform_weight())
+        return 0.;
+      return at_point(u, q, [this](const Point<dim> &point) {
+        return geometry.strain_per_displacement(point);
+      });
+    }
 
     /** Replaces the values of a batch by their product. */
     void
