@@ -279,8 +279,7 @@ namespace ThermoContact
         using HeatFactors = typename MatrixFreeOperator<dim>::HeatFactors;
         using MomentumFactors =
           typename MatrixFreeOperator<dim>::MomentumFactors;
-        HeatFactors laplacian_of_heat{0., 1.};
-        laplacian_of_heat.has_exchange = false;
+        const HeatFactors laplacian_of_heat{0., 1., true};
         if (discretization.has_field(Field::temperature))
           add_solution(
             [&](Vector &y, const Vector &x) {

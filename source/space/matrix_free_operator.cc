@@ -60,7 +60,8 @@ namespace ThermoContact
                    EvaluationFlags::values | EvaluationFlags::gradients);
     for (unsigned int q = 0; q < theta.n_q_points; ++q)
       {
-        const VectorizedArray<double> w = weight(theta, q);
+        const VectorizedArray<double> w =
+          factors.is_laplacian ? 1. : weight(theta, q);
         theta.submit_value((has_bulk_mass ? factors.mass : 0.) * w *
                              theta.get_value(q),
                            q);
@@ -72,7 +73,7 @@ namespace ThermoContact
     if (has_lumped_mass && factors.mass != 0.)
       add_lumped_mass<1>(
         batch, Field::temperature, factors.mass, input.begin(), values);
-    if (factors.has_exchange && contact_cells.contain(batch))
+    if (!factors.is_laplacian && contact_cells.contain(batch))
       contact_cells.add_heat_exchange(batch,
                                       factors.conduction,
                                       input.begin(),
@@ -119,7 +120,7 @@ namespace ThermoContact
           }
         if (factors.laplacian != 0.)
           {
-            u.submit_gradient(gradient * (factors.laplacian * w), q);
+            u.submit_gradient(gradient * factors.laplacian, q);
             continue;
           }
         stress *= two_mu * w;

@@ -32,10 +32,13 @@ namespace ThermoContact
     {
       double mass;
       double conduction;
-      bool   has_exchange = true; ///< false: $K$ alone
+      bool   is_laplacian = false; ///< of the mesh, instead of $K+kB$
     };
 
-    /** Factors of $M_u$, $S$ and $S_\zeta$, and of the vector Laplacian. */
+    /**
+     * Factors of $M_u$, $S$ and $S_\zeta$, and of the vector Laplacian of the
+     * mesh.
+     */
     struct MomentumFactors
     {
       double mass;
