@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Numbers as text and back. Texts by hand:
-//   0.1 is 0.1000000000000000055..., with 17 digits 0.10000000000000001;
+//   0.1 is 0.1000000000000000055..., with 17 digits 0.10000000000000001, and 0.1 reads back to it;
 //   the least positive double is 2^-1074 = 4.94...e-324; 1e22 is a double;
 //   with 2 digits 1249 is 1200, 0.0996 is 0.1, and 2.5 is 2 without decimals
 //   (half to even, and 2.5 is a double).
@@ -215,8 +215,8 @@ namespace
     append_csv_row(columns, {2, 1. / 3., false, "two\nlines"}, table);
     compare({{table,
               "number,value,\"a,b\",done,words,twice\n"
-              "1,0.10000000000000001,0.1,1,\"say \"\"a, b\"\"\",2\n"
-              "2,0.33333333333333331,0.333,0,two lines,4\n"}});
+              "1,0.1,0.1,1,\"say \"\"a, b\"\"\",2\n"
+              "2,0.3333333333333333,0.333,0,two lines,4\n"}});
   }
 
 
@@ -233,9 +233,9 @@ namespace
       const unsigned long before = n_allocations;
       for (unsigned int i = 0; i < 100; ++i)
         {
-          add_row(record, file);
-          add_row(ContactEvent(), file);
-          add_row(StepAttempt(), file);
+          add_row(contact_columns(1), record, file);
+          add_row(event_columns(), ContactEvent(), file);
+          add_row(attempt_columns(), StepAttempt(), file);
         }
       const unsigned long n = n_allocations - before;
       file.flush();
