@@ -72,7 +72,8 @@ def faults_of_tenths(run):
     end_time = run.settings.number("Time/End time")
     lines = re.findall(r"^ +(\d+) %   t = (\S+) +(.*)$", run.log, re.MULTILINE)
     for percent, time, values in lines:
-        if 10 * int(10 * float(time) / end_time + 1e-4) != int(percent):
+        share = 10 * float(time) / end_time  # of a time of six digits
+        if int(percent) not in (10 * int(share - 1e-4), 10 * int(share + 1e-4)):
             yield f"t = {time} is not {percent} %"
         rows = [i for i, t in enumerate(times) if abs(t - float(time)) <= SIX * t]
         for name, value in re.findall(r"(\S+) = (\S+)", values) if rows else []:
