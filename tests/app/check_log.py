@@ -85,6 +85,30 @@ def faults_of_tenths(run):
         yield "no lines of tenths"
 
 
+def time_scales(settings):
+    """Diffusion over the rod, 1; a wave along it, sqrt(b); zeta of Kelvin and Voigt;
+    contact, in which the impedance sqrt(b) of a wave or that of viscosity, sqrt(b zeta/tau),
+    meets tau/epsilon."""
+    b, zeta = settings.number("Model/Inertia"), settings.number("Model/Viscosity")
+    epsilon = settings.number("Contact/Compliance")
+    if settings.has("temperature"):
+        yield "heat", 1
+    if settings.has("displacement"):
+        yield from ((name, value) for name, value in (
+            ("wave", b**0.5), ("viscous", zeta),
+            ("contact", max((epsilon**2 * b * zeta)**(1 / 3), epsilon * b**0.5)
+             if settings["Contact/Condition"] == "normal compliance" else 0)) if value)
+
+
+def faults_of_scales(run):
+    found = re.findall(r"(\w+) ([\d.e+-]+)", last_line(run.log, "scales"))
+    expected = list(time_scales(run.settings))
+    if [name for name, _ in found] != [name for name, _ in expected] or any(
+            abs(float(value) / exact - 1) > SIX
+            for (_, value), (_, exact) in zip(found, expected)):
+        yield f"scales: {found} instead of {expected}"
+
+
 def faults_of_forecast(run):
     s = run.summary
     words = last_line(run.log, "impact")
@@ -113,7 +137,7 @@ def faults_of_forecast(run):
 
 
 this_run = Run(sys.argv[1])
-faults = [*faults_of_forecast(this_run)]
+faults = [*faults_of_scales(this_run), *faults_of_forecast(this_run)]
 if this_run.summary["status"] == "done":
     faults += [*faults_of_result(this_run), *faults_of_tenths(this_run)]
 print("log.txt:", "; ".join(faults) or "as summary.json and the tables")
