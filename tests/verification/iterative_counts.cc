@@ -3,8 +3,8 @@
 // What the iterative solver of stages counts, whatever the machine.
 //
 // 1. Krylov iterations of a cube, nu = 0.3, to 1e-8: at most 14 for degrees 1,
-//    2 and 4, stages of 1e-3 to 1e-1, no inertia, coupling a = 1, at most 2 more
-//    on cells a half or a quarter as long. A V-cycle that leaves a tenth of the
+//    2 and 4, stages of 1e-3 to 1e-1, no inertia, a = 1, and at most 2 more on
+//    cells a half or a quarter as long. A V-cycle that leaves a tenth of the
 //    error takes 8. Measured: 6 to 10, 2 more for degree 1 and the shortest
 //    stage, else 1 (on finer cubes of 2e4 unknowns, too: at most 10).
 // 2. A patch of contact that grows over a face in steps of 0.01: at most 4 sets
