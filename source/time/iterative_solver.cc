@@ -56,8 +56,7 @@ namespace ThermoContact
                 stage.contact.springs.local_element(entry) *
                 x_u.local_element(entry);
           }
-      for (const Field::Block field : all_fields)
-        y.block(field) *= stage.scale[field];
+      y.scale(stage.weights);
     }
 
   private:
@@ -86,16 +85,16 @@ namespace ThermoContact
       Vector          &z_theta   = z.block(Field::temperature);
       if (has_heat)
         {
-          heat_rhs.equ(1. / stage.scale[Field::temperature],
-                       r.block(Field::temperature));
+          heat_rhs.copy_locally_owned_data_from(r.block(Field::temperature));
+          heat_rhs.scale(stage.inverse_weights.block(Field::temperature));
           hierarchy.heat->vmult(z_theta, heat_rhs);
         }
       else
         z_theta = 0.;
       if (!hierarchy.momentum)
         return;
-      rhs.equ(1. / stage.scale[Field::displacement],
-              r.block(Field::displacement));
+      rhs.copy_locally_owned_data_from(r.block(Field::displacement));
+      rhs.scale(stage.inverse_weights.block(Field::displacement));
       if (has_heat)
         {
           solver.body.equations.add_thermal_stress(z_theta, stage.tau, rhs);
@@ -125,10 +124,12 @@ namespace ThermoContact
     for (const Field::Block field : all_fields)
       stage.rhs.block(field) = body.discretization.make_vector(field);
     stage.rhs.collect_sizes();
-    stage.solution  = stage.rhs;
-    stage.residual  = stage.rhs;
-    correction      = stage.rhs;
-    scaled_residual = stage.rhs;
+    stage.solution        = stage.rhs;
+    stage.residual        = stage.rhs;
+    stage.weights         = stage.rhs;
+    stage.inverse_weights = stage.rhs;
+    correction            = stage.rhs;
+    scaled_residual       = stage.rhs;
     stage.is_active.assign(body.contact_end().n_nodes(), false);
   }
 
@@ -160,14 +161,18 @@ namespace ThermoContact
     const StopWatch watch(counters_.factorization_seconds);
     while (hierarchies.size() >= max_hierarchies)
       hierarchies.pop_back();
-    hierarchies.push_front({tau, nullptr, nullptr});
-    Hierarchy &hierarchy = hierarchies.front();
-    if (body.scene.fields.has_temperature)
-      hierarchy.heat =
-        std::make_unique<StageMultigrid<dim>>(levels, Field::temperature, tau);
-    if (body.scene.fields.has_displacement)
-      hierarchy.momentum =
-        std::make_unique<StageMultigrid<dim>>(levels, Field::displacement, tau);
+    hierarchies.push_front({tau, nullptr, nullptr, {}});
+    Hierarchy         &hierarchy = hierarchies.front();
+    const unsigned int finest    = levels.n_levels() - 1;
+    for (const Field::Block field : all_fields)
+      if (body.discretization.has_field(field))
+        {
+          auto &multigrid =
+            field == Field::temperature ? hierarchy.heat : hierarchy.momentum;
+          multigrid = std::make_unique<StageMultigrid<dim>>(levels, field, tau);
+          hierarchy.diagonals[field] =
+            StageBlock<dim>(levels, finest, field, tau).diagonal();
+        }
     ++counters_.factorizations;
   }
 
@@ -275,26 +280,54 @@ namespace ThermoContact
         v.copy_locally_owned_data_from(known.velocity);
         body.equations.zero_constrained(Field::displacement, v);
       }
+    set_weights(known, tau);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeSolver<dim>::set_weights(const State &known, const double tau)
+  {
     // Residuals are compared to the terms of the equations, whose sum may
-    // vanish where a body is at rest.
+    // vanish where a body is at rest, and by rows, since those of contact nodes
+    // without mass are of the order of the square of a short stage.
     compute_residual();
-    Vector scratch(momentum);
-    double norms[2] = {
-      std::max(heat.l2_norm(), stage.residual.block(0).l2_norm()),
-      std::max(momentum.l2_norm(), stage.residual.block(1).l2_norm())};
-    if (body.scene.fields.has_displacement)
-      {
-        body.equations.stiffness().vmult(scratch, known.displacement);
-        norms[1] = std::max(norms[1], tau * scratch.l2_norm());
-      }
-    if (body.scene.fields.has_temperature && stage.has_heat)
-      {
-        Vector heat_scratch(heat);
-        body.equations.conduction().vmult(heat_scratch, known.temperature);
-        norms[0] = std::max(norms[0], tau * heat_scratch.l2_norm());
-      }
     for (const Field::Block field : all_fields)
-      stage.scale[field] = norms[field] > 0. ? 1. / norms[field] : 1.;
+      {
+        if (!body.discretization.has_field(field))
+          continue;
+        Vector &weights = stage.weights.block(field);
+        Vector &roots   = stage.inverse_weights.block(field);
+        roots.copy_locally_owned_data_from(
+          hierarchies.front().diagonals[field]);
+        for (unsigned int i = 0; i < roots.locally_owned_size(); ++i)
+          {
+            roots.local_element(i)   = std::sqrt(roots.local_element(i));
+            weights.local_element(i) = 1. / roots.local_element(i);
+          }
+        Vector     scratch(weights);
+        const auto norm = [&](const Vector &vector) {
+          scratch.copy_locally_owned_data_from(vector);
+          scratch.scale(weights);
+          return scratch.l2_norm();
+        };
+        double size = std::max(norm(stage.rhs.block(field)),
+                               norm(stage.residual.block(field)));
+        if (field == Field::displacement || stage.has_heat)
+          {
+            Vector internal(scratch);
+            if (field == Field::temperature)
+              body.equations.conduction().vmult(internal, known.temperature);
+            else
+              body.equations.stiffness().vmult(internal, known.displacement);
+            size = std::max(size, tau * norm(internal));
+          }
+        if (size == 0.)
+          continue;
+        weights /= size;
+        roots *= size;
+      }
   }
 
 
@@ -355,8 +388,7 @@ namespace ThermoContact
               (v.local_element(entry) +
                stage.known_penetration[node] / stage.tau);
         }
-    for (const Field::Block field : all_fields)
-      scaled_residual.block(field) *= stage.scale[field];
+    scaled_residual.scale(stage.weights);
 
     SolverControl            control(max_iterations, tolerance, false, false);
     SolverGMRES<BlockVector> gmres(
@@ -395,12 +427,29 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeSolver<dim>::get_pressures(std::vector<double> &pressure) const
+  IterativeSolver<dim>::get_pressures(std::vector<double> &pressure)
   {
-    const ContactEnd<dim> &end = body.contact_end();
-    end.get_values(Field::displacement,
-                   stage.residual.block(Field::displacement),
-                   pressure);
+    const ContactEnd<dim> &end      = body.contact_end();
+    const Vector          &residual = stage.residual.block(Field::displacement);
+    const Vector          &v        = stage.solution.block(Field::displacement);
+    const Vector          &springs  = stage.contact.springs;
+    const Vector &diagonal = hierarchies.front().diagonals[Field::displacement];
+    Vector       &forces   = scaled_residual.block(Field::displacement);
+    for (const auto &[node, entry] : end.entries(Field::displacement))
+      {
+        // Both agree where the stage is solved: the one that errors of the
+        // solution change less, which for springs softer than the body is
+        // theirs
+        const bool is_soft =
+          springs.size() > 0 &&
+          springs.local_element(entry) < diagonal.local_element(entry);
+        forces.local_element(entry) =
+          is_soft ? springs.local_element(entry) *
+                      (v.local_element(entry) +
+                       stage.known_penetration[node] / stage.tau) :
+                    residual.local_element(entry);
+      }
+    end.get_values(Field::displacement, forces, pressure);
     for (unsigned int i = 0; i < pressure.size(); ++i)
       pressure[i] = stage.is_active[i] ?
                       pressure[i] / (stage.tau * end.nodes()[i].weight) :

@@ -18,6 +18,7 @@ ITERATION = EULER + ("Solver/Step solver=fixed point",)
 MASSLESS = ("Contact/Massless nodes=on",)
 STUDY = ("Study/Vary=Mesh/Cells = 4 | 8",)
 RIGID = ("Contact/Condition=rigid",)
+ITERATIVE = PLANE + ("Solver/Linear solver=iterative",)
 
 # entry at fault, what the scenes share, what is refused, its accepted neighbours
 SCENES = [
@@ -104,6 +105,32 @@ SCENES = [
     ("Time/Locate contact events", ITERATION, "Time/Locate contact events=true",
      "Time/Locate contact events=false",
      ("Time/Locate contact events=true", "Solver/Step solver=monolithic")),
+
+    # the iterative solver: no matrix is there that others could use
+    ("Solver/Linear solver", ("Solver/Linear solver=iterative",), "Dimension=1",
+     "Dimension=2", ("Dimension=3", "Mesh/Cells=2", "Mesh/Cells across=2"),
+     ("Dimension=1", "Solver/Linear solver=automatic"),
+     ("Dimension=1", "Solver/Linear solver=direct")),
+    ("Solver/Linear solver", ITERATIVE + FIXED, "Time/Scheme=energy conserving",
+     "Time/Scheme=sdirk2",
+     ("Time/Scheme=energy conserving", "Solver/Linear solver=automatic")),
+    ("Solver/Linear solver", ITERATIVE + EULER + ("Time/Start=consistent",),
+     "Solver/Step solver=fixed point", "Solver/Step solver=monolithic",
+     ("Solver/Step solver=fixed point", "Solver/Linear solver=automatic")),
+    ("Solver/Linear solver", ITERATIVE + EULER, "Time/Start=paper",
+     "Time/Start=consistent",
+     ("Time/Start=paper", "Solver/Linear solver=automatic")),
+    ("Solver/Linear solver", ITERATIVE + RIGID, "Contact/Massless nodes=off",
+     "Contact/Massless nodes=on", "Contact/Massless nodes=automatic",
+     ("Contact/Massless nodes=off", "Model/Fields=displacement",
+      "Solver/Linear solver=direct"),
+     ("Contact/Massless nodes=off", "Contact/Condition=normal compliance")),
+    ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=0",
+     "Solver/Linear tolerance=1e-12", "Solver/Linear tolerance=automatic"),
+    ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=0.01",
+     "Solver/Linear tolerance=0.0099"),
+    ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=-1e-9",
+     "Solver/Linear tolerance=1e-9"),
 
     # probes: in the body, edges included
     ("Output/Probes", (), "Output/Probes=1.0000001", "Output/Probes=1"),

@@ -26,7 +26,8 @@ VALUES = {
     "Time/Tolerance": "1e-4", "Time/First step size": "1e-3",
     "Time/Minimum step size": "1e-6", "Time/Maximum step size": "0.1",
     "Time/Locate contact events": "true", "Solver/Fixed point tolerance": "1e-9",
-    "Solver/Fixed point iterations": "50", "Output/Land on output times": "true",
+    "Solver/Fixed point iterations": "50", "Solver/Linear tolerance": "1e-8",
+    "Output/Land on output times": "true",
     "Study/Reference": "Time/Tolerance = 1e-9", "Study/Repetitions": "2",
     "Study/Target error": "1e-3", "Study/Keep files": "true",
 }
@@ -74,6 +75,13 @@ SCENES = [
     ("Solver/Step solver = monolithic",
      "Solver/Fixed point tolerance; Solver/Fixed point iterations", (),
      ("Solver/Step solver=fixed point", "Time/Scheme=backward euler", STEPS)),
+    ("Solver/Linear solver = direct", "Solver/Linear tolerance", (),
+     (PLANE, "Solver/Linear solver=iterative"),
+     # 193 x 385 nodes with three unknowns, above the limit of 2e5
+     (PLANE, "Mesh/Cells=48", "Mesh/Cells across=96")),
+    ("Solver/Linear solver = direct", "Solver/Linear tolerance",
+     (PLANE, "Solver/Linear solver=direct"),
+     (PLANE, "Solver/Linear solver=iterative")),
     ("Model/Fields = temperature", MECHANICAL,
      ("Model/Fields=temperature", PLANE), (PLANE,)),
     ("Model/Fields = temperature", "Contact/Compliance",

@@ -7,6 +7,7 @@
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/stage_solver.h>
 
+#include <array>
 #include <list>
 #include <memory>
 #include <vector>
@@ -68,6 +69,7 @@ namespace ThermoContact
       double                               tau;
       std::unique_ptr<StageMultigrid<dim>> heat;
       std::unique_ptr<StageMultigrid<dim>> momentum;
+      std::array<Vector, 2>                diagonals; ///< of the blocks
     };
 
     std::list<Hierarchy> hierarchies; ///< the one used last in front
@@ -79,10 +81,11 @@ namespace ThermoContact
       bool                has_heat = true; ///< its temperature is unknown
       const State        *known    = nullptr;
       std::vector<double> known_penetration;
-      BlockVector         rhs;                 ///< without contact
-      BlockVector         solution;            ///< $(\tau\theta',v)$
-      BlockVector         residual;            ///< without contact
-      double              scale[2] = {1., 1.}; ///< of the residuals
+      BlockVector         rhs;      ///< without contact
+      BlockVector         solution; ///< $(\tau\theta',v)$
+      BlockVector         residual; ///< without contact
+      BlockVector         weights;  ///< of the residuals
+      BlockVector         inverse_weights;
       std::vector<bool>   is_active;
       ContactRows         contact;
       unsigned int        n_sets = 0;
@@ -99,6 +102,10 @@ namespace ThermoContact
             const double  tau,
             const Vector &heat_load,
             const Vector &momentum_load);
+
+    /** Makes residuals relative: one over the size of the terms of a row. */
+    void
+    set_weights(const State &known, const double tau);
 
     /** @p y = the matrix of the stage without contact times @p x. */
     void
@@ -117,7 +124,7 @@ namespace ThermoContact
 
     /** Pressures of the solution at the active nodes, else 0. */
     void
-    get_pressures(std::vector<double> &pressure) const;
+    get_pressures(std::vector<double> &pressure);
 
     /** Whether the set changes; only its first wrong node if asked so. */
     bool
