@@ -3,6 +3,7 @@
 #include <thermocontact/method/contact_solver.h>
 #include <thermocontact/time/contact_equilibrium.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace ThermoContact
@@ -112,11 +113,68 @@ namespace ThermoContact
 
 
 
+  template <int dim>
+  void
+  settle_contact_velocities(Body<dim>                &body,
+                            const FullMatrix<double> &stiffness,
+                            const std::vector<bool>  &is_closed,
+                            State                    &state)
+  {
+    const ContactEnd<dim>     &end   = body.contact_end();
+    const Discretization<dim> &space = body.discretization;
+    const double               zeta  = body.scene.material.viscosity;
+    FullMatrix<double>         viscous_stiffness(stiffness);
+    viscous_stiffness *= zeta;
+    const FullMatrix<double> receptance =
+      contact_receptance(end, viscous_stiffness);
+
+    Vector heat_load     = space.make_vector(Field::temperature);
+    Vector momentum_load = space.make_vector(Field::displacement);
+    Vector heat_rhs(heat_load), force(momentum_load), viscous(momentum_load);
+    body.loads.assemble(state.time, heat_load, momentum_load);
+    body.equations.stage_rhs(
+      state, 1., heat_load, momentum_load, heat_rhs, force);
+    body.equations.stiffness().vmult(viscous, state.velocity);
+    force.add(-zeta, viscous);
+    const std::vector<double> free =
+      moved_by_force(end, receptance, force, state.velocity);
+
+    std::vector<unsigned int> nodes;
+    for (unsigned int i = 0; i < is_closed.size(); ++i)
+      if (is_closed[i])
+        nodes.push_back(i);
+    const unsigned int  n = nodes.size();
+    FullMatrix<double>  response(n, n);
+    std::vector<double> free_velocity(n), p(n);
+    response.extract_submatrix_from(receptance, nodes, nodes);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        free_velocity[i] = free[nodes[i]];
+        p[i]             = state.contact_pressure[nodes[i]];
+      }
+    ContactSolver(body.law()).solve(response, free_velocity, p);
+
+    std::fill(state.contact_pressure.begin(), state.contact_pressure.end(), 0.);
+    for (unsigned int i = 0; i < n; ++i)
+      state.contact_pressure[nodes[i]] = p[i];
+    std::vector<double> velocity(free);
+    for (unsigned int i = 0; i < velocity.size(); ++i)
+      for (unsigned int j = 0; j < velocity.size(); ++j)
+        velocity[i] -= receptance(i, j) * state.contact_pressure[j];
+    end.set_values(Field::displacement, velocity, state.velocity);
+  }
+
+
+
 #define INSTANTIATE(dim)                                                 \
   template FullMatrix<double> contact_stiffness<dim>(const Body<dim> &); \
   template FullMatrix<double> contact_receptance<dim>(                   \
     const ContactEnd<dim> &, const FullMatrix<double> &);                \
-  template void settle_contact_nodes<dim>(Body<dim> &, State &)
+  template void settle_contact_nodes<dim>(Body<dim> &, State &);         \
+  template void settle_contact_velocities<dim>(Body<dim> &,              \
+                                               const FullMatrix<double> &, \
+                                               const std::vector<bool> &, \
+                                               State &)
 
   INSTANTIATE(1);
   INSTANTIATE(2);

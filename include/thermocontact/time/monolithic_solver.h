@@ -35,6 +35,11 @@ namespace ThermoContact
           ContactMode   mode,
           StageRates   &rates) override;
 
+    void
+    keep_contact(const std::vector<bool>   &is_closed,
+                 const std::vector<double> &pressure,
+                 State                     &difference) override;
+
     types::global_dof_index
     n_factorized_unknowns() const override;
 
