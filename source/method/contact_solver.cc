@@ -54,8 +54,8 @@ namespace ThermoContact
     std::vector<double> rhs(free_penetration);
     if (!law.is_linear()) // s(p) = s'(p) p + offset
       for (unsigned int i = 0; i < rhs.size(); ++i)
-        rhs[i] -= law.penetration(pressure[i]) -
-                  law.tangent(pressure[i]) * pressure[i];
+        rhs[i] -=
+          law.penetration(pressure[i]) - law.tangent(pressure[i]) * pressure[i];
     pressure = solve_linearized(response, pressure, is_active, rhs);
   }
 
@@ -112,9 +112,9 @@ namespace ThermoContact
         const double p          = pressure[i];
         const double receptance = response(i, i) + law.tangent(p);
         const double reach = free_penetration[i] - loss(response, pressure, i);
-        const bool   is_wrong =
-          is_active[i] ? p * receptance < -rounding && !is_held[i] :
-                         reach > rounding;
+        const bool   is_wrong = is_active[i] ?
+                                  p * receptance < -rounding && !is_held[i] :
+                                  reach > rounding;
         if (is_wrong)
           is_active[i] = !is_active[i];
         // Newton's method goes on until the law is met

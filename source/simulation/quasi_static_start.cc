@@ -118,8 +118,7 @@ namespace ThermoContact
         std::vector<double> penetration;
         body.contact_end().get_penetrations(state.displacement, penetration);
         for (unsigned int i = 0; i < n; ++i)
-          is_away[i] =
-            is_closed.empty() ? penetration[i] < 0. : !is_closed[i];
+          is_away[i] = is_closed.empty() ? penetration[i] < 0. : !is_closed[i];
         std::fill(state.contact_pressure.begin(),
                   state.contact_pressure.end(),
                   0.);

@@ -166,14 +166,14 @@ namespace ThermoContact
 
 
 
-#define INSTANTIATE(dim)                                                 \
-  template FullMatrix<double> contact_stiffness<dim>(const Body<dim> &); \
-  template FullMatrix<double> contact_receptance<dim>(                   \
-    const ContactEnd<dim> &, const FullMatrix<double> &);                \
-  template void settle_contact_nodes<dim>(Body<dim> &, State &);         \
-  template void settle_contact_velocities<dim>(Body<dim> &,              \
+#define INSTANTIATE(dim)                                                   \
+  template FullMatrix<double> contact_stiffness<dim>(const Body<dim> &);   \
+  template FullMatrix<double> contact_receptance<dim>(                     \
+    const ContactEnd<dim> &, const FullMatrix<double> &);                  \
+  template void settle_contact_nodes<dim>(Body<dim> &, State &);           \
+  template void settle_contact_velocities<dim>(Body<dim> &,                \
                                                const FullMatrix<double> &, \
-                                               const std::vector<bool> &, \
+                                               const std::vector<bool> &,  \
                                                State &)
 
   INSTANTIATE(1);

@@ -174,7 +174,7 @@ namespace ThermoContact
                             const ContactMode mode,
                             StepResult       &result)
   {
-    const double tau = tableau.gamma() * time_step.size;
+    const double tau   = tableau.gamma() * time_step.size;
     const bool   holds = holds_closing_nodes(mode);
 
     result.work = result.dissipation = result.impulse = 0.;
@@ -212,7 +212,7 @@ namespace ThermoContact
         known.displacement.add(tau, stage.velocity);
         book(known, tableau.b()[i] * time_step.size, result);
       }
-    result.state  = known;
+    result.state = known;
     find_closed_nodes(state, mode, result);
     result.energy = body.energy.energy(result.state);
     if (tableau.has_error_estimate())

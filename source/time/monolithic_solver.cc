@@ -15,7 +15,10 @@ namespace ThermoContact
     unsigned int
     cache_size(const types::global_dof_index n_unknowns)
     {
-      return n_unknowns < 1000 ? 64 : n_unknowns < (dim == 2 ? 10000 : 0) ? 32 : n_unknowns < 100000 ? 8 : 2;
+      return n_unknowns < 1000                   ? 64 :
+             n_unknowns < (dim == 2 ? 10000 : 0) ? 32 :
+             n_unknowns < 100000                 ? 8 :
+                                                   2;
     }
   } // namespace
 
@@ -25,7 +28,8 @@ namespace ThermoContact
   MonolithicSolver<dim>::MonolithicSolver(const Body<dim> &body)
     : body(body)
     , contact_solver(body.law())
-    , max_factorizations(cache_size<dim>(body.discretization.dof_handler().n_dofs()))
+    , max_factorizations(
+        cache_size<dim>(body.discretization.dof_handler().n_dofs()))
     , heat_rhs(body.discretization.make_vector(Field::temperature))
     , momentum_rhs(body.discretization.make_vector(Field::displacement))
   {}

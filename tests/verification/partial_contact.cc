@@ -13,12 +13,13 @@
 // 2. Accuracy, against the same run with a hundredth of the tolerance: largest
 //    error of u(1) and of the impulse of the contact force at the step ends,
 //    and the mean over time of the error of the force, each relative to the
-//    largest value up to T = 3, are at most ten tolerances. Between its step ends the
-//    reference is interpolated linearly, up to t = 0.13 with inertia, where it
-//    takes 600 steps. The force itself jumps with each node, so that its
-//    largest error is that of a jump, at any tolerance; but no row may be off
-//    by more than a tenth of the peak, as rows would be that end a step with a
-//    jump in it, were the pressure there not that of the state at its end.
+//    largest value up to T = 3, are at most ten tolerances. Between its step
+//    ends the reference is interpolated linearly, up to t = 0.13 with inertia,
+//    where it takes 600 steps. The force itself jumps with each node, so that
+//    its largest error is that of a jump, at any tolerance; but no row may be
+//    off by more than a tenth of the peak, as rows would be that end a step
+//    with a jump in it, were the pressure there not that of the state at its
+//    end.
 // 3. A node that touches the obstacle stays in contact: without inertia the
 //    displacement of every node is the gap from the last closing on, to
 //    rounding (1e-15 g is allowed 1e3 times).
@@ -65,19 +66,18 @@ namespace
       const std::string tolerance,
       const std::string end_time)
   {
-    std::vector<std::string> overrides = {
-      "Dimension=2",
-      "Model/Poisson ratio=0.3",
-      "Model/Coupling=0.05",
-      "Boundary/Lateral support=free",
-      "Contact/Condition=rigid",
-      "Contact/Gap=0.02",
-      "Initial values/Temperature=10",
-      "Sources/End traction=0.2*(y-0.2)*t",
-      "Mesh/Width=0.4",
-      "Mesh/Cells across=8",
-      "Time/Tolerance=" + tolerance,
-      "Time/End time=" + end_time};
+    std::vector<std::string> overrides = {"Dimension=2",
+                                          "Model/Poisson ratio=0.3",
+                                          "Model/Coupling=0.05",
+                                          "Boundary/Lateral support=free",
+                                          "Contact/Condition=rigid",
+                                          "Contact/Gap=0.02",
+                                          "Initial values/Temperature=10",
+                                          "Sources/End traction=0.2*(y-0.2)*t",
+                                          "Mesh/Width=0.4",
+                                          "Mesh/Cells across=8",
+                                          "Time/Tolerance=" + tolerance,
+                                          "Time/End time=" + end_time};
     overrides.push_back(has_inertia ? "Initial values/Velocity=0" :
                                       "Model/Inertia=0");
 
@@ -157,8 +157,8 @@ namespace
     const unsigned int n_steps   = coarse.rows.size() - 1;
     deallog << title << ": at most 20 rejections in 100 steps "
             << (5 * coarse.n_rejected <= n_steps)
-            << ", at most 60 factorisations "
-            << (coarse.n_factorizations <= 60) << std::endl;
+            << ", at most 60 factorisations " << (coarse.n_factorizations <= 60)
+            << std::endl;
 
     const Errors u       = compare(coarse, reference, &Row::displacement);
     const Errors impulse = compare(coarse, reference, &Row::impulse);

@@ -12,9 +12,10 @@ namespace ThermoContact
 {
   /**
    * Completes the state of a body without inertia, the initial one or one that
-   * no stage has completed, doc/model.md section 12: with viscosity the velocity follows from the displacement, (M.34);
-   * without, the displacement is in equilibrium with the temperature, (M.35),
-   * and the velocity, which has no value yet, is left at zero.
+   * no stage has completed, doc/model.md section 12: with viscosity the
+   * velocity follows from the displacement, (M.34); without, the displacement
+   * is in equilibrium with the temperature, (M.35), and the velocity, which has
+   * no value yet, is left at zero.
    *
    * @param state in: temperature and, with viscosity, displacement and pressure
    *   of the compliance law

@@ -34,7 +34,7 @@ namespace ThermoContact
      */
     std::vector<bool> closed_nodes;
 
-    std::string  failure;                    ///< empty: the step is solved
+    std::string failure; ///< empty: the step is solved
 
     /**
      * All ranks take work, dissipation and impulse of rank 0, as energies are,
