@@ -3,6 +3,7 @@
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/time/dirk_integrator.h>
 #include <thermocontact/time/fixed_point_solver.h>
+#include <thermocontact/time/iterative_solver.h>
 #include <thermocontact/time/monolithic_solver.h>
 #include <thermocontact/time/schemes.h>
 
@@ -18,6 +19,9 @@ namespace ThermoContact
     {
       if (body.scene.is_fixed_point)
         return std::make_unique<FixedPointSolver<dim>>(body);
+      if constexpr (dim > 1)
+        if (!body.scene.linear_solver.has_matrices())
+          return std::make_unique<IterativeSolver<dim>>(body);
       return std::make_unique<MonolithicSolver<dim>>(body);
     }
   } // namespace
@@ -109,8 +113,8 @@ namespace ThermoContact
   bool
   DirkIntegrator<dim>::holds_closing_nodes(const ContactMode mode) const
   {
-    return mode == ContactMode::unilateral && can_change_at_once(mode) &&
-           !body.scene.contact.is_in_equilibrium &&
+    return solver->can_hold_nodes() && mode == ContactMode::unilateral &&
+           can_change_at_once(mode) && !body.scene.contact.is_in_equilibrium &&
            !std::is_sorted(tableau.c.begin(), tableau.c.end());
   }
 

@@ -79,6 +79,13 @@ def check_stress(strip):
     for i, j in ((0, 0), (0, 1), (1, 0), (1, 1)):
         if abs(found - expected)[..., i, j].max() > 1e-4 * abs(expected).max():
             yield f"component {i}{j} of the stress"
+    for state, plane in zip(strip.states, expected):
+        heat = strip.a * state.fields["temperature"] if strip.has_heat else 0.0
+        across = strip.nu * (plane[..., 0, 0] + plane[..., 1, 1] + 2 * heat) - heat
+        stress = state.fields["stress"]
+        if abs(stress[..., 2, 2] - across).max() > 1e-4 * abs(expected).max() or \
+                stress[..., 2, :2].any() or stress[..., :2, 2].any():
+            yield "stress across the plane: no strain there"
 
 
 @check()
@@ -327,7 +334,16 @@ def check_summary(strip):
 
 
 def named_faults(strip):
-    """Stress in the snapshots with another lambda(nu)"""
+    """Stress in the snapshots with another lambda(nu), or that of the plane alone"""
+    plane = strip.copy()
+    plane.states = []
+    for state in strip.states:
+        flat = copy.copy(state)
+        flat.fields = dict(state.fields)
+        flat.fields["stress"] = state.fields["stress"].copy()
+        flat.fields["stress"][..., 2, 2] = 0
+        plane.states.append(flat)
+    yield "VTU stress of the plane", plane
     for name, wrong in (("lambda = nu", strip.nu), ("no lambda", 0.0)):
         other = strip.copy()
         other.states = []
