@@ -14,6 +14,7 @@ namespace ThermoContact
     const Discretization<dim> &discretization)
     : discretization(discretization)
     , geometry(discretization.geometry())
+    , has_uniform_weight(geometry.has_uniform_weight())
     , material(scene.material)
     , spaces(discretization.matrix_free())
     , has_lumped_mass(scene.has_lumped_mass)
@@ -88,45 +89,53 @@ namespace ThermoContact
                                               const VectorizedArray<double> *x,
                                               Vectorial &u) const
   {
-    const bool needs_values =
-      factors.mass != 0. || !geometry.has_uniform_weight();
+    const bool has_hoop =
+      dim == 2 && !has_uniform_weight && factors.laplacian == 0.;
+    const bool needs_values = factors.mass != 0. || has_hoop;
     const EvaluationFlags::EvaluationFlags flags =
       needs_values ? EvaluationFlags::values | EvaluationFlags::gradients :
                      EvaluationFlags::gradients;
-    const double two_mu = factors.stiffness * material.two_mu;
-    const double lambda = factors.stiffness * material.lambda;
+    const VectorizedArray<double> mu =
+      0.5 * factors.stiffness * material.two_mu;
+    const VectorizedArray<double> lambda = factors.stiffness * material.lambda;
     u.evaluate(x, flags);
     for (unsigned int q = 0; q < u.n_q_points; ++q)
       {
-        const VectorizedArray<double> w = weight(u, q);
-        // read all before the first value is submitted over it
-        const auto gradient = u.get_gradient(q);
-        SymmetricTensor<2, dim, VectorizedArray<double>> stress =
-          u.get_symmetric_gradient(q);
-        Tensor<1, dim, VectorizedArray<double>> force;
-        VectorizedArray<double>                 strain = trace(stress);
-        if (needs_values)
-          {
-            const auto value = u.get_value(q);
-            force            = value * (factors.mass * w);
-            if (factors.laplacian == 0.)
-              {
-                const VectorizedArray<double> c      = hoop(u, q);
-                const VectorizedArray<double> around = c * value[dim - 1];
-                strain += around;
-                force[dim - 1] += c * w * (two_mu * around + lambda * strain);
-              }
-            u.submit_value(force, q);
-          }
+        Tensor<2, dim, VectorizedArray<double>> gradient = u.get_gradient(q);
         if (factors.laplacian != 0.)
           {
             u.submit_gradient(gradient * factors.laplacian, q);
             continue;
           }
-        stress *= two_mu * w;
+        VectorizedArray<double> dilatation = trace(gradient);
+        if (needs_values)
+          {
+            Tensor<1, dim, VectorizedArray<double>> force = u.get_value(q);
+            VectorizedArray<double>                 hoop_stress = 0.;
+            if (has_hoop)
+              {
+                const VectorizedArray<double> c      = hoop(u, q);
+                const VectorizedArray<double> strain = c * force[dim - 1];
+                dilatation += strain;
+                hoop_stress = c * (2. * mu * strain + lambda * dilatation);
+              }
+            force *= VectorizedArray<double>(factors.mass);
+            force[dim - 1] += hoop_stress;
+            u.submit_value(has_uniform_weight ? force : force * weight(u, q),
+                           q);
+          }
+
+        // the stress, in place of the gradient
         for (unsigned int d = 0; d < dim; ++d)
-          stress[d][d] += lambda * w * strain;
-        u.submit_symmetric_gradient(stress, q);
+          {
+            gradient[d][d] = 2. * mu * gradient[d][d] + lambda * dilatation;
+            for (unsigned int e = d + 1; e < dim; ++e)
+              gradient[d][e] = gradient[e][d] =
+                mu * (gradient[d][e] + gradient[e][d]);
+          }
+        if (!has_uniform_weight)
+          gradient *= weight(u, q);
+        u.submit_gradient(gradient, q);
       }
     u.integrate(flags, u.begin_dof_values());
   }
@@ -227,13 +236,12 @@ namespace ThermoContact
   MatrixFreeOperator<dim>::divergence(Vector &heat, const Vector &u) const
   {
     const EvaluationFlags::EvaluationFlags vector_flags =
-      geometry.has_uniform_weight() ?
-        EvaluationFlags::gradients :
-        EvaluationFlags::values | EvaluationFlags::gradients;
+      has_uniform_weight ? EvaluationFlags::gradients :
+                           EvaluationFlags::values | EvaluationFlags::gradients;
     const auto divergence_at = [&](const Vectorial   &displacement,
                                    const unsigned int q) {
       VectorizedArray<double> result = displacement.get_divergence(q);
-      if (!geometry.has_uniform_weight())
+      if (!has_uniform_weight)
         result += hoop(displacement, q) * displacement.get_value(q)[dim - 1];
       return result;
     };
@@ -267,9 +275,8 @@ namespace ThermoContact
                                           const Vector &theta) const
   {
     const EvaluationFlags::EvaluationFlags vector_flags =
-      geometry.has_uniform_weight() ?
-        EvaluationFlags::gradients :
-        EvaluationFlags::values | EvaluationFlags::gradients;
+      has_uniform_weight ? EvaluationFlags::gradients :
+                           EvaluationFlags::values | EvaluationFlags::gradients;
     spaces.cells().template cell_loop<Vector, Vector>(
       [&](
         const auto &cells, Vector &dst, const Vector &src, const auto &range) {
@@ -284,7 +291,7 @@ namespace ThermoContact
               {
                 const VectorizedArray<double> value =
                   weight(u, q) * temperature.get_value(q);
-                if (!geometry.has_uniform_weight())
+                if (!has_uniform_weight)
                   {
                     Tensor<1, dim, VectorizedArray<double>> force;
                     force[dim - 1] = hoop(u, q) * value;

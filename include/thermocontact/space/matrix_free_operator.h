@@ -76,6 +76,7 @@ namespace ThermoContact
 
     const Discretization<dim>   &discretization;
     const Geometry<dim>         &geometry;
+    const bool                   has_uniform_weight;
     const Material              &material;
     const MatrixFreeSpaces<dim> &spaces;
     const bool                   has_lumped_mass;
@@ -89,7 +90,7 @@ namespace ThermoContact
     VectorizedArray<double>
     weight(const Evaluation &evaluation, const unsigned int q) const
     {
-      if (geometry.has_uniform_weight())
+      if (has_uniform_weight)
         return 1.;
       return at_point(evaluation, q, [this](const Point<dim> &point) {
         return geometry.weight_at(point);
@@ -120,7 +121,7 @@ namespace ThermoContact
     VectorizedArray<double>
     hoop(const Vectorial &u, const unsigned int q) const
     {
-      if (dim != 2 || geometry.has_uniform_weight())
+      if (dim != 2 || has_uniform_weight)
         return 0.;
       return at_point(u, q, [this](const Point<dim> &point) {
         return geometry.strain_per_displacement(point);
