@@ -109,8 +109,9 @@ namespace ThermoContact
 
 
   template <int dim>
-  ContactEnd<dim>::ContactEnd(const Discretization<dim> &discretization,
-                              const double               gap)
+  ContactEnd<dim>::ContactEnd(
+    const Discretization<dim>                       &discretization,
+    const std::function<double(const Point<dim> &)> &gap)
     : communicator(discretization.communicator())
     , cross_section(discretization.geometry().cross_section())
     , nodes_(find_nodes(discretization, gap))
@@ -136,8 +137,9 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<ContactNode<dim>>
-  ContactEnd<dim>::find_nodes(const Discretization<dim> &discretization,
-                              const double               gap) const
+  ContactEnd<dim>::find_nodes(
+    const Discretization<dim>                       &discretization,
+    const std::function<double(const Point<dim> &)> &gap) const
   {
     std::map<Dofs, ContactNode<dim>> nodes;
     for (const auto &of_rank :
@@ -145,13 +147,16 @@ namespace ThermoContact
       for (const auto &[dofs, weight, position] : of_rank)
         {
           ContactNode<dim> &node =
-            nodes.emplace(dofs, ContactNode<dim>{position, dofs, 0., gap})
+            nodes.emplace(dofs, ContactNode<dim>{position, dofs, 0., 0.})
               .first->second;
           node.weight += weight;
         }
     std::vector<ContactNode<dim>> sorted;
     for (const auto &[dofs, node] : nodes)
-      sorted.push_back(node);
+      {
+        sorted.push_back(node);
+        sorted.back().gap = gap(node.position);
+      }
 
     // the numbering depends on the number of ranks, the position does not
     std::sort(sorted.begin(),
@@ -227,6 +232,21 @@ namespace ThermoContact
   {
     for (const auto &[node, entry] : all_entries_[field])
       vector.begin()[entry] = values[node];
+  }
+
+
+
+  template <int dim>
+  std::pair<double, double>
+  ContactEnd<dim>::range_of_gap() const
+  {
+    const auto [smallest, largest] =
+      std::minmax_element(nodes_.begin(),
+                          nodes_.end(),
+                          [](const auto &a, const auto &b) {
+                            return a.gap < b.gap;
+                          });
+    return {smallest->gap, largest->gap};
   }
 
 

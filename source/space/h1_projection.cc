@@ -45,6 +45,7 @@ namespace ThermoContact
   template <int dim>
   H1Projection<dim>::H1Projection(const Discretization<dim> &discretization)
     : discretization(discretization)
+    , constraints(discretization.clamped_constraints())
   {
     assemble_laplace_matrix();
   }
@@ -67,7 +68,7 @@ namespace ThermoContact
     DoFTools::make_sparsity_pattern(discretization.dof_handler(),
                                     coupling,
                                     pattern,
-                                    discretization.constraints(),
+                                    constraints,
                                     false,
                                     Utilities::MPI::this_mpi_process(
                                       discretization.communicator()));
@@ -83,9 +84,8 @@ namespace ThermoContact
   void
   H1Projection<dim>::assemble_laplace_matrix()
   {
-    const FiniteElement<dim> &fe          = discretization.finite_element();
-    const auto               &constraints = discretization.constraints();
-    SparseMatrix              matrix      = make_matrix();
+    const FiniteElement<dim> &fe     = discretization.finite_element();
+    SparseMatrix              matrix = make_matrix();
 
     FEValues<dim>      fe_values(discretization.mapping(),
                             fe,
@@ -174,9 +174,7 @@ namespace ThermoContact
                 cell_rhs);
             }
           cell->get_dof_indices(dofs);
-          discretization.constraints().distribute_local_to_global(cell_rhs,
-                                                                  dofs,
-                                                                  rhs);
+          constraints.distribute_local_to_global(cell_rhs, dofs, rhs);
         }
     rhs.compress(VectorOperation::add);
     return rhs;

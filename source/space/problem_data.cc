@@ -58,6 +58,41 @@ namespace ThermoContact
 
 
   template <int dim>
+  PlaceFunction<dim>
+  contact_gap(const Scene &scene)
+  {
+    const SceneContact &contact = scene.contact;
+    if (!contact.law->is_active() || contact.has_uniform_gap())
+      return [&contact](const Point<dim> &) { return contact.gap; };
+
+    ExpressionNames names;
+    names.constants["pi"] = numbers::PI;
+    // the place is on the end, where the first coordinate is no variable
+    const Expression  expression{"Contact/Gap",
+                                scene.parameters.contact.gap_expression};
+    const std::string text = check_expression<dim>(expression, 1, names);
+    const std::shared_ptr<const FunctionParser<dim>> function =
+      make_function<dim>(text, names);
+    return [function, expression](const Point<dim> &place) {
+      const double gap = function->value(place);
+      if (!std::isfinite(gap))
+        {
+          std::ostringstream message;
+          message << expression.path << " = " << expression.text
+                  << ": not finite at y = " << place[dim > 1 ? 1 : 0];
+          if (dim > 2)
+            message << ", z = " << place[dim - 1];
+          message << "\n  allowed: expressions that are finite on the contact "
+                     "end";
+          throw InputError(message.str());
+        }
+      return gap;
+    };
+  }
+
+
+
+  template <int dim>
   ProblemData<dim>::ProblemData(const Scene &scene)
   {
     ExpressionNames names;
@@ -172,6 +207,13 @@ namespace ThermoContact
   }
 
 
+
+  template PlaceFunction<1>
+  contact_gap(const Scene &);
+  template PlaceFunction<2>
+  contact_gap(const Scene &);
+  template PlaceFunction<3>
+  contact_gap(const Scene &);
 
   template class ProblemData<1>;
   template class ProblemData<2>;

@@ -10,6 +10,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -52,9 +53,10 @@ namespace ThermoContact
   public:
     /**
      * @param discretization borrowed; its degrees of freedom are distributed
-     * @param gap $g$
+     * @param gap $g$ at a place of the end
      */
-    ContactEnd(const Discretization<dim> &discretization, const double gap);
+    ContactEnd(const Discretization<dim>                       &discretization,
+               const std::function<double(const Point<dim> &)> &gap);
 
     /**
      * Those that can meet the obstacle, in order of their position; on all
@@ -71,6 +73,10 @@ namespace ThermoContact
     {
       return nodes_.size();
     }
+
+    /** The smallest gap of nodes(), and the largest. */
+    std::pair<double, double>
+    range_of_gap() const;
 
     /**
      * Number of all nodes of the end. Behind those of nodes() come those whose
@@ -192,8 +198,8 @@ namespace ThermoContact
 
     /** All nodes of the end; those without weight last. */
     std::vector<ContactNode<dim>>
-    find_nodes(const Discretization<dim> &discretization,
-               const double               gap) const;
+    find_nodes(const Discretization<dim>                       &discretization,
+               const std::function<double(const Point<dim> &)> &gap) const;
 
     /** Values at the nodes of @p entries, gathered on all ranks. */
     void

@@ -15,8 +15,8 @@ namespace ThermoContact
   /**
    * The projection $P_E$ of initial data, doc/model.md (M.13):
    * $(\nabla(P_E w-w),\nabla\eta)=0$ for all $\eta$ that vanish on the fixed
-   * end, with $P_E w=w$ there; at rollers the normal component keeps the
-   * value of $w$ too.
+   * end, with $P_E w=w$ there, also if it slides; at rollers the normal
+   * component keeps the value of $w$ too.
    *
    * Computed as the nodal interpolant plus a correction, integrated by parts
    * cell by cell, so that only values of $w$ are needed and, in 1-D, the
@@ -40,8 +40,9 @@ namespace ThermoContact
             Vector              &displacement);
 
   private:
-    const Discretization<dim>    &discretization;
-    std::unique_ptr<DirectSolver> laplace_solver;
+    const Discretization<dim>      &discretization;
+    const AffineConstraints<double> constraints;
+    std::unique_ptr<DirectSolver>   laplace_solver;
 
     /** Without entries; components do not act on each other. */
     SparseMatrix

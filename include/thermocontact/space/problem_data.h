@@ -13,6 +13,24 @@
 
 namespace ThermoContact
 {
+  /** A function of a place. */
+  template <int dim>
+  using PlaceFunction = std::function<double(const Point<dim> &)>;
+
+  /**
+   * $g$ of the undeformed body at a place on its contact end, doc/model.md
+   * (M.4).
+   *
+   * @param scene borrowed
+   * @throw InputError naming the expression, if it cannot be parsed; the
+   *   function throws it where the gap is not finite
+   */
+  template <int dim>
+  PlaceFunction<dim>
+  contact_gap(const Scene &scene);
+
+
+
   /**
    * The functions of a scene, parsed from its expressions: initial values and
    * sources. A source whose expression is 0 is absent, so that nothing is
