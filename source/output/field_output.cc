@@ -230,16 +230,13 @@ namespace ThermoContact
   FieldOutput<dim>::joined(const Vector &temperature,
                            const Vector &displacement) const
   {
-    // several ranks cannot exchange the ghosts of an empty block
-    std::vector<IndexSet> owned;
-    for (const Field::Block field : all_fields)
+    BlockVector result = discretization.make_ghosted_vector();
+    for (const auto &[field, values] :
+         {std::pair(Field::temperature, &temperature),
+          std::pair(Field::displacement, &displacement)})
       if (discretization.has_field(field))
-        owned.push_back(discretization.owned_by_block()[field]);
-    BlockVector result(owned, discretization.communicator());
-    if (discretization.has_field(Field::temperature))
-      result.block(0) = temperature;
-    if (discretization.has_field(Field::displacement))
-      result.block(result.n_blocks() - 1) = displacement;
+        result.block(discretization.ghosted_block(field))
+          .copy_locally_owned_data_from(*values);
     return result;
   }
 

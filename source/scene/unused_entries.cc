@@ -156,6 +156,9 @@ namespace ThermoContact
                   {"Solver/Fixed point tolerance",
                    "Solver/Fixed point iterations"},
                   "Solver/Step solver = monolithic");
+    unused.add_if(scene.linear_solver.has_matrices(),
+                  {"Solver/Linear tolerance"},
+                  "Solver/Linear solver = direct");
     return unused.entries;
   }
 

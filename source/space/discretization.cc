@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/space/discretization.h>
+#include <thermocontact/space/matrix_free_spaces.h>
 #include <thermocontact/space/problem_data.h>
 
 #include <deal.II/base/mpi.h>
@@ -30,10 +31,21 @@ namespace ThermoContact
     , dof_handler_(*triangulation)
     , constrained_entries_(2)
   {
-    make_grid(scene.parameters.mesh);
+    make_grid(scene.parameters.mesh,
+              scene.linear_solver.has_matrices() ?
+                0 :
+                scene.parameters.mesh.n_halvings());
     distribute_dofs(scene.fields);
     constraints_ = make_constraints(scene.has_sliding_end);
     collect_constrained();
+    if constexpr (dim > 1)
+      if (!scene.linear_solver.has_matrices())
+        {
+          matrix_free_ = std::make_shared<const MatrixFreeSpaces<dim>>(*this);
+          for (const Field::Block field : all_fields)
+            if (has_field(field))
+              prototypes[field].reinit(matrix_free_->make_vector(field));
+        }
     contact_end_ =
       std::make_unique<const ContactEnd<dim>>(*this, contact_gap<dim>(scene));
   }
@@ -42,10 +54,11 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Discretization<dim>::make_grid(const MeshParameters &mesh)
+  Discretization<dim>::make_grid(const MeshParameters &mesh,
+                                 const unsigned int    n_halvings)
   {
-    std::vector<unsigned int> repetitions(dim, mesh.cells_across);
-    repetitions[0]          = mesh.cells;
+    std::vector<unsigned int> repetitions(dim, mesh.cells_across >> n_halvings);
+    repetitions[0]          = mesh.cells >> n_halvings;
     const Point<dim> corner = geometry_.corner();
 
     const bool colorize = true;
@@ -59,7 +72,7 @@ namespace ThermoContact
         GridGenerator::subdivided_hyper_rectangle(
           *triangulation, sizes, Point<dim>(), corner, colorize);
       }
-    triangulation->refine_global(mesh.refinements);
+    triangulation->refine_global(mesh.refinements + n_halvings);
   }
 
 
@@ -152,6 +165,22 @@ namespace ThermoContact
     state.velocity     = make_vector(Field::displacement);
     state.contact_pressure.assign(contact_end_->n_nodes(), 0.);
     return state;
+  }
+
+
+
+  template <int dim>
+  BlockVector
+  Discretization<dim>::make_ghosted_vector() const
+  {
+    std::vector<IndexSet> owned, relevant;
+    for (const Field::Block field : all_fields)
+      if (has_field(field))
+        {
+          owned.push_back(owned_by_block_[field]);
+          relevant.push_back(relevant_by_block_[field]);
+        }
+    return BlockVector(owned, relevant, communicator_);
   }
 
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/space/h1_projection.h>
+#include <thermocontact/space/linear_map.h>
+#include <thermocontact/space/matrix_free_operator.h>
 
 #include <deal.II/dofs/dof_tools.h>
 
 #include <deal.II/fe/fe_values.h>
 
+#include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <deal.II/numerics/vector_tools_interpolate.h>
@@ -38,16 +42,69 @@ namespace ThermoContact
             cell_rhs(i) += difference * test(i, q) * values.JxW(q);
           }
     }
+
+
+
+    /** A product with rows and columns of the identity for fixed entries. */
+    struct FixedProduct
+    {
+      FunctionMap::Product             product;
+      const std::vector<unsigned int> &fixed;
+
+      void
+      vmult(Vector &y, const Vector &x) const
+      {
+        product(y, x);
+        for (const unsigned int entry : fixed)
+          y.local_element(entry) = x.local_element(entry);
+      }
+    };
+
+
+
+    /**
+     * Adds to @p values the solution for @p rhs, which is zero where entries are
+     * fixed, by conjugate gradients with the diagonal: once a run.
+     */
+    void
+    add_solution(const FunctionMap::Product      &product,
+                 Vector                           diagonal,
+                 const std::vector<unsigned int> &fixed,
+                 const Vector                    &rhs,
+                 Vector                          &values)
+    {
+      if (rhs.linfty_norm() == 0.)
+        return;
+      for (double &value : diagonal)
+        value = 1. / value;
+      for (const unsigned int entry : fixed)
+        diagonal.local_element(entry) = 1.;
+      const unsigned int max_iterations = 20000;
+      SolverControl      control(max_iterations,
+                            1e-13 * rhs.l2_norm(),
+                            false,
+                            false);
+      Vector             correction(rhs);
+      correction = 0.;
+      SolverCG<Vector>(control).solve(FixedProduct{product, fixed},
+                                      correction,
+                                      rhs,
+                                      DiagonalMatrix<Vector>(diagonal));
+      values += correction;
+    }
   } // namespace
 
 
 
   template <int dim>
-  H1Projection<dim>::H1Projection(const Discretization<dim> &discretization)
+  H1Projection<dim>::H1Projection(const Discretization<dim>     &discretization,
+                                  const MatrixFreeOperator<dim> *products)
     : discretization(discretization)
     , constraints(discretization.clamped_constraints())
+    , products(products)
   {
-    assemble_laplace_matrix();
+    if (products == nullptr)
+      assemble_laplace_matrix();
   }
 
 
@@ -194,10 +251,70 @@ namespace ThermoContact
                              function,
                              projection);
     const SystemVector rhs = correction_rhs(function, projection);
-    SystemVector       correction(rhs);
+    if (products != nullptr)
+      {
+        discretization.split(projection, temperature, displacement);
+        if constexpr (dim > 1)
+          add_iteratively(rhs, temperature, displacement);
+        return;
+      }
+    SystemVector correction(rhs);
     laplace_solver->solve(correction, rhs);
     projection += correction;
     discretization.split(projection, temperature, displacement);
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  H1Projection<dim>::kept_entries(const Field::Block field) const
+  {
+    std::vector<unsigned int> entries;
+    const IndexSet           &owned = discretization.owned_by_block()[field];
+    for (const types::global_dof_index dof : owned)
+      if (constraints.is_constrained(dof + discretization.first_dof(field)))
+        entries.push_back(owned.index_within_set(dof));
+    return entries;
+  }
+
+
+
+  template <int dim>
+  void
+  H1Projection<dim>::add_iteratively(const SystemVector &rhs,
+                                     Vector             &temperature,
+                                     Vector             &displacement) const
+  {
+    if constexpr (dim > 1)
+      {
+        Vector heat     = discretization.make_vector(Field::temperature);
+        Vector momentum = discretization.make_vector(Field::displacement);
+        discretization.split(rhs, heat, momentum);
+        using HeatFactors = typename MatrixFreeOperator<dim>::HeatFactors;
+        using MomentumFactors =
+          typename MatrixFreeOperator<dim>::MomentumFactors;
+        const HeatFactors laplacian_of_heat{0., 1., true};
+        if (discretization.has_field(Field::temperature))
+          add_solution(
+            [&](Vector &y, const Vector &x) {
+              products->heat(laplacian_of_heat, y, x);
+            },
+            products->heat_diagonal(laplacian_of_heat),
+            kept_entries(Field::temperature),
+            heat,
+            temperature);
+        const MomentumFactors laplacian{0., 0., 0., 1.};
+        if (discretization.has_field(Field::displacement))
+          add_solution(
+            [&](Vector &y, const Vector &x) {
+              products->momentum(laplacian, y, x);
+            },
+            products->momentum_diagonal(laplacian),
+            kept_entries(Field::displacement),
+            momentum,
+            displacement);
+      }
   }
 
 

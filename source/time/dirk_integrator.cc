@@ -3,6 +3,7 @@
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/time/dirk_integrator.h>
 #include <thermocontact/time/fixed_point_solver.h>
+#include <thermocontact/time/iterative_solver.h>
 #include <thermocontact/time/monolithic_solver.h>
 #include <thermocontact/time/schemes.h>
 
@@ -16,6 +17,9 @@ namespace ThermoContact
     {
       if (body.scene.is_fixed_point)
         return std::make_unique<FixedPointSolver<dim>>(body);
+      if constexpr (dim > 1)
+        if (!body.scene.linear_solver.has_matrices())
+          return std::make_unique<IterativeSolver<dim>>(body);
       return std::make_unique<MonolithicSolver<dim>>(body);
     }
   } // namespace

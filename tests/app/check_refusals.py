@@ -9,6 +9,7 @@ sys.dont_write_bytecode = True
 from refused_scenes import check_all, unmet_refusals  # noqa: E402
 
 PLANE = ("Dimension=2", "Mesh/Width=1")
+NARROW = ("Dimension=2", "Mesh/Width=0.3")
 FIXED = ("Time/Step size=0.01",)
 EULER = FIXED + ("Time/Scheme=backward euler",)
 CONSERVING = FIXED + ("Time/Scheme=energy conserving",)
@@ -124,8 +125,12 @@ SCENES = [
     ("Output/Probes", (), "Output/Probes=-1e-9", "Output/Probes=0"),
     ("Output/Probes", (), "Output/Probes=0.5, 0", "Output/Probes=0.5; 0"),
     ("Output/Probes", PLANE, "Output/Probes=0.5", "Output/Probes=0.5, 0"),
-    ("Output/Probes", PLANE, "Output/Probes=0.5, 1.0000001",
-     "Output/Probes=0.5, 1"),
+    ("Output/Probes", NARROW, "Output/Probes=0.5, 0.3000001",
+     "Output/Probes=0.5, 0.3", "Output/Probes=1, 0.3"),
+    ("Output/Probes", NARROW, "Output/Probes=0.5, -1e-9",
+     "Output/Probes=0.5, 0"),
+    ("Output/Probes", NARROW, "Output/Probes=1.0000001, 0.1",
+     "Output/Probes=1, 0.1"),
     ("Output/Probes", (), "Output/Probes=0.5 m", "Output/Probes=0.5"),
     ("Output/Probes", (), "Output/Probes=0.5;", "Output/Probes=0.5"),
 

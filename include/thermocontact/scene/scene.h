@@ -169,6 +169,29 @@ namespace ThermoContact
 
 
 
+  /** How the linear systems of stages are solved. */
+  struct LinearSolver
+  {
+    bool        is_iterative;
+    double      tolerance; ///< relative residual; of the iterative one
+    std::string reason;    ///< of the choice
+
+    std::string
+    name() const
+    {
+      return is_iterative ? "iterative" : "direct";
+    }
+
+    /** The field matrices are there, and what is solved is factorised. */
+    bool
+    has_matrices() const
+    {
+      return !is_iterative;
+    }
+  };
+
+
+
   /** Which sources act on a field of the scene. */
   struct SceneSources
   {
@@ -220,6 +243,8 @@ namespace ThermoContact
 
     /** Stages are solved by the iteration of the paper. */
     const bool is_fixed_point;
+
+    const LinearSolver linear_solver;
 
     /** True if anything does work: sources, or heat that drives the body. */
     bool

@@ -62,6 +62,27 @@ namespace ThermoContact
       return values.JxW(q);
     }
 
+    /** True if quadrature points weigh what they do on the mesh. */
+    bool
+    has_uniform_weight() const
+    {
+      return body.has_uniform_weight();
+    }
+
+    /** What an area or length of the mesh at a point stands for. */
+    double
+    weight_at(const dealii::Point<dim> &point) const
+    {
+      return dim > 1 ? body.weight(point[dim > 1 ? 1 : 0]) : 1.;
+    }
+
+    /** Strain across a mesh of two dimensions per unit displacement along y. */
+    double
+    strain_per_displacement(const dealii::Point<dim> &point) const
+    {
+      return dim == 2 ? body.strain_across(0., 1., point[dim - 1]) : 0.;
+    }
+
     /**
      * The rule by which the contact nodes of a face get their weights, exact
      * for one basis function.

@@ -73,6 +73,10 @@ namespace ThermoContact
     void
     integrate_volume();
 
+    /** Adds the part of the sources that acts on a field. */
+    void
+    add_sources(const Field::Block field, Vector &load) const;
+
     void
     distribute(const typename DoFHandler<dim>::active_cell_iterator &cell);
   };
