@@ -65,6 +65,13 @@ def show_box(view, low, high, colour, opacity=1.):
         Center=[(a + b) / 2 for a, b in zip(low, high)]), colour, opacity)
 
 
+def depth_of(path):
+    """Difference of the gaps of an obstacle with a shape."""
+    grid = servermanager.Fetch(XMLUnstructuredGridReader(FileName=[path]))
+    gaps = vtk_to_numpy(grid.GetPointData().GetArray("gap"))
+    return gaps.max() - gaps.min()
+
+
 def show_shape(view, path, scale, thickness, colour, opacity):
     """An obstacle whose gap is not the same everywhere, as far as the end
     reaches."""
@@ -166,7 +173,8 @@ def render(settings):
     scale = settings["scale"]
     plate, right = snapshots.ranges.plate(
         scale, settings["gap"] if snapshots.moves else None)
-    view = make_view(snapshots, right, settings["width"])
+    depth = depth_of(settings["shape"]) if settings["shape"] else 0
+    view = make_view(snapshots, right + scale * depth, settings["width"])
     size = max(10, settings["width"] // 55)
     show_colours(view, show_body(view, snapshots, scale), snapshots, size)
     low, high = ([-RADIUS] * 2, [RADIUS] * 2) if snapshots.dim == 1 else (

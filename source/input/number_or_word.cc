@@ -118,7 +118,8 @@ namespace ThermoContact
   {
     const double largest = std::numeric_limits<double>::max();
     prm.declare_entry(name,
-                      significant(number, all_digits),
+                      significant(number,
+                                  std::numeric_limits<double>::digits10),
                       NumberOrExpression(names,
                                          is_signed ? Double(-largest, largest) :
                                                      Double(0., 1e15)),

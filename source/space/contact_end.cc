@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/space/contact_end.h>
 #include <thermocontact/space/discretization.h>
 
@@ -95,6 +97,25 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** An expression may be finite at the axis and not at a node. */
+    template <int dim>
+    void
+    check_gap(const ContactNode<dim> &node)
+    {
+      if (dim == 1 || std::isfinite(node.gap))
+        return;
+      throw InputError(
+        text("Contact/Gap: not finite at y = ",
+             node.position[dim > 1 ? 1 : 0],
+             dim > 2 ? text(", z = ", node.position[dim - 1]) : "",
+             "\n  allowed: an expression that is finite on the contact end"));
+    }
+  } // namespace
+
+
+
   template <int dim>
   unsigned int
   contact_face(const typename DoFHandler<dim>::active_cell_iterator &cell)
@@ -109,9 +130,8 @@ namespace ThermoContact
 
 
   template <int dim>
-  ContactEnd<dim>::ContactEnd(
-    const Discretization<dim>                       &discretization,
-    const std::function<double(const Point<dim> &)> &gap)
+  ContactEnd<dim>::ContactEnd(const Discretization<dim> &discretization,
+                              const Function<dim>       &gap)
     : communicator(discretization.communicator())
     , cross_section(discretization.geometry().cross_section())
     , nodes_(find_nodes(discretization, gap))
@@ -137,9 +157,8 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<ContactNode<dim>>
-  ContactEnd<dim>::find_nodes(
-    const Discretization<dim>                       &discretization,
-    const std::function<double(const Point<dim> &)> &gap) const
+  ContactEnd<dim>::find_nodes(const Discretization<dim> &discretization,
+                              const Function<dim>       &gap) const
   {
     std::map<Dofs, ContactNode<dim>> nodes;
     for (const auto &of_rank :
@@ -155,7 +174,8 @@ namespace ThermoContact
     for (const auto &[dofs, node] : nodes)
       {
         sorted.push_back(node);
-        sorted.back().gap = gap(node.position);
+        sorted.back().gap = gap.value(node.position);
+        check_gap(sorted.back());
       }
 
     // the numbering depends on the number of ranks, the position does not

@@ -3,6 +3,7 @@
 #include <thermocontact/input/expression.h>
 #include <thermocontact/space/problem_data.h>
 
+#include <deal.II/base/function.h>
 #include <deal.II/base/numbers.h>
 
 namespace ThermoContact
@@ -58,36 +59,20 @@ namespace ThermoContact
 
 
   template <int dim>
-  PlaceFunction<dim>
+  std::unique_ptr<const Function<dim>>
   contact_gap(const Scene &scene)
   {
     const SceneContact &contact = scene.contact;
     if (!contact.law->is_active() || contact.has_uniform_gap())
-      return [&contact](const Point<dim> &) { return contact.gap; };
-
-    ExpressionNames names;
+      return std::make_unique<const Functions::ConstantFunction<dim>>(
+        contact.gap);
+    ExpressionNames names; // x is known too: it is one on the end
     names.constants["pi"] = numbers::PI;
-    // the place is on the end, where the first coordinate is no variable
-    const Expression  expression{"Contact/Gap",
-                                scene.parameters.contact.gap_expression};
-    const std::string text = check_expression<dim>(expression, 1, names);
-    const std::shared_ptr<const FunctionParser<dim>> function =
-      make_function<dim>(text, names);
-    return [function, expression](const Point<dim> &place) {
-      const double gap = function->value(place);
-      if (!std::isfinite(gap))
-        {
-          std::ostringstream message;
-          message << expression.path << " = " << expression.text
-                  << ": not finite at y = " << place[dim > 1 ? 1 : 0];
-          if (dim > 2)
-            message << ", z = " << place[dim - 1];
-          message << "\n  allowed: expressions that are finite on the contact "
-                     "end";
-          throw InputError(message.str());
-        }
-      return gap;
-    };
+    names.example         = "0.1+(y-0.05)^2/2";
+    return make_function<dim>(
+      check_expression<dim>(
+        {"Contact/Gap", scene.parameters.contact.gap_expression}, 1, names),
+      names);
   }
 
 
@@ -208,11 +193,11 @@ namespace ThermoContact
 
 
 
-  template PlaceFunction<1>
+  template std::unique_ptr<const Function<1>>
   contact_gap(const Scene &);
-  template PlaceFunction<2>
+  template std::unique_ptr<const Function<2>>
   contact_gap(const Scene &);
-  template PlaceFunction<3>
+  template std::unique_ptr<const Function<3>>
   contact_gap(const Scene &);
 
   template class ProblemData<1>;

@@ -72,7 +72,7 @@ def rows_of(path):
 
 
 class Truth:
-    """What contact.csv, events.csv, used.prm and the snapshots say."""
+    """What contact.csv, events.csv, used.prm (or gaps) and the snapshots say."""
 
     def __init__(self, directory, gaps=None):
         self.rows = {float(row["time"]): row
@@ -86,7 +86,7 @@ class Truth:
         self.times = list(self.snapshots)
         self.moves = "displacement" in self.field_names()
         gap = re.search(r"set Gap += (\S+)", (directory / "used.prm").read_text())
-        self.has_shape = bool(gaps)
+        self.has_shape, self.n_moved = bool(gaps), self.moves + bool(gaps)
         self.gaps = gaps or (float(gap[1]) if self.moves else math.nan,) * 2
         column = "contact_force" if self.moves and any(
             float(row["contact_force"]) for row in self.rows.values()) else None
@@ -174,16 +174,15 @@ def faults_of_record(record, truth, field, n_frames):
             field, field, ["POINTS", field]] or record["coloured"][2:] not in (
                 [], ["X"], ["0"]):
         faults.append(f"coloured {record['coloured']}, {record['title']}")
-    if record["vectors"] != [["POINTS", "displacement"]] * (truth.moves + truth.has_shape):
+    if record["vectors"] != [["POINTS", "displacement"]] * truth.n_moved:
         faults.append(f"moved by {record['vectors']}")
     boxes = [x for box in record["boxes"] + record["shapes"] for x in box]
-    reach = max((1 + scale * truth.end(time)[1] for time in truth.times),
-                default=1) if truth.moves else 0
+    ends = [truth.end(time)[1] for time in truth.times] if truth.moves else [0]
     face, foot = (1 + scale * gap for gap in truth.gaps)
-    plate = [face, foot + max(face, reach) + 0.03 - face] if truth.moves else []
+    plate = [face, foot + max(0, 1 + scale * max(ends) - face) + 0.03] * truth.moves
     if len(boxes) != 2 + len(plate) or len(record["shapes"]) != truth.has_shape \
             or not numpy.allclose(boxes, [-0.03, 0] + plate, atol=2e-6):
-        faults.append(f"boxes and shapes {boxes}, not {plate}")
+        faults.append(f"obstacle {boxes}, not {plate}")
     return faults
 
 
@@ -246,7 +245,6 @@ def record_of(settings):
 
 
 def check_scene(name, directory, field, *arguments, gaps=None):
-    """gaps: the smallest and the largest of an obstacle with a shape"""
     truth = Truth(Path(directory), gaps)
     record = record_of(settings_of(Path(directory), "--frames", "4",
                                    *arguments))

@@ -19,6 +19,7 @@
 // but for one node; p(0) within 1 % (Westergaard) or 2 % (Hertz, whose bodies
 // are no half-spaces); the largest error of p at the nodes with y < 0.9 a in
 // parts of p(0) within 2 %, and that of Westergaard smaller on the finer mesh.
+// Measured: p(0) to 0.1 % and 0.2 %, profiles to 0.9 %.
 
 #include <thermocontact/simulation/simulation.h>
 

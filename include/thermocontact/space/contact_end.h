@@ -5,12 +5,13 @@
 
 #include <thermocontact/base/types.h>
 
+#include <deal.II/base/function.h>
+
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -53,10 +54,11 @@ namespace ThermoContact
   public:
     /**
      * @param discretization borrowed; its degrees of freedom are distributed
-     * @param gap $g$ at a place of the end
+     * @param gap $g$ at the places of the end
+     * @throw InputError if it is not finite at a node
      */
-    ContactEnd(const Discretization<dim>                       &discretization,
-               const std::function<double(const Point<dim> &)> &gap);
+    ContactEnd(const Discretization<dim> &discretization,
+               const Function<dim>       &gap);
 
     /**
      * Those that can meet the obstacle, in order of their position; on all
@@ -198,8 +200,8 @@ namespace ThermoContact
 
     /** All nodes of the end; those without weight last. */
     std::vector<ContactNode<dim>>
-    find_nodes(const Discretization<dim>                       &discretization,
-               const std::function<double(const Point<dim> &)> &gap) const;
+    find_nodes(const Discretization<dim> &discretization,
+               const Function<dim>       &gap) const;
 
     /** Values at the nodes of @p entries, gathered on all ranks. */
     void

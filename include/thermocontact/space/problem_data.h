@@ -13,20 +13,14 @@
 
 namespace ThermoContact
 {
-  /** A function of a place. */
-  template <int dim>
-  using PlaceFunction = std::function<double(const Point<dim> &)>;
-
   /**
-   * $g$ of the undeformed body at a place on its contact end, doc/model.md
+   * $g$ of the undeformed body at the places of its contact end, doc/model.md
    * (M.4).
    *
-   * @param scene borrowed
-   * @throw InputError naming the expression, if it cannot be parsed; the
-   *   function throws it where the gap is not finite
+   * @throw InputError naming the expression, if it cannot be parsed
    */
   template <int dim>
-  PlaceFunction<dim>
+  std::unique_ptr<const Function<dim>>
   contact_gap(const Scene &scene);
 
 
