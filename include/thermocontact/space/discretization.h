@@ -239,7 +239,8 @@ namespace ThermoContact
     unsigned int
     ghosted_block(const Field::Block field) const
     {
-      return has_field(Field::temperature) ? field : 0;
+      return has_field(Field::temperature) ? static_cast<unsigned int>(field) :
+                                             0;
     }
 
     /** A state of zeros. */
