@@ -4,6 +4,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/output/field_output.h>
+#include <thermocontact/output/obstacle_file.h>
 #include <thermocontact/output/output_directory.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -316,8 +317,11 @@ namespace ThermoContact
     for (const std::string &piece : pieces)
       text << piece;
     DataOutBase::write_vtu_footer(text);
-    const std::string fault =
-      write_atomically(directory + "/" + name, text.str());
+    std::string fault = write_atomically(directory + "/" + name, text.str());
+    if (fault.empty() && times_.size() == 1 &&
+        !body.scene.contact.has_uniform_gap())
+      fault = write_atomically(directory + "/obstacle.vtu",
+                               obstacle_file(body.contact_end()));
     return fault.empty() ? write_pvd(directory + "/fields.pvd") : fault;
   }
 

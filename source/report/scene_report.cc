@@ -24,10 +24,11 @@ namespace ThermoContact
                   n,
                   " cells of degree ",
                   mesh.degree,
-                  dim == 1 ?
-                    "" :
-                    ", lateral faces: " +
-                      simulation.parameters().boundary.lateral_support);
+                  dim == 1 ? "" :
+                             ", lateral faces: " +
+                               simulation.parameters().boundary.lateral_support,
+                  simulation.scene().has_sliding_end ? ", fixed end: sliding" :
+                                                       "");
     }
 
 
@@ -76,15 +77,25 @@ namespace ThermoContact
 
 
 
+    template <int dim>
     std::string
-    describe_contact(const Scene &scene)
+    describe_contact(const Simulation<dim> &simulation)
     {
-      const SceneContact &contact = scene.contact;
+      const SceneContact &contact = simulation.scene().contact;
       if (!contact.law->is_active())
         return contact.law->description();
+      const auto [smallest, largest] =
+        simulation.discretization().contact_end().range_of_gap();
       return text(contact.law->description(),
                   ", g = ",
-                  contact.gap,
+                  contact.has_uniform_gap() ?
+                    text(contact.gap) :
+                    text(simulation.parameters().contact.gap_expression,
+                         " (",
+                         smallest,
+                         " to ",
+                         largest,
+                         " at the contact nodes)"),
                   contact.has_massless_nodes ? ", massless contact nodes" : "");
     }
 
@@ -289,7 +300,7 @@ namespace ThermoContact
                     ", theta_obs = ",
                     scene.heat.obstacle_temperature));
     if (scene.fields.has_displacement)
-      log.line("  contact   " + describe_contact(scene));
+      log.line("  contact   " + describe_contact(simulation));
     log.line("  time      " + describe_time(scene));
     report_forecast(scene, simulation.discretization().n_active_cells(), log);
     report_warnings(simulation.history().warnings, 0, log);

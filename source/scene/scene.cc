@@ -6,6 +6,7 @@
 #include <thermocontact/scene/scene.h>
 
 #include <cmath>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -104,7 +105,9 @@ namespace ThermoContact
         (fields.has_displacement ? contact_law(parameters.contact.condition) :
                                    no_obstacle())
           .make(parameters.contact);
-      contact.gap                = parameters.contact.gap;
+      contact.gap                = parameters.contact.gap_expression.empty() ?
+                                     parameters.contact.gap :
+                                     std::numeric_limits<double>::quiet_NaN();
       contact.has_massless_nodes = resolve_massless_nodes(parameters,
                                                           *contact.law,
                                                           scheme,
@@ -185,6 +188,7 @@ namespace ThermoContact
                               scheme,
                               has_prescribed_start))
     , has_rollers(parameters.boundary.lateral_support == "rollers")
+    , has_sliding_end(parameters.boundary.fixed_end_support == "sliding")
     , has_lumped_mass(parameters.mesh.mass_matrix == "lumped")
     , is_fixed_point(parameters.solver.step_solver == "fixed point")
     , linear_solver(resolve_linear_solver(parameters,

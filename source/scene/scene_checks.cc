@@ -268,6 +268,40 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** A rod has one gap, which has no y. */
+    void
+    check_gap(const Parameters &parameters)
+    {
+      if (parameters.dimension == 1 &&
+          !parameters.contact.gap_expression.empty())
+        refuse("Contact/Gap",
+               parameters.contact.gap_expression,
+               "a number, since Dimension = 1",
+               "Dimension = 2 or 3 for an obstacle with a shape");
+    }
+
+
+
+    /** Something has to keep the body from moving across its axis. */
+    void
+    check_support(const Scene &scene)
+    {
+      if (scene.fields.has_displacement && scene.has_sliding_end &&
+          !scene.has_rollers && !scene.geometry->has_axis_at_side() &&
+          !scene.material.has_inertia())
+        refuse("Boundary/Fixed end support",
+               scene.parameters.boundary.fixed_end_support,
+               "clamped, since Boundary/Lateral support = free and "
+               "Model/Inertia = 0",
+               "clamped, or Boundary/Lateral support = rollers: without "
+               "inertia nothing holds the body across its axis");
+    }
+  } // namespace
+
+
+
   void
   check_scene(const Parameters &parameters)
   {
@@ -305,6 +339,8 @@ namespace ThermoContact
       check_fixed_point(scene);
     check_scheme(scene);
     check_neighbours(scene);
+    check_support(scene);
+    check_gap(parameters);
     check_linear_solver(scene);
   }
 

@@ -144,7 +144,9 @@ namespace ThermoContact
 
   template <int dim>
   void
-  complete_quasi_static_state(Body<dim> &body, State &state)
+  complete_quasi_static_state(Body<dim>               &body,
+                              State                   &state,
+                              const std::vector<bool> &is_closed)
   {
     if constexpr (dim > 1)
       if (!body.scene.linear_solver.has_matrices())
@@ -181,12 +183,17 @@ namespace ThermoContact
         return;
       }
 
-    body.equations.subtract_pressure(state.contact_pressure, 1., rhs);
-    std::vector<bool>         is_away(n, true);
-    const std::vector<double> penetration = penetrations(body, state);
+    std::vector<bool> is_away(n, true);
     if (body.law().is_rigid())
-      for (unsigned int i = 0; i < n; ++i)
-        is_away[i] = penetration[i] < 0.;
+      {
+        const std::vector<double> penetration = penetrations(body, state);
+        for (unsigned int i = 0; i < n; ++i)
+          is_away[i] = is_closed.empty() ? penetration[i] < 0. : !is_closed[i];
+        std::fill(state.contact_pressure.begin(),
+                  state.contact_pressure.end(),
+                  0.);
+      }
+    body.equations.subtract_pressure(state.contact_pressure, 1., rhs);
     // nodes on a rigid obstacle cannot move into it
     const auto no_inward_velocity = rigid_obstacle().make({});
     solve_with_contact(body,
@@ -203,9 +210,9 @@ namespace ThermoContact
 
 
   template void
-  complete_quasi_static_state(Body<1> &, State &);
+  complete_quasi_static_state(Body<1> &, State &, const std::vector<bool> &);
   template void
-  complete_quasi_static_state(Body<2> &, State &);
+  complete_quasi_static_state(Body<2> &, State &, const std::vector<bool> &);
   template void
-  complete_quasi_static_state(Body<3> &, State &);
+  complete_quasi_static_state(Body<3> &, State &, const std::vector<bool> &);
 } // namespace ThermoContact

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/space/contact_end.h>
 #include <thermocontact/space/discretization.h>
 
@@ -95,6 +97,25 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** An expression may be finite at the axis and not at a node. */
+    template <int dim>
+    void
+    check_gap(const ContactNode<dim> &node)
+    {
+      if (dim == 1 || std::isfinite(node.gap))
+        return;
+      throw InputError(
+        text("Contact/Gap: not finite at y = ",
+             node.position[dim > 1 ? 1 : 0],
+             dim > 2 ? text(", z = ", node.position[dim - 1]) : "",
+             "\n  allowed: an expression that is finite on the contact end"));
+    }
+  } // namespace
+
+
+
   template <int dim>
   unsigned int
   contact_face(const typename DoFHandler<dim>::active_cell_iterator &cell)
@@ -110,7 +131,7 @@ namespace ThermoContact
 
   template <int dim>
   ContactEnd<dim>::ContactEnd(const Discretization<dim> &discretization,
-                              const double               gap)
+                              const Function<dim>       &gap)
     : communicator(discretization.communicator())
     , cross_section(discretization.geometry().cross_section())
     , nodes_(find_nodes(discretization, gap))
@@ -137,7 +158,7 @@ namespace ThermoContact
   template <int dim>
   std::vector<ContactNode<dim>>
   ContactEnd<dim>::find_nodes(const Discretization<dim> &discretization,
-                              const double               gap) const
+                              const Function<dim>       &gap) const
   {
     std::map<Dofs, ContactNode<dim>> nodes;
     for (const auto &of_rank :
@@ -145,13 +166,17 @@ namespace ThermoContact
       for (const auto &[dofs, weight, position] : of_rank)
         {
           ContactNode<dim> &node =
-            nodes.emplace(dofs, ContactNode<dim>{position, dofs, 0., gap})
+            nodes.emplace(dofs, ContactNode<dim>{position, dofs, 0., 0.})
               .first->second;
           node.weight += weight;
         }
     std::vector<ContactNode<dim>> sorted;
     for (const auto &[dofs, node] : nodes)
-      sorted.push_back(node);
+      {
+        sorted.push_back(node);
+        sorted.back().gap = gap.value(node.position);
+        check_gap(sorted.back());
+      }
 
     // the numbering depends on the number of ranks, the position does not
     std::sort(sorted.begin(),
@@ -227,6 +252,21 @@ namespace ThermoContact
   {
     for (const auto &[node, entry] : all_entries_[field])
       vector.begin()[entry] = values[node];
+  }
+
+
+
+  template <int dim>
+  std::pair<double, double>
+  ContactEnd<dim>::range_of_gap() const
+  {
+    const auto [smallest, largest] =
+      std::minmax_element(nodes_.begin(),
+                          nodes_.end(),
+                          [](const auto &a, const auto &b) {
+                            return a.gap < b.gap;
+                          });
+    return {smallest->gap, largest->gap};
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <thermocontact/space/discretization.h>
 #include <thermocontact/space/matrix_free_spaces.h>
+#include <thermocontact/space/problem_data.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -35,7 +36,7 @@ namespace ThermoContact
                 0 :
                 scene.parameters.mesh.n_halvings());
     distribute_dofs(scene.fields);
-    make_constraints();
+    constraints_ = make_constraints(scene.has_sliding_end);
     collect_constrained();
     if constexpr (dim > 1)
       if (!scene.linear_solver.has_matrices())
@@ -46,7 +47,7 @@ namespace ThermoContact
               prototypes[field].reinit(matrix_free_->make_vector(field));
         }
     contact_end_ =
-      std::make_unique<const ContactEnd<dim>>(*this, scene.contact.gap);
+      std::make_unique<const ContactEnd<dim>>(*this, *contact_gap<dim>(scene));
   }
 
 
@@ -61,15 +62,12 @@ namespace ThermoContact
     const Point<dim> corner = geometry_.corner();
 
     const bool colorize = true;
-    if (mesh.grading == 1.)
+    if (mesh.grading == 1. && mesh.grading_across == 1.)
       GridGenerator::subdivided_hyper_rectangle(
         *triangulation, repetitions, Point<dim>(), corner, colorize);
     else
       {
-        std::vector<std::vector<double>> sizes(
-          dim,
-          std::vector<double>(mesh.cells_across,
-                              mesh.width / mesh.cells_across));
+        std::vector<std::vector<double>> sizes(dim, mesh.cell_sizes_across());
         sizes[0] = mesh.cell_sizes();
         GridGenerator::subdivided_hyper_rectangle(
           *triangulation, sizes, Point<dim>(), corner, colorize);
@@ -109,14 +107,18 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  Discretization<dim>::make_constraints()
+  AffineConstraints<double>
+  Discretization<dim>::make_constraints(const bool has_sliding_end) const
   {
-    constraints_.reinit(relevant_);
+    AffineConstraints<double> constraints(relevant_);
 
     const Functions::ZeroFunction<dim> zero(n_components());
+    ComponentMask                      held(n_components(), true);
+    if (has_sliding_end && has_field(Field::displacement))
+      for (unsigned int d = 1; d < dim; ++d)
+        held.set(first_component(Field::displacement) + d, false);
     VectorTools::interpolate_boundary_values(
-      mapping_, dof_handler_, fixed_boundary_id, zero, constraints_);
+      mapping_, dof_handler_, fixed_boundary_id, zero, constraints, held);
     for (unsigned int d = 1; has_field(Field::displacement) && d < dim; ++d)
       {
         ComponentMask normal(n_components(), false);
@@ -124,9 +126,10 @@ namespace ThermoContact
         for (const types::boundary_id face : {2 * d, 2 * d + 1})
           if (geometry_.is_held(face))
             VectorTools::interpolate_boundary_values(
-              mapping_, dof_handler_, face, zero, constraints_, normal);
+              mapping_, dof_handler_, face, zero, constraints, normal);
       }
-    constraints_.close();
+    constraints.close();
+    return constraints;
   }
 
 

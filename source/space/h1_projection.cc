@@ -42,6 +42,9 @@ namespace ThermoContact
             cell_rhs(i) += difference * test(i, q) * values.JxW(q);
           }
     }
+
+
+
     /** A product with rows and columns of the identity for fixed entries. */
     struct FixedProduct
     {
@@ -97,6 +100,7 @@ namespace ThermoContact
   H1Projection<dim>::H1Projection(const Discretization<dim>     &discretization,
                                   const MatrixFreeOperator<dim> *products)
     : discretization(discretization)
+    , constraints(discretization.clamped_constraints())
     , products(products)
   {
     if (products == nullptr)
@@ -121,7 +125,7 @@ namespace ThermoContact
     DoFTools::make_sparsity_pattern(discretization.dof_handler(),
                                     coupling,
                                     pattern,
-                                    discretization.constraints(),
+                                    constraints,
                                     false,
                                     Utilities::MPI::this_mpi_process(
                                       discretization.communicator()));
@@ -137,9 +141,8 @@ namespace ThermoContact
   void
   H1Projection<dim>::assemble_laplace_matrix()
   {
-    const FiniteElement<dim> &fe          = discretization.finite_element();
-    const auto               &constraints = discretization.constraints();
-    SparseMatrix              matrix      = make_matrix();
+    const FiniteElement<dim> &fe     = discretization.finite_element();
+    SparseMatrix              matrix = make_matrix();
 
     FEValues<dim>      fe_values(discretization.mapping(),
                             fe,
@@ -228,9 +231,7 @@ namespace ThermoContact
                 cell_rhs);
             }
           cell->get_dof_indices(dofs);
-          discretization.constraints().distribute_local_to_global(cell_rhs,
-                                                                  dofs,
-                                                                  rhs);
+          constraints.distribute_local_to_global(cell_rhs, dofs, rhs);
         }
     rhs.compress(VectorOperation::add);
     return rhs;
@@ -266,6 +267,20 @@ namespace ThermoContact
 
 
   template <int dim>
+  std::vector<unsigned int>
+  H1Projection<dim>::kept_entries(const Field::Block field) const
+  {
+    std::vector<unsigned int> entries;
+    const IndexSet           &owned = discretization.owned_by_block()[field];
+    for (const types::global_dof_index dof : owned)
+      if (constraints.is_constrained(dof + discretization.first_dof(field)))
+        entries.push_back(owned.index_within_set(dof));
+    return entries;
+  }
+
+
+
+  template <int dim>
   void
   H1Projection<dim>::add_iteratively(const SystemVector &rhs,
                                      Vector             &temperature,
@@ -286,7 +301,7 @@ namespace ThermoContact
               products->heat(laplacian_of_heat, y, x);
             },
             products->heat_diagonal(laplacian_of_heat),
-            discretization.constrained_entries(Field::temperature),
+            kept_entries(Field::temperature),
             heat,
             temperature);
         const MomentumFactors laplacian{0., 0., 0., 1.};
@@ -296,7 +311,7 @@ namespace ThermoContact
               products->momentum(laplacian, y, x);
             },
             products->momentum_diagonal(laplacian),
-            discretization.constrained_entries(Field::displacement),
+            kept_entries(Field::displacement),
             momentum,
             displacement);
       }

@@ -9,6 +9,7 @@
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace ThermoContact
@@ -302,11 +303,65 @@ namespace ThermoContact
 
 
 
-#define INSTANTIATE(dim)                                                 \
-  template FullMatrix<double> contact_stiffness<dim>(const Body<dim> &); \
-  template FullMatrix<double> contact_receptance<dim>(                   \
-    const ContactEnd<dim> &, const FullMatrix<double> &);                \
-  template void settle_contact_nodes<dim>(Body<dim> &, State &)
+  template <int dim>
+  void
+  settle_contact_velocities(Body<dim>                &body,
+                            const FullMatrix<double> &stiffness,
+                            const std::vector<bool>  &is_closed,
+                            State                    &state)
+  {
+    const ContactEnd<dim>     &end   = body.contact_end();
+    const Discretization<dim> &space = body.discretization;
+    const double               zeta  = body.scene.material.viscosity;
+    Vector heat_load                 = space.make_vector(Field::temperature);
+    Vector momentum_load             = space.make_vector(Field::displacement);
+    Vector heat_rhs(heat_load), force(momentum_load), viscous(momentum_load);
+    body.loads.assemble(state.time, heat_load, momentum_load);
+    body.equations.stage_rhs(
+      state, 1., heat_load, momentum_load, heat_rhs, force);
+    body.equations.stiffness().vmult(viscous, state.velocity);
+    force.add(-zeta, viscous);
+
+    FullMatrix<double> flexibility(stiffness);
+    flexibility *= zeta;
+    flexibility.gauss_jordan();
+    const FullMatrix<double>  receptance = contact_receptance(end, flexibility);
+    const std::vector<double> free =
+      moved_by_force(end, flexibility, force, state.velocity);
+
+    std::vector<unsigned int> nodes;
+    for (unsigned int i = 0; i < is_closed.size(); ++i)
+      if (is_closed[i])
+        nodes.push_back(i);
+    const unsigned int  n = nodes.size();
+    FullMatrix<double>  response(n, n);
+    std::vector<double> free_velocity(n), p(n, 0.);
+    response.extract_submatrix_from(receptance, nodes, nodes);
+    for (unsigned int i = 0; i < n; ++i)
+      free_velocity[i] = free[nodes[i]];
+    ContactSolver(body.law()).solve(response, free_velocity, p);
+
+    std::fill(state.contact_pressure.begin(), state.contact_pressure.end(), 0.);
+    for (unsigned int i = 0; i < n; ++i)
+      state.contact_pressure[nodes[i]] = p[i];
+    std::vector<double> velocity(free);
+    for (unsigned int i = 0; i < velocity.size(); ++i)
+      for (unsigned int j = 0; j < state.contact_pressure.size(); ++j)
+        velocity[i] -= receptance(i, j) * state.contact_pressure[j];
+    end.set_all_values(Field::displacement, velocity, state.velocity);
+  }
+
+
+
+#define INSTANTIATE(dim)                                                   \
+  template FullMatrix<double> contact_stiffness<dim>(const Body<dim> &);   \
+  template FullMatrix<double> contact_receptance<dim>(                     \
+    const ContactEnd<dim> &, const FullMatrix<double> &);                  \
+  template void settle_contact_nodes<dim>(Body<dim> &, State &);           \
+  template void settle_contact_velocities<dim>(Body<dim> &,                \
+                                               const FullMatrix<double> &, \
+                                               const std::vector<bool> &,  \
+                                               State &)
 
   INSTANTIATE(1);
   INSTANTIATE(2);

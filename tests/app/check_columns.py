@@ -10,6 +10,7 @@ known, times 1.001 or + 1; the predicted penetration, which is the largest of 20
 instants, times 1.001.
 """
 import sys
+from pathlib import Path
 
 import numpy
 
@@ -63,7 +64,17 @@ def check_fields(run):
           f"{f'{missed} not noticed' if missed else 'all noticed'}")
 
 
+def check_memory(run):
+    """Of all ranks: a scene takes more on two than it took on one, in the run before."""
+    memory, before = run.summary["peak_memory_mb"], Path("memory_on_one_rank")
+    if run.summary["ranks"] == 1:
+        before.write_text(str(memory))
+    elif memory < 1.5 * float(before.read_text()):
+        print(f"peak memory {memory} MB, on one rank {before.read_text()}")
+
+
 run = Run(sys.argv[1])
 report(check, run, EXEMPT, named_faults,
        "1e-7")
 check_fields(run)
+check_memory(run)

@@ -47,10 +47,25 @@ SCENES = [
      "Mesh/Cells=2", ("Mesh/Cells=1", "Contact/Condition=none"),
      ("Mesh/Cells=1", "Time/Scheme=sdirk2")),
 
-    # a round rod has points without weight
+    # a round rod has points without weight; a body needs a support; the shape
+    # of an obstacle has a y, and is finite at the contact nodes
     ("Mesh/Mass matrix", ("Dimension=2", "Mesh/Geometry=axisymmetric"),
      "Mesh/Mass matrix=lumped", "Mesh/Mass matrix=consistent",
      ("Mesh/Mass matrix=lumped", "Mesh/Geometry=plane strain")),
+    ("Boundary/Fixed end support", PLANE + QUASI_STATIC + (
+        "Boundary/Lateral support=free",), "Boundary/Fixed end support=sliding",
+     "Boundary/Fixed end support=clamped",
+     ("Boundary/Fixed end support=sliding", "Boundary/Lateral support=rollers"),
+     ("Boundary/Fixed end support=sliding", "Mesh/Geometry=axisymmetric"),
+     ("Boundary/Fixed end support=sliding", "Model/Inertia=1e-3")),
+    ("Mesh/Grading across", PLANE, "Mesh/Grading across=0",
+     "Mesh/Grading across=1e-3"),
+    ("Contact/Gap", (), "Contact/Gap=0.1+0.1", "Contact/Gap=0.2",
+     ("Contact/Gap=0.1+0.1", "Dimension=2", "Mesh/Cells=1")),
+    ("Contact/Gap", PLANE, "Contact/Gap=0.1+radius", "Contact/Gap=0.1+y"),
+    ("Contact/Gap", PLANE, "Contact/Gap=0.1/(y-1)", "Contact/Gap=0.1/(1.1-y)"),
+    ("Contact/Gap", PLANE + RIGID, "Contact/Gap=y-0.5", "Contact/Gap=abs(y-0.5)",
+     ("Contact/Gap=y-0.5", "Contact/Condition=normal compliance")),
 
     # steps
     ("Time/Step size", ("Time/Scheme=backward euler",), "Time/Step size=automatic",

@@ -4,10 +4,12 @@
 
 --quiet: nothing on standard output. Redirected: what log.txt has, with a line for each
 tenth of the run. A pseudo terminal: lines that are rewritten in place, within its width,
-each erased by what follows, no line per tenth; log.txt as before; none on a terminal that
+each erased by what follows, no line per tenth, with the force in contact and else the gap,
+as in contact.csv; log.txt as before; none on a terminal that
 does not tell its width, as that of mpirun, which may lead to a file. A run that fails: its
 reason on standard output and standard error, on a terminal once; in log.txt always.
 """
+import csv
 import fcntl
 import os
 import pty
@@ -53,6 +55,20 @@ def tenths(text):
     return [int(percent) for percent in re.findall(r"^ +(\d+) %   t = ", text, re.MULTILINE)]
 
 
+def as_tabled(lines):
+    """Whether the force or gap of each live line is that of its row of contact.csv."""
+    with open(directory / "contact.csv", encoding="utf-8") as file:
+        rows = {f"{float(row['time']):g}": row for row in
+                csv.DictReader(line for line in file if not line.startswith("#"))}
+    for line in lines:
+        time, name, value = re.search(r" t (\S+) .* (force|gap) +(\S+)", line).groups()
+        row = rows[time]
+        if (name == "force") != (row["in_contact"] == "1") or value != (
+                f"{float(row['contact_force' if name == 'force' else 'gap']):g}"):
+            return f"{line!r}, in contact {row['in_contact']}"
+    return True
+
+
 all_tenths = list(range(10, 101, 10))
 quiet = subprocess.run(command("--quiet"), capture_output=True, check=True)
 print("quiet: nothing on standard output", quiet.stdout == b"",
@@ -65,8 +81,10 @@ print("redirected: as log.txt", plain == log(), ", tenths", tenths(plain) == all
 columns = 60
 screen = on_terminal(command(), columns)
 live = re.findall(r"\r( +\d+ %[^\r\n\033]*)\033\[K", screen)
+wide = re.findall(r"\r( +\d+ %[^\r\n\033]*)\033\[K", on_terminal(command(), 200))
 kept = re.sub(r"\r[^\r\n\033]*\033\[K", "", screen)
-print("terminal: live lines", len(live) > 0, ", within its width",
+print("terminal: live lines", len(live) > 0 and len(wide) > 0, ", force and gap",
+      as_tabled(wide), ", within its width",
       all(len(line) < columns for line in live), ", erased",
       "\r" not in kept and "\033" not in kept and tenths(kept) == [],
       ", tenths in log.txt", tenths(log()) == all_tenths,

@@ -87,7 +87,8 @@ def check_runs(study):
     for i, run in runs.items():
         is_done = run is not None and run.contact["time"][-1] == run.settings.number(
             "Time/End time")
-        expected = "done" if is_done else "failed: Time/Step size = automatic"
+        expected = "done" if is_done else tuple(
+            f"failed: {name} = {table[name][i]}" for name in varied)
         if not table["status"][i].startswith(expected):
             yield f"status of run {i}"
 

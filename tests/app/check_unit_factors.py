@@ -9,8 +9,9 @@ D = kappa/(rho c), and Theta the temperature above the reference at which
 M (beta Theta)^2 = beta^2 M^2 theta_ref/(rho c):
   unit of time L^2/D, b = (D/L)^2 rho/M, zeta = eta D/(L^2 M), a = beta Theta,
   k = h L/kappa, epsilon = (M A/L)/stiffness.
-Terms below 1e-6 are dropped unless they are to be kept. At last each number is
-falsified once: the comparison must notice.
+Terms below 1e-6 are dropped unless they are to be kept. Then each number is
+falsified once: the comparison must notice. At last each line of the file is left out: that
+is refused, but for the title and the two that choose.
 """
 import math
 import re
@@ -217,6 +218,23 @@ def answer(si_text):
     return result
 
 
+def left_out():
+    """The entries without which a file is accepted; wrong words for the others."""
+    lines, accepted, section = si_file(ROD).splitlines(keepends=True), [], ""
+    for i, line in enumerate(lines):
+        section = (line.split()[1] + "/" if line.startswith("subsection") else
+                   "" if line == "end\n" else section)
+        if " = " not in line:
+            continue
+        entry = section + re.search(r"set (.*?) =", line)[1]
+        status, _, message = answer("".join(lines[:i] + lines[i + 1:]))
+        if status == 0:
+            accepted.append(entry)
+        elif status != 2 or not message.startswith(f"rod.prm: {entry} is not given\n"):
+            accepted.append(f"{entry}: {status}, {message}")
+    return accepted
+
+
 def main():
     faults, n_blind = [], 0
     for name, rod in RODS.items():
@@ -232,6 +250,7 @@ def main():
     print("lines of --units:", "; ".join(faults) or "as by hand")
     print("numbers whose fault is not noticed:", n_blind)
 
+    print("may be left out:", ", ".join(left_out()))
     for old, new in (("  set Density = 8900.0\n", ""),
                      ("Stiffness = 30000000.0", "Stiffness = 0")):
         status, _, message = answer(si_file(ROD).replace(old, new))

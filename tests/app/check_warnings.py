@@ -58,6 +58,8 @@ START = [
      ["Initial values/Temperature differs by 1e-09 from theta_A = 10 at the "
       "fixed end: a corner layer starts there"]),
     (SOFT + ("Initial values/Temperature=theta_A + x",), []),
+    # rounding is no corner layer
+    (SOFT + ("Initial values/Temperature=theta_A + 1e-12 + x",), []),
     (SOFT + ("Initial values/Displacement=0.11*x",),
      ["Contact/Gap = 0.1: the body is in contact at the start, end displacement "
       "0.11, initial pressure 1"]),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Numbers as text and back. Texts by hand:
-//   0.1 is 0.1000000000000000055..., with 17 digits 0.10000000000000001, and 0.1 reads back to it;
-//   the least positive double is 2^-1074 = 4.94...e-324; 1e22 is a double;
-//   with 2 digits 1249 is 1200, 0.0996 is 0.1, and 2.5 is 2 without decimals
-//   (half to even, and 2.5 is a double).
+//   0.1 is 0.1000000000000000055..., with 17 digits 0.10000000000000001, and
+//   0.1 reads back to it; the least positive double is 2^-1074 = 4.94...e-324;
+//   1e22 is a double; with 2 digits 1249 is 1200, 0.0996 is 0.1, and 2.5 is 2
+//   without decimals (half to even, and 2.5 is a double).
 // All digits are those of printf, an implementation of its own, for 1e5
 // patterns of 64 bits drawn at random, among them not numbers; and 17 digits
 // give the number back.

@@ -10,12 +10,12 @@
 //    with weight on the axis, higher degrees have none; massless nodes in
 //    equilibrium (zeta = 0, energy conserving) must take it along.
 // 2. Orders of convergence on a manufactured solution. With the radius R = 1/2,
-//      psi = X(x) g(r),  X = 1 - cos pi x,  g = r^2/2 - r^4/(4 R^2),
+//      psi = X(x) g(r),  X = 1 - cos pi x,  g = r^2/2 - r^6/(6 R^4),
 //      u = beta grad psi = beta (X' g, X g'),  theta = theta_A +
 //      alpha S (1 + g),  S = sin(pi x/2),
 //    there is no displacement at x = 0 (X = X' = 0) and across r = 0 and r = R
-//    (g' = r - r^3/R^2), no shear stress 2 mu X' g' there and at x = 1, and no
-//    flux of heat at r = R. With g'' + g'/r = h = 2 - 4 r^2/R^2 and D =
+//    (g' = r - r^5/R^4), no shear stress 2 mu X' g' there and at x = 1, and no
+//    flux of heat at r = R. With g'' + g'/r = h = 2 - 6 r^4/R^4 and D =
 //    div grad psi = X'' g + X h the elastic force is div C e(grad psi) = grad
 //    D, as lambda + 2 mu = 1 and curl grad = 0. So
 //      f = -delta grad D + a alpha grad(S (1 + g)),  delta = beta + zeta
@@ -167,8 +167,9 @@ namespace
     value(const Point<2> &point, const unsigned int c) const override
     {
       const double x = point[0], r = point[1], pi = numbers::PI;
-      const double g   = r * r / 2. - std::pow(r, 4) / (4. * radius * radius);
-      const double g_r = r - std::pow(r, 3) / (radius * radius);
+      const double R4  = std::pow(radius, 4);
+      const double g   = r * r / 2. - std::pow(r, 6) / (6. * R4);
+      const double g_r = r - std::pow(r, 5) / R4;
       return c == 0 ? 3. + alpha * std::sin(0.5 * pi * x) * (1. + g) :
              c == 1 ? beta * pi * std::sin(pi * x) * g :
                       beta * (1. - std::cos(pi * x)) * g_r;
@@ -178,10 +179,10 @@ namespace
     gradient(const Point<2> &point, const unsigned int c) const override
     {
       const double x = point[0], r = point[1], pi = numbers::PI;
-      const double R2   = radius * radius;
-      const double g    = r * r / 2. - std::pow(r, 4) / (4. * R2);
-      const double g_r  = r - std::pow(r, 3) / R2;
-      const double g_rr = 1. - 3. * r * r / R2;
+      const double R4   = std::pow(radius, 4);
+      const double g    = r * r / 2. - std::pow(r, 6) / (6. * R4);
+      const double g_r  = r - std::pow(r, 5) / R4;
+      const double g_rr = 1. - 5. * std::pow(r, 4) / R4;
       Tensor<1, 2> result;
       if (c == 0)
         {
@@ -210,7 +211,7 @@ namespace
   {
     const std::vector<std::pair<std::string, std::string>> meaning = {
       {"D_x", "X_xxx*g+X_x*h"},
-      {"D_r", "X_xx*g_r-8*X*y/R^2"},
+      {"D_r", "X_xx*g_r-24*X*y^3/R^4"},
       {"D", "X_xx*g+X*h"},
       {"theta", "3+alpha*S*(1+g)"},
       {"delta", "beta+0.5"},
@@ -226,9 +227,9 @@ namespace
       {"S", "sin(pi*x/2)"},
       {"S_x", "pi/2*cos(pi*x/2)"},
       {"S_xx", "-pi^2/4*sin(pi*x/2)"},
-      {"g", "y^2/2-y^4/(4*R^2)"},
-      {"g_r", "y-y^3/R^2"},
-      {"h", "2-4*y^2/R^2"},
+      {"g", "y^2/2-y^6/(6*R^4)"},
+      {"g_r", "y-y^5/R^4"},
+      {"h", "2-6*y^4/R^4"},
       {"R", "0.5"}};
     for (const auto &[symbol, expression] : meaning)
       formula = std::regex_replace(formula,

@@ -44,6 +44,7 @@ namespace ThermoContact
     double      heat_exchange         = 1.;  ///< $k\ge0$
     double      obstacle_temperature  = 0.;  ///< $\theta_{obs}$
     std::string lateral_support       = "rollers";
+    std::string fixed_end_support     = "clamped";
 
     void
     add_parameters(ParameterHandler &prm);
@@ -54,8 +55,9 @@ namespace ThermoContact
   /** Section Contact: doc/model.md (M.4), (M.5). */
   struct ContactParameters : ContactLawParameters
   {
-    std::string condition      = contact_laws().front().name;
-    double      gap            = 0.1; ///< $g$
+    std::string condition = contact_laws().front().name;
+    double      gap       = 0.1; ///< $g$ if it is a number,
+    std::string gap_expression;  ///< or else in y, z
     std::string massless_nodes = "automatic";
 
     void
@@ -94,14 +96,15 @@ namespace ThermoContact
   /** Section Mesh. */
   struct MeshParameters
   {
-    unsigned int cells        = 8;
-    unsigned int degree       = 4;
-    unsigned int refinements  = 0;
-    double       grading      = 1.;
-    std::string  mass_matrix  = "consistent";
-    std::string  geometry     = geometries().front().name;
-    double       width        = 0.1;
-    unsigned int cells_across = 4;
+    unsigned int cells          = 8;
+    unsigned int degree         = 4;
+    unsigned int refinements    = 0;
+    double       grading        = 1.;
+    std::string  mass_matrix    = "consistent";
+    std::string  geometry       = geometries().front().name;
+    double       width          = 0.1;
+    unsigned int cells_across   = 4;
+    double       grading_across = 1.;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -123,6 +126,10 @@ namespace ThermoContact
      */
     std::vector<double>
     cell_sizes() const;
+
+    /** The same across the body. */
+    std::vector<double>
+    cell_sizes_across() const;
 
     /** Mean distance of nodes in the cells of the contact end. */
     double

@@ -24,7 +24,8 @@ namespace ThermoContact
    *
    * Cells of degree p are cut into p parts along each direction. The stress is
    * $C\varepsilon(u+\zeta v)-a\theta I$, if dim > 1 a tensor in space. Fields
-   * that the scene does not have are absent.
+   * that the scene does not have are absent. An obstacle with a shape is beside
+   * them, obstacle.vtu, written with the first snapshot.
    */
   template <int dim>
   class FieldOutput

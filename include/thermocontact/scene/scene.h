@@ -8,6 +8,7 @@
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/scheme.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -127,7 +128,9 @@ namespace ThermoContact
   struct SceneContact
   {
     std::unique_ptr<const ContactLaw> law;
-    double                            gap; ///< $g$, of the undeformed body
+
+    /** $g$ of the undeformed body; NaN if it is not the same everywhere. */
+    double gap;
 
     /** How the contact nodes move; meaningless without obstacle. */
     ContactNodes nodes;
@@ -143,6 +146,12 @@ namespace ThermoContact
 
     /** Steps end where contact begins or ends. */
     bool locates_events;
+
+    bool
+    has_uniform_gap() const
+    {
+      return !std::isnan(gap);
+    }
 
     bool
     has_mass() const
@@ -226,6 +235,9 @@ namespace ThermoContact
 
     /** Lateral faces have no normal displacement; dim > 1. */
     const bool has_rollers;
+
+    /** The fixed end may move across the axis; dim > 1. */
+    const bool has_sliding_end;
 
     const bool has_lumped_mass;
 

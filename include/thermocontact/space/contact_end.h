@@ -5,6 +5,8 @@
 
 #include <thermocontact/base/types.h>
 
+#include <deal.II/base/function.h>
+
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -52,9 +54,11 @@ namespace ThermoContact
   public:
     /**
      * @param discretization borrowed; its degrees of freedom are distributed
-     * @param gap $g$
+     * @param gap $g$ at the places of the end
+     * @throw InputError if it is not finite at a node
      */
-    ContactEnd(const Discretization<dim> &discretization, const double gap);
+    ContactEnd(const Discretization<dim> &discretization,
+               const Function<dim>       &gap);
 
     /**
      * Those that can meet the obstacle, in order of their position; on all
@@ -71,6 +75,10 @@ namespace ThermoContact
     {
       return nodes_.size();
     }
+
+    /** The smallest gap of nodes(), and the largest. */
+    std::pair<double, double>
+    range_of_gap() const;
 
     /**
      * Number of all nodes of the end. Behind those of nodes() come those whose
@@ -193,7 +201,7 @@ namespace ThermoContact
     /** All nodes of the end; those without weight last. */
     std::vector<ContactNode<dim>>
     find_nodes(const Discretization<dim> &discretization,
-               const double               gap) const;
+               const Function<dim>       &gap) const;
 
     /** Values at the nodes of @p entries, gathered on all ranks. */
     void

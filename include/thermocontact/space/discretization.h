@@ -37,8 +37,8 @@ namespace ThermoContact
    * by field, the temperature first. A field
    * that the scene does not have is absent from the FESystem, and its block is
    * empty. The constraints are those of rates: homogeneous, temperature and
-   * displacement at the fixed end, normal displacement at lateral faces that
-   * the geometry holds.
+   * displacement (its axial component, if the end slides) at the fixed end,
+   * normal displacement at lateral faces that the geometry holds.
    */
   template <int dim>
   class Discretization
@@ -128,6 +128,15 @@ namespace ThermoContact
     constraints() const
     {
       return constraints_;
+    }
+
+    /**
+     * Those of a fixed end that does not slide, which leave no rigid motion.
+     */
+    AffineConstraints<double>
+    clamped_constraints() const
+    {
+      return make_constraints(false);
     }
 
     /** Locally owned indices of the whole system. */
@@ -230,7 +239,8 @@ namespace ThermoContact
     unsigned int
     ghosted_block(const Field::Block field) const
     {
-      return has_field(Field::temperature) ? field : 0;
+      return has_field(Field::temperature) ? static_cast<unsigned int>(field) :
+                                             0;
     }
 
     /** A state of zeros. */
@@ -282,8 +292,8 @@ namespace ThermoContact
     void
     distribute_dofs(const SceneFields &fields);
 
-    void
-    make_constraints();
+    AffineConstraints<double>
+    make_constraints(const bool has_sliding_end) const;
 
     /** Finds the constrained degrees of freedom of each field. */
     void

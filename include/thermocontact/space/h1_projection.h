@@ -20,8 +20,8 @@ namespace ThermoContact
   /**
    * The projection $P_E$ of initial data, doc/model.md (M.13):
    * $(\nabla(P_E w-w),\nabla\eta)=0$ for all $\eta$ that vanish on the fixed
-   * end, with $P_E w=w$ there; at rollers the normal component keeps the
-   * value of $w$ too.
+   * end, with $P_E w=w$ there, also if it slides; at rollers the normal
+   * component keeps the value of $w$ too.
    *
    * Computed as the nodal interpolant plus a correction, integrated by parts
    * cell by cell, so that only values of $w$ are needed and, in 1-D, the
@@ -52,12 +52,17 @@ namespace ThermoContact
 
   private:
     const Discretization<dim>           &discretization;
+    const AffineConstraints<double>      constraints;
     const MatrixFreeOperator<dim> *const products;
     std::unique_ptr<DirectSolver>        laplace_solver;
 
     /** Without entries; components do not act on each other. */
     SparseMatrix
     make_matrix() const;
+
+    /** Positions of the values of a field that are kept, in its local part. */
+    std::vector<unsigned int>
+    kept_entries(const Field::Block field) const;
 
     void
     assemble_laplace_matrix();

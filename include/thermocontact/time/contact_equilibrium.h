@@ -39,6 +39,22 @@ namespace ThermoContact
   template <int dim>
   void
   settle_contact_nodes(Body<dim> &body, State &state);
+
+  /**
+   * Velocities and pressures of contact nodes without mass, with viscosity, at
+   * a rigid obstacle, that go with displacements, temperatures and the
+   * velocities of all other nodes, doc/model.md (M.49): no node in contact
+   * moves into the obstacle, and those with pressure rest.
+   *
+   * @param stiffness of contact_stiffness()
+   * @param is_closed nodes in contact; others have no pressure
+   */
+  template <int dim>
+  void
+  settle_contact_velocities(Body<dim>                &body,
+                            const FullMatrix<double> &stiffness,
+                            const std::vector<bool>  &is_closed,
+                            State                    &state);
 } // namespace ThermoContact
 
 #endif

@@ -19,6 +19,7 @@ namespace ThermoContact
     Vector              temperature_rate; ///< $\theta'$
     Vector              velocity;         ///< $v=u'$
     std::vector<double> pressure;         ///< $p_i$ at the contact nodes
+    std::vector<bool>   is_held; ///< in: nodes that stay closed; empty: none
     unsigned int        n_iterations = 0; ///< active sets or fixed point
     std::string         failure;          ///< empty: solved
   };
@@ -118,6 +119,29 @@ namespace ThermoContact
           const Vector &momentum_load,
           ContactMode   mode,
           StageRates   &rates) = 0;
+
+    /** True if solve() heeds StageRates::is_held. */
+    virtual bool
+    can_hold_nodes() const
+    {
+      return false;
+    }
+
+    /**
+     * Takes out of the difference between two results of a step what the
+     * contact condition forbids, doc/model.md (M.47): nodes in contact stay
+     * with the obstacle, by pressures in the stage that was solved last. A
+     * solver without responses to pressures leaves the difference as it is.
+     *
+     * @param is_closed nodes in contact at the end of the step
+     * @param pressure there
+     * @param difference in, out: $e_\theta$, $e_u$, $e_v$
+     */
+    virtual void
+    keep_contact(const std::vector<bool> & /*is_closed*/,
+                 const std::vector<double> & /*pressure*/,
+                 State & /*difference*/)
+    {}
 
     /** Number of unknowns of the largest matrix that is factorised. */
     virtual types::global_dof_index

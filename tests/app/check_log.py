@@ -1,0 +1,143 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What log.txt says of the result, from summary.json and contact.csv, and of the first
+impact and the limit of the paper's iteration, from summary.json and events.csv.
+
+Numbers have six digits, differences from the state of rest two, the wall time of a step
+three. The defect of the energy is what the columns leave, but for rounding. The lines of
+tenths are rows of contact.csv, as far as these are written.
+"""
+import re
+import sys
+
+from run_files import Run
+
+NUMBER = r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?(?![\d%]*\()"  # not that of u(1)
+SIX, THREE, TWO = 6e-6, 6e-3, 6e-2
+SHOWN = {"u(1)": "displacement_end", "gap": "gap", "force": "contact_force",
+         "theta(1)": "temperature_end"}
+
+
+def numbers(text):
+    return [float(word) for word in re.findall(NUMBER, re.sub(r"\w+\(1\)", "", text))]
+
+
+def last_line(log, title):
+    found = re.findall(rf"^  {title} +(.*)$", log, re.MULTILINE)
+    return found[-1] if found else ""
+
+
+def expected_lines(run):
+    """Title, text before the numbers that are compared, numbers and their bounds."""
+    s, last = run.summary, {name: run.contact[name][-1] for name in run.contact.names}
+    if "displacement" in s["fields"] and last_line(run.log, "contact").count("times"):
+        first = [s["first_contact_time"]] if s["contact_begins"] else []
+        yield "contact", "", [(value, SIX, 0) for value in (
+            s["contact_begins"], *first, s["max_contact_force"], s["max_penetration"],
+            last["contact_impulse"])]
+    keys = [key for key in ("displacement_end", "temperature_end", "contact_force")
+            if s["final_" + key] is not None]
+    words = last_line(run.log, "final")
+    if "force" not in words:
+        keys = [key for key in keys if key != "contact_force"]
+    yield "final", "", [(last[key], SIX, 0) for key in keys]
+    if s["predicted_in_contact"] is not None:
+        yield "at rest", "; differs in ", [(s["difference_" + key], TWO, 1e-12)
+                                           for key in keys]
+    parts = [last["energy"], last["dissipation"], last["numerical_dissipation"]]
+    first = run.contact["energy"][0]
+    yield "energy", "", [(value, SIX, 0) for value in (first, last["work"], *parts)] + [
+        (first + last["work"] - sum(parts), TWO, 1e-11 * (abs(first) + abs(last["work"])))]
+    yield "cost", "", [(s[key], 0, 0) for key in (
+        "steps", "rejected_steps", "factorizations", "solves")] + [
+        (1e6 * s["loop_seconds"] / s["steps"], THREE, 0)]
+
+
+def faults_of_result(run):
+    for title, begin, expected in expected_lines(run):
+        found = numbers(last_line(run.log, title).partition(begin)[2] if begin else
+                        last_line(run.log, title))
+        if len(found) != len(expected) or any(
+                abs(a - b) > relative * abs(b) + absolute + 1e-300
+                for a, (b, relative, absolute) in zip(found, expected)):
+            yield f"{title}: {found} instead of {[value for value, *_ in expected]}"
+    words = last_line(run.log, "final").rpartition(", ")[2]
+    if words in ("open", "in contact") and (words == "in contact") != run.summary[
+            "final_in_contact"]:
+        yield f"final: {words}"
+
+
+def faults_of_tenths(run):
+    times, compared = run.contact["time"], 0
+    end_time = run.settings.number("Time/End time")
+    lines = re.findall(r"^ +(\d+) %   t = (\S+) +(.*)$", run.log, re.MULTILINE)
+    for percent, time, values in lines:
+        share = 10 * float(time) / end_time  # of a time of six digits
+        if int(percent) not in (10 * int(share - 1e-4), 10 * int(share + 1e-4)):
+            yield f"t = {time} is not {percent} %"
+        rows = [i for i, t in enumerate(times) if abs(t - float(time)) <= SIX * t]
+        for name, value in re.findall(r"(\S+) = (\S+)", values) if rows else []:
+            compared += 1
+            exact = run.contact[SHOWN[name]][rows[0]]
+            if abs(float(value) - exact) > SIX * abs(exact):
+                yield f"t = {time}: {name} = {value} instead of {exact}"
+    if not lines or lines[-1][0] != "100" or compared == 0:
+        yield "no lines of tenths"
+
+
+def time_scales(settings):
+    """Diffusion over the rod, 1; a wave along it, sqrt(b); zeta of Kelvin and Voigt;
+    contact, in which the impedance sqrt(b) of a wave or that of viscosity, sqrt(b zeta/tau),
+    meets tau/epsilon."""
+    b, zeta = settings.number("Model/Inertia"), settings.number("Model/Viscosity")
+    epsilon = settings.number("Contact/Compliance")
+    if settings.has("temperature"):
+        yield "heat", 1
+    if settings.has("displacement"):
+        yield from ((name, value) for name, value in (
+            ("wave", b**0.5), ("viscous", zeta),
+            ("contact", max((epsilon**2 * b * zeta)**(1 / 3), epsilon * b**0.5)
+             if settings["Contact/Condition"] == "normal compliance" else 0)) if value)
+
+
+def faults_of_scales(run):
+    found = re.findall(r"(\w+) ([\d.e+-]+)", last_line(run.log, "scales"))
+    expected = list(time_scales(run.settings))
+    if [name for name, _ in found] != [name for name, _ in expected] or any(
+            abs(float(value) / exact - 1) > SIX
+            for (_, value), (_, exact) in zip(found, expected)):
+        yield f"scales: {found} instead of {expected}"
+
+
+def faults_of_forecast(run):
+    s = run.summary
+    words = last_line(run.log, "impact")
+    if words:
+        time, velocity, *peak = numbers(words)
+        if abs(time / s["predicted_first_contact_time"] - 1) > TWO:
+            yield f"impact: {words}"
+        if len(run.events) and not 0.7 < velocity / run.events["velocity"][0] < 1.4:
+            yield f"impact: velocity {velocity}, in events.csv {run.events['velocity'][0]}"
+        if s["predicted_first_penetration"] is not None and (
+                abs(peak[0] / s["predicted_first_penetration"] - 1) > TWO or
+                abs(peak[1] * run.settings.number("Contact/Compliance") / peak[0] - 1)
+                > 2 * TWO):
+            yield f"impact: {words}"
+    elif s["predicted_first_contact_time"] is not None:
+        yield "no impact"
+    words, critical = last_line(run.log, "limit"), s["predicted_critical_step_size"]
+    if (words != "") != (critical is not None):
+        yield f"limit: {words}"
+    elif words:
+        step = run.settings["Time/Step size"]
+        is_iteration = run.settings.get("Solver/Step solver") == "fixed point"
+        if abs(numbers(words)[0] / critical - 1) > SIX or (", as the" in words) != (
+                is_iteration and float(step) > critical):
+            yield f"limit: {words}"
+
+
+this_run = Run(sys.argv[1])
+faults = [*faults_of_scales(this_run), *faults_of_forecast(this_run)]
+if this_run.summary["status"] == "done":
+    faults += [*faults_of_result(this_run), *faults_of_tenths(this_run)]
+print("log.txt:", "; ".join(faults) or "as summary.json and the tables")

@@ -1,0 +1,143 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""study.txt and the lines of log.txt, recomputed from study.csv.
+
+A table for the runs of a set that differ in the refined entry alone: of the last entry
+among step size, tolerance and cells with several numbers, and rates log2(e/e')/log2(N/N')
+against N = cells or 1/step size; else the runs are counted. Words of a failed run are
+the same in both files, in study.csv on one line. The cheapest run has the least time of those
+whose largest error of u(1) is at most Study/Target error.
+"""
+import itertools
+import math
+import re
+import sys
+
+import numpy
+
+from run_files import Run
+
+REFINABLE = ("Time/Step size", "Time/Tolerance", "Mesh/Cells")
+ERRORS = [prefix + name for name in ("displacement_end", "velocity_end",
+                                     "contact_force", "temperature_end")
+          for prefix in ("", "final ")]
+
+
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
+
+
+def plan_of(text):
+    """By set: its entries and the values of each run, the last one varies fastest."""
+    for part in text.split(";;"):
+        names, values = zip(*(entry.split("=", 1) for entry in part.split(";")))
+        choices = [[value.strip() for value in several.split("|")] for several in values]
+        yield [name.strip() for name in names], choices, list(itertools.product(*choices))
+
+
+def rate(error, before, size, size_before):
+    """As deal.II prints it; exact results have infinite ones."""
+    if error == 0 or before == 0:
+        return "inf" if before > 0 else "nan" if error == 0 else "-inf"
+    return f"{math.log2(before / error) / math.log2(size / size_before):.2f}"
+
+
+def table_of(study, runs, sizes, key):
+    """The words of a table, line by line."""
+    has_errors = not numpy.isnan(study["error_temperature_end"][runs]).all()
+    lines = [" ".join([key, "dofs steps solves", *ERRORS * has_errors]).split()]
+    for n, i in enumerate(runs):
+        words = [f"{sizes[n]:.4f}"] + [f"{study[name][i]:.0f}"
+                                       for name in ("dofs", "steps", "solves")]
+        for name in ERRORS * has_errors:
+            column = study[re.sub("(final |)", lambda m: m[0].replace(" ", "_") + "error_",
+                                  name, count=1)]
+            words.append(f"{column[i]:.2e}")
+            if key != "run":
+                words.append("-" if n == 0 else rate(column[i], column[runs[n - 1]],
+                                                     sizes[n], sizes[n - 1]))
+        lines.append(words)
+    return lines
+
+
+def text_of(study, settings, messages):
+    """The words of study.txt, line by line; messages: of failed runs, by number."""
+    lines, first = [], 0
+    for names, choices, values in plan_of(settings["Study/Vary"]):
+        refined = [name for name, several in zip(names, choices)
+                   if name in REFINABLE and len(set(several)) > 1
+                   and not any(math.isnan(number(value)) for value in several)]
+        order = [name for name in study.names if name in refined]
+        refined = order[-1] if order else None
+        groups = {}
+        for i, chosen in enumerate(values, first):
+            name = ", ".join(f"{entry} = {value}" for entry, value in zip(names, chosen)
+                             if entry != refined)
+            groups.setdefault(name, []).append(i)
+        first += len(values)
+        for name in sorted(groups):
+            lines.append((name or "scene of the file").split())
+            done = [i for i in groups[name] if i not in messages]
+            for i in groups[name]:
+                if i in messages:
+                    lines += [line.split() for line in messages[i].splitlines()]
+            sizes = [number(study[refined][i]) for i in done] if refined else range(len(done))
+            key = refined or "run"
+            if refined and not refined.startswith("Mesh/"):
+                key, sizes = "1/" + refined, [1 / size for size in sizes]
+            if done:
+                lines += table_of(study, done, sizes, key)
+            lines.append([])
+    return lines
+
+
+def log_lines(study, settings):
+    """What log.txt says of the study; times and errors with six digits."""
+    is_done = [status == "done" for status in study["status"]]
+    yield f"study {len(study)} runs, {is_done.count(False)} failed"
+    target = number(settings.get("Study/Target error", "0"))
+    if not target > 0:
+        return
+    good = [i for i in range(len(study))
+            if is_done[i] and study["error_displacement_end"][i] <= target]
+    best = min(good, key=lambda i: study["loop_seconds"][i])
+    entries = ", ".join(f"{name} = {study[name][best]}" for name in study.names
+                        if "/" in name)
+    yield (f"cheapest The cheapest run with an error of displacement_end of at most "
+           f"{target:g} has {entries}: error {study['error_displacement_end'][best]:g}, "
+           f"{study['solves'][best]:.0f} solves, {study['loop_seconds'][best]:g} s.")
+
+
+def main():
+    run = Run(sys.argv[1])
+    study, text = run.study, (run.directory / "study.txt").read_text()
+    # a message goes on in lines that begin with blanks
+    said = re.findall(r"^failed: .*\n(?:  .*\n)*", text, re.MULTILINE)
+    failed = [i for i, status in enumerate(study["status"]) if status != "done"]
+    messages = dict(zip(failed, said))
+    same = len(said) == len(failed) and all(
+        " ".join(study["status"][i].split()) == " ".join(messages[i].split())
+        for i in failed)
+    rows = (run.directory / "study.csv").read_text().splitlines()
+    print("failed runs", len(failed), "with the same words in both files:", same,
+          "; a line for each run:", len(rows) == 3 + len(study))
+
+    found = [line.split() for line in text.splitlines()]
+    expected = text_of(study, run.settings, messages)
+    wrong = [f"{' '.join(a)!r} instead of {' '.join(b)!r}" for a, b in zip(found, expected)
+             if [word.replace("-0.00", "0.00") for word in a] !=
+             [word.replace("-0.00", "0.00") for word in b]]
+    if len(found) != len(expected):
+        wrong.append(f"{len(found)} lines instead of {len(expected)}")
+    print("study.txt:", "; ".join(wrong) or "as study.csv")
+
+    said = [" ".join(line.split()) for line in run.log.splitlines()]
+    print("log.txt:", "; ".join(f"no line {line!r}" for line in
+                                log_lines(study, run.settings) if line not in said)
+          or "as study.csv")
+
+
+main()

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What a study compares, by hand.
+//
+// 1. Between steps the reference is a polynomial of degree five: t^5 at the
+//    steps 0, 0.1, ..., 1 and the same in the middle between them differ by
+//    rounding alone, t^6 does not. The largest difference counts, not its sign:
+//    the trajectory 1 - 2t against 0 at t = 0.5 and 1 (not at 0) has the
+//    largest difference 1, the last one 1; 1 - 3t + 2t^2 has 0 and 0; a
+//    trajectory that is -0.5 at 0.5 and 0.25 at 1 has 0.5 and 0.25.
+// 2. No polynomial goes over a change of contact: with t before it, at 0.5, and
+//    0.5 - 3(t - 0.5) after it, both sides are exact, which they are not if the
+//    event is not known. Common times are exact in any case.
+// 3. First contact: of events at 0.4 and 0.9 and of events at 0.5 and 0.6,
+//    0.1; 0 if neither has any, NaN if one has none. Beyond the end of the
+//    reference all is NaN.
+
+#include <thermocontact/study/trajectory.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "../tests.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  using Function = std::function<double(double)>;
+
+
+
+  /** Takes all quantities from @p f, the q-th one (q + 1)-fold. */
+  Trajectory
+  trajectory(const Function            &f,
+             const std::vector<double> &times,
+             const std::vector<double> &event_times = {})
+  {
+    Trajectory result;
+    for (const double t : times)
+      {
+        StepRecord record;
+        record.time             = t;
+        record.displacement_end = f(t);
+        record.velocity_end     = 2. * f(t);
+        record.contact_force    = 3. * f(t);
+        record.temperature_end  = 4. * f(t);
+        record.energy           = 5. * f(t);
+        result.add(record);
+      }
+    std::vector<ContactEvent> events;
+    for (const double t : event_times)
+      events.push_back(
+        {t,
+         events.size() % 2 == 0 ? ContactEvent::begin : ContactEvent::end,
+         0.});
+    result.set_events(events);
+    return result;
+  }
+
+
+
+  /** @p n steps of size 1/n, from @p offset sizes on. */
+  std::vector<double>
+  steps(const unsigned int n, const double offset = 0.)
+  {
+    std::vector<double> times;
+    for (unsigned int i = 0; i + offset <= n; ++i)
+      times.push_back((i + offset) / n);
+    return times;
+  }
+
+
+
+  bool
+  is_exact(const Trajectory &own, const Trajectory &reference)
+  {
+    bool all = true;
+    for (const double error : own.compare(reference).maximum)
+      all &= error < 1e-12;
+    return all;
+  }
+
+
+
+  void
+  test_interpolation()
+  {
+    for (const unsigned int degree : {1, 5, 6})
+      {
+        const Function power = [degree](const double t) {
+          return std::pow(t, degree);
+        };
+        deallog << "t^" << degree << " exact "
+                << is_exact(trajectory(power, steps(10, 0.5)),
+                            trajectory(power, steps(10)))
+                << std::endl;
+      }
+    const Function kink = [](const double t) {
+      return t < 0.5 ? t : 0.5 - 3. * (t - 0.5);
+    };
+    for (const std::vector<double> &events :
+         {std::vector<double>{0.5}, std::vector<double>{}})
+      deallog << "kink, events " << events.size() << ": exact "
+              << is_exact(trajectory(kink, steps(10, 0.5)),
+                          trajectory(kink, steps(10), events))
+              << ", at common times "
+              << is_exact(trajectory(kink, steps(5)),
+                          trajectory(kink, steps(10), events))
+              << std::endl;
+  }
+
+
+
+  void
+  test_maximum()
+  {
+    const Trajectory zero = trajectory([](double) { return 0.; }, steps(2));
+    const std::vector<Function> functions = {
+      [](const double t) { return 1. - 2. * t; },
+      [](const double t) { return 1. - 3. * t + 2. * t * t; },
+      [](const double t) { return t < 0.75 ? -t : 0.25; }};
+    for (const Function &f : functions)
+      {
+        const auto difference = trajectory(f, steps(2)).compare(zero);
+        deallog << "largest and last";
+        for (unsigned int q = 0; q < Trajectory::n_quantities; ++q)
+          deallog << ' ' << Trajectory::names[q] << ' ' << difference.maximum[q]
+                  << ' ' << difference.final_value[q];
+        deallog << std::endl;
+      }
+  }
+
+
+
+  void
+  test_first_contact()
+  {
+    const Function   f         = [](const double t) { return t; };
+    const Trajectory reference = trajectory(f, steps(10), {0.5, 0.6});
+    deallog << "first contact: "
+            << trajectory(f, steps(10), {0.4, 0.9})
+                 .compare(reference)
+                 .first_contact_time
+            << ", one without is NaN "
+            << std::isnan(
+                 trajectory(f, steps(10)).compare(reference).first_contact_time)
+            << ", both without "
+            << trajectory(f, steps(10))
+                 .compare(trajectory(f, steps(10)))
+                 .first_contact_time
+            << std::endl;
+    const auto beyond = trajectory(f, {0., 0.9, 1.1}).compare(reference);
+    deallog << "beyond the reference NaN " << std::isnan(beyond.maximum[0])
+            << ' ' << std::isnan(beyond.final_value[0]) << std::endl;
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  initlog();
+  test_interpolation();
+  test_maximum();
+  test_first_contact();
+}
