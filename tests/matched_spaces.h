@@ -81,8 +81,9 @@ namespace ThermoContact
     static Places
     find_places(const Discretization<dim> &space)
     {
-      const DoFHandler<dim>  &handler = space.dof_handler();
-      std::vector<Point<dim>> points(handler.n_dofs());
+      const DoFHandler<dim> &handler = space.dof_handler();
+      std::map<types::global_dof_index, Point<dim>> points;
+      // of all ranks, here one: the vector is for meshes of one rank alone
       DoFTools::map_dofs_to_support_points(space.mapping(), handler, points);
       Places                               places;
       std::vector<types::global_dof_index> dofs(
@@ -101,7 +102,7 @@ namespace ThermoContact
                   Field::temperature;
               Place place{{static_cast<long>(component)}};
               for (unsigned int d = 0; d < dim; ++d)
-                place[d + 1] = std::lround(points[dofs[i]][d] * 1e8);
+                place[d + 1] = std::lround(points.at(dofs[i])[d] * 1e8);
               places[field][place] = dofs[i] - space.first_dof(field);
             }
         }
