@@ -48,7 +48,7 @@ namespace ThermoContact
   double
   free_expansion(const Scene &scene)
   {
-    const HeatExchange &heat = scene.heat;
+    const SceneHeat &heat = scene.heat;
     return scene.material.thermal_stress *
            (heat.fixed_end_temperature -
             0.5 * heat.steady_drop() *

@@ -269,8 +269,8 @@ namespace ThermoContact
     if (scene.fields.has_temperature)
       log.line(text("  heat      theta_A = ",
                     scene.heat.fixed_end_temperature,
-                    ", k = ",
-                    scene.heat.coefficient,
+                    ", ",
+                    scene.heat.exchange->description(),
                     ", theta_obs = ",
                     scene.heat.obstacle_temperature));
     if (scene.fields.has_displacement)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/input/parameter_file.h>
+#include <thermocontact/scene/exchange_expression.h>
 #include <thermocontact/scene/scene.h>
 
 #include <cmath>
@@ -33,6 +34,19 @@ namespace ThermoContact
 
 
 
+    SceneHeat
+    resolve_heat(const BoundaryParameters &boundary, const double gap)
+    {
+      SceneHeat heat;
+      heat.exchange              = constant_exchange(boundary.heat_exchange);
+      heat.fixed_end_temperature = boundary.fixed_end_temperature;
+      heat.obstacle_temperature  = boundary.obstacle_temperature;
+      heat.reference_coefficient = heat.exchange->coefficient(-gap, 0.);
+      return heat;
+    }
+
+
+
     SceneSources
     resolve_sources(const SourceParameters &sources, const SceneFields &fields)
     {
@@ -50,9 +64,11 @@ namespace ThermoContact
     bool
     resolve_prescribed_start(const Parameters  &parameters,
                              const SceneFields &fields,
+                             const SceneHeat   &heat,
                              const Scheme      &scheme)
     {
       return fields.has_displacement && parameters.model.inertia > 0. &&
+             heat.exchange->is_constant() &&
              (parameters.time.start == "paper" ||
               (parameters.time.start == "automatic" && scheme.is_of_paper &&
                parameters.contact.massless_nodes != "on"));
@@ -128,12 +144,11 @@ namespace ThermoContact
     : parameters(parameters)
     , fields(resolve_fields(parameters.model))
     , material(resolve_material(parameters.model, fields))
-    , heat({parameters.boundary.heat_exchange,
-            parameters.boundary.fixed_end_temperature,
-            parameters.boundary.obstacle_temperature})
+    , heat(resolve_heat(parameters.boundary, parameters.contact.gap))
     , sources(resolve_sources(parameters.sources, fields))
     , scheme(ThermoContact::scheme(parameters.time.scheme))
-    , has_prescribed_start(resolve_prescribed_start(parameters, fields, scheme))
+    , has_prescribed_start(
+        resolve_prescribed_start(parameters, fields, heat, scheme))
     , contact(resolve_contact(parameters,
                               fields,
                               material,

@@ -47,10 +47,7 @@ namespace ThermoContact
       Vector                   unit_load(load);
       const FullMatrix<double> all_responses =
         end.response_matrix([&](const unsigned int node) -> const Vector & {
-          std::vector<double> unit_pressure(excluded.size(), 0.);
-          unit_pressure[node] = 1.;
-          unit_load           = 0.;
-          body.equations.subtract_pressure(unit_pressure, -1., unit_load);
+          end.set_load_of_node(Field::displacement, node, 1., unit_load);
           Vector &response = unit_responses.emplace_back(unit_load);
           solver.solve(response, unit_load);
           return response;
@@ -110,7 +107,10 @@ namespace ThermoContact
         return;
       }
 
-    body.equations.subtract_pressure(state.contact_pressure, 1., rhs);
+    body.contact_end().subtract_load(Field::displacement,
+                                     state.contact_pressure,
+                                     1.,
+                                     rhs);
     std::vector<bool>   is_away(n, true);
     std::vector<double> penetration;
     body.contact_end().get_penetrations(state.displacement, penetration);

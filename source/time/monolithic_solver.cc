@@ -77,11 +77,11 @@ namespace ThermoContact
     const double tau       = factorization.matrix.tau();
     factorization.response = body.contact_end().response_matrix(
       [&](const unsigned int node) -> const Vector & {
-        std::vector<double> unit_pressure(body.contact_end().n_nodes(), 0.);
-        unit_pressure[node] = 1.;
-        heat_rhs            = 0.;
-        momentum_rhs        = 0.;
-        body.equations.subtract_pressure(unit_pressure, -tau, momentum_rhs);
+        heat_rhs = 0.;
+        body.contact_end().set_load_of_node(Field::displacement,
+                                            node,
+                                            tau,
+                                            momentum_rhs);
         factorization.unit_responses.push_back({heat_rhs, momentum_rhs});
         UnitResponse &unit_response = factorization.unit_responses.back();
         factorization.matrix.solve(heat_rhs,
@@ -213,6 +213,7 @@ namespace ThermoContact
     rates.failure.clear();
     rates.n_iterations = 0;
     rates.pressure.assign(body.contact_end().n_nodes(), 0.);
+    rates.exchange_coefficient = known.exchange_coefficient;
   }
 
 

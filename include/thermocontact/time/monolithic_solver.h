@@ -8,8 +8,6 @@
 #include <thermocontact/time/stage_factorization.h>
 #include <thermocontact/time/stage_solver.h>
 
-#include <deal.II/lac/full_matrix.h>
-
 #include <list>
 
 namespace ThermoContact
@@ -21,7 +19,7 @@ namespace ThermoContact
    * unit pressures is computed when a node first reaches the obstacle.
    */
   template <int dim>
-  class MonolithicSolver : public StageSolver
+  class MonolithicSolver : public OpenStageSolver
   {
   public:
     /** @param body borrowed */
@@ -44,27 +42,18 @@ namespace ThermoContact
     void
     restore(const RetainedFactorizations &retained) override;
 
-    /**
-     * The rates of a stage for zero pressures, to be followed by
-     * apply_pressure(); parameters as for solve().
-     */
     void
     solve_without_contact(const State  &known,
                           const double  tau,
                           const Vector &heat_load,
                           const Vector &momentum_load,
-                          StageRates   &rates);
+                          StageRates   &rates) override;
 
-    /** $W$ of (M.16) for the stage that was solved last. */
     const FullMatrix<double> &
-    response();
+    response() override;
 
-    /**
-     * Adds the response to @p rates.pressure to the rates of the stage that was
-     * solved last without contact.
-     */
     void
-    apply_pressure(StageRates &rates) const;
+    apply_pressure(StageRates &rates) const override;
 
   private:
     const Body<dim>    &body;
