@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/number_text.h>
 #include <thermocontact/input/number_or_word.h>
 
 #include <deal.II/base/patterns.h>
@@ -47,6 +48,41 @@ namespace ThermoContact
       const std::string word;
       const Double      number;
     };
+
+
+
+    /** Everything but the numbers that are not allowed. */
+    class NumberOrExpression : public PatternBase
+    {
+    public:
+      explicit NumberOrExpression(const std::string &names)
+        : names(names)
+        , number(0., 1e15)
+      {}
+
+      bool
+      match(const std::string &text) const override
+      {
+        return number.match(text) || !(text.empty() || Double().match(text));
+      }
+
+      std::string
+      description(const OutputStyle style = Machine) const override
+      {
+        return "[" + number.description(style) + " or an expression in " +
+               names + "]";
+      }
+
+      std::unique_ptr<PatternBase>
+      clone() const override
+      {
+        return std::make_unique<NumberOrExpression>(names);
+      }
+
+    private:
+      const std::string names;
+      const Double      number;
+    };
   } // namespace
 
 
@@ -64,6 +100,29 @@ namespace ThermoContact
         return assign(nullptr);
       const double number = dealii::Utilities::string_to_double(value);
       assign(&number);
+    });
+  }
+
+
+
+  void
+  add_number_or_expression(
+    dealii::ParameterHandler                                     &prm,
+    const std::string                                            &name,
+    const double                                                  number,
+    const std::string                                            &names,
+    const std::string                                            &text,
+    const std::function<void(const double, const std::string &)> &assign)
+  {
+    prm.declare_entry(name,
+                      significant(number, all_digits),
+                      NumberOrExpression(names),
+                      text);
+    prm.add_action(name, [assign](const std::string &value) {
+      if (Double().match(value))
+        assign(dealii::Utilities::string_to_double(value), "");
+      else
+        assign(0., value);
     });
   }
 } // namespace ThermoContact

@@ -4,6 +4,7 @@
 #include <thermocontact/scene/exchange_expression.h>
 #include <thermocontact/scene/scene.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ThermoContact
@@ -37,8 +38,11 @@ namespace ThermoContact
     SceneHeat
     resolve_heat(const BoundaryParameters &boundary, const double gap)
     {
-      SceneHeat heat;
-      heat.exchange              = constant_exchange(boundary.heat_exchange);
+      const std::string &expression = boundary.exchange_expression;
+      SceneHeat          heat;
+      heat.exchange              = expression.empty() ?
+                                     constant_exchange(boundary.heat_exchange) :
+                                     exchange_by_expression(expression, std::max(gap, 1.));
       heat.fixed_end_temperature = boundary.fixed_end_temperature;
       heat.obstacle_temperature  = boundary.obstacle_temperature;
       heat.reference_coefficient = heat.exchange->coefficient(-gap, 0.);

@@ -40,9 +40,10 @@ namespace ThermoContact
   struct BoundaryParameters
   {
     double      fixed_end_temperature = 10.; ///< $\theta_A$
-    double      heat_exchange         = 1.;  ///< $k\ge0$
-    double      obstacle_temperature  = 0.;  ///< $\theta_{obs}$
-    std::string lateral_support       = "rollers";
+    double      heat_exchange         = 1.;  ///< $k\ge0$ if it is a number,
+    std::string exchange_expression;         ///< or else in gap, pressure
+    double      obstacle_temperature = 0.;   ///< $\theta_{obs}$
+    std::string lateral_support      = "rollers";
 
     void
     add_parameters(ParameterHandler &prm);
