@@ -63,7 +63,7 @@ namespace ThermoContact
 
 
 
-    /** $F(c)$ of (M.51): zero where the exchange keeps the profile. */
+    /** $F(c)$ of (M.54): zero where the exchange keeps the profile. */
     double
     imbalance(const Scene &scene, const double drop)
     {
@@ -76,7 +76,7 @@ namespace ThermoContact
 
 
 
-    /** All zeros of (M.51), by sampling; jumps over zero among them. */
+    /** All zeros of (M.54), by sampling; jumps over zero among them. */
     std::vector<SteadyState>
     states_of_varying_exchange(const Scene &scene)
     {

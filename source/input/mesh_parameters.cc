@@ -22,6 +22,29 @@ namespace ThermoContact
 
 
 
+  unsigned int
+  MeshParameters::n_halvings() const
+  {
+    unsigned int n = 0;
+    while (grading == 1. && cells % (2U << n) == 0 &&
+           cells_across % (2U << n) == 0)
+      ++n;
+    return n;
+  }
+
+
+
+  double
+  MeshParameters::n_nodes(const unsigned int dim) const
+  {
+    const auto along = [this](const unsigned int n_cells) {
+      return degree * std::ldexp(n_cells, refinements) + 1.;
+    };
+    return along(cells) * std::pow(along(cells_across), dim - 1.);
+  }
+
+
+
   double
   MeshParameters::contact_spacing() const
   {

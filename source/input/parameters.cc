@@ -249,10 +249,19 @@ namespace ThermoContact
                       mass_matrix,
                       "consistent, or lumped (Gauss-Lobatto rule: diagonal).",
                       Selection("consistent|lumped"));
+    prm.add_parameter("Geometry",
+                      geometry,
+                      "What the mesh stands for, for Dimension = 2: " +
+                        in_words(geometries(),
+                                 [](const auto &kind) {
+                                   return " (" + kind.text + ")";
+                                 }) +
+                        ".",
+                      Selection(names_of(geometries())));
     prm.add_parameter("Width",
                       width,
                       "Width (and height) of the body, for Dimension > 1; its "
-                      "length is 1.",
+                      "length is 1. With Geometry = axisymmetric its radius.",
                       Double(1e-3, 1e3));
     prm.add_parameter("Cells across",
                       cells_across,
@@ -348,6 +357,23 @@ namespace ThermoContact
                       "Iterations per step after which the run stops with an "
                       "error.",
                       Integer(1, 1000000));
+    prm.add_parameter("Linear solver",
+                      linear_solver,
+                      "direct: sparse factors of the stage matrix, one set for "
+                      "each step size; iterative: Krylov and multigrid without "
+                      "matrices, for large bodies in two and three dimensions; "
+                      "automatic: what is faster for the number of unknowns.",
+                      Selection("automatic|direct|iterative"));
+    add_number_or_word(prm,
+                       "Linear tolerance",
+                       "automatic",
+                       "Residual of a stage relative to its right-hand side at "
+                       "which the iterative solver stops.",
+                       [this](const double *number) {
+                         linear_tolerance = number ?
+                                              std::optional<double>(*number) :
+                                              std::nullopt;
+                       });
     prm.leave_subsection();
   }
 
@@ -361,8 +387,9 @@ namespace ThermoContact
                       "Title of the run, for the log and the CSV files.");
     prm.add_parameter("Dimension",
                       dimension,
-                      "Space dimension: 1 is the rod; in 2 (plane strain) and "
-                      "3 the body is a box of length 1.",
+                      "Space dimension: 1 is the rod; in 2 the body is a strip "
+                      "or a round rod (Mesh/Geometry), in 3 a box, of length "
+                      "1.",
                       Integer(1, 3));
     model.add_parameters(prm);
     boundary.add_parameters(prm);

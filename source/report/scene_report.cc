@@ -19,17 +19,15 @@ namespace ThermoContact
     {
       const MeshParameters &mesh = simulation.parameters().mesh;
       const unsigned int    n    = simulation.discretization().n_active_cells();
-      if (dim == 1)
-        return text("rod of length 1, ", n, " cells of degree ", mesh.degree);
-      return text(dim,
-                  "-D body of length 1 and width ",
-                  mesh.width,
+      return text(simulation.scene().geometry->description(),
                   ", ",
                   n,
                   " cells of degree ",
                   mesh.degree,
-                  ", lateral faces: ",
-                  simulation.parameters().boundary.lateral_support);
+                  dim == 1 ?
+                    "" :
+                    ", lateral faces: " +
+                      simulation.parameters().boundary.lateral_support);
     }
 
 
@@ -57,8 +55,23 @@ namespace ThermoContact
         line += text(line.empty() ? "" : " + ",
                      space.n_displacement_dofs(),
                      " displacement");
-      return line +
-             text("; factorised at once: ", simulation.n_factorized_unknowns());
+      return line + text(simulation.scene().linear_solver.is_iterative ?
+                           "; on the coarsest level, factorised: " :
+                           "; factorised at once: ",
+                         simulation.n_factorized_unknowns());
+    }
+
+
+
+    std::string
+    describe_linear_solver(const LinearSolver &solver)
+    {
+      return text(solver.name(),
+                  ", since ",
+                  solver.reason,
+                  solver.is_iterative ?
+                    text("; relative residual ", solver.tolerance) :
+                    "");
     }
 
 
@@ -260,6 +273,8 @@ namespace ThermoContact
       log.line(scene.parameters.title);
     log.line("  body      " + describe_body(simulation));
     log.line("  unknowns  " + describe_unknowns(simulation));
+    if (dim > 1)
+      log.line("  solver    " + describe_linear_solver(scene.linear_solver));
     log.line("  terms     " + join_words(scene_terms(scene)));
     if (scene.fields.has_displacement)
       log.line(text("  model     ",

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/scene/exchange_expression.h>
 #include <thermocontact/scene/scene.h>
@@ -140,6 +142,50 @@ namespace ThermoContact
         contact.law->is_active() && parameters.time.locates_contact_events();
       return contact;
     }
+    /**
+     * Factors are faster for bodies of few unknowns, and cost memory and time
+     * that grow faster than the number of unknowns, the more so the more
+     * dimensions a body has.
+     */
+    LinearSolver
+    resolve_linear_solver(const Parameters   &parameters,
+                          const SceneFields  &fields,
+                          const SceneHeat    &heat,
+                          const Scheme       &scheme,
+                          const SceneContact &contact,
+                          const bool          is_fixed_point,
+                          const bool          has_prescribed_start)
+    {
+      const SolverParameters &solver = parameters.solver;
+      const unsigned int      dim    = parameters.dimension;
+      const double tolerance         = solver.linear_tolerance.value_or(1e-9);
+      const auto   direct            = [&](const std::string &reason) {
+        return LinearSolver{false, tolerance, reason};
+      };
+      if (solver.linear_solver != "automatic")
+        return {solver.linear_solver == "iterative",
+                tolerance,
+                "Solver/Linear solver = " + solver.linear_solver};
+      if (dim == 1)
+        return direct("Dimension = 1");
+      if (!scheme.needs_linear_contact.empty())
+        return direct("Time/Scheme = " + scheme.name);
+      if (is_fixed_point)
+        return direct("Solver/Step solver = fixed point");
+      if (has_prescribed_start)
+        return direct("Time/Start = paper");
+      if (contact.has_impacts() || !contact.law->is_linear())
+        return direct("Contact/Condition = " + parameters.contact.condition);
+      if (!heat.exchange->is_constant())
+        return direct("Boundary/Heat exchange depends on the contact");
+      const double n_unknowns =
+        parameters.mesh.n_nodes(dim) * fields.n_components(dim);
+      const double limit = dim == 2 ? 2e5 : 1.5e4;
+      return {
+        n_unknowns > limit,
+        tolerance,
+        text(significant(n_unknowns, 3), " unknowns in ", dim, " dimensions")};
+    }
   } // namespace
 
 
@@ -147,6 +193,8 @@ namespace ThermoContact
   Scene::Scene(const Parameters &parameters)
     : parameters(parameters)
     , fields(resolve_fields(parameters.model))
+    , geometry(ThermoContact::geometry(parameters.mesh.geometry)
+                 .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, fields))
     , heat(resolve_heat(parameters.boundary, parameters.contact.gap))
     , sources(resolve_sources(parameters.sources, fields))
@@ -161,5 +209,12 @@ namespace ThermoContact
     , has_rollers(parameters.boundary.lateral_support == "rollers")
     , has_lumped_mass(parameters.mesh.mass_matrix == "lumped")
     , is_fixed_point(parameters.solver.step_solver == "fixed point")
+    , linear_solver(resolve_linear_solver(parameters,
+                                          fields,
+                                          heat,
+                                          scheme,
+                                          contact,
+                                          is_fixed_point,
+                                          has_prescribed_start))
   {}
 } // namespace ThermoContact

@@ -153,7 +153,8 @@ namespace ThermoContact
     const Discretization<dim> &discretization = body.discretization;
     State                      state          = discretization.make_state();
     {
-      H1Projection<dim> projection(discretization);
+      H1Projection<dim> projection(discretization,
+                                   body.equations.matrix_free());
       projection.project(body.data.initial_fields(),
                          state.temperature,
                          state.displacement);

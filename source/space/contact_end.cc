@@ -53,7 +53,7 @@ namespace ThermoContact
       FEFaceValues<dim>         face_values(
         discretization.mapping(),
         fe,
-        DimensionTraits<dim>::nodal_face_quadrature(fe.degree),
+        discretization.geometry().node_weight_quadrature(fe.degree),
         update_values | update_quadrature_points | update_JxW_values);
       std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
       std::vector<Share<dim>>              shares;
@@ -67,11 +67,18 @@ namespace ThermoContact
               if (fe.system_to_component_index(i).first != 0 ||
                   !fe.has_support_on_face(i, f))
                 continue;
-              double weight = 0.;
+              double weight = 0., face_weight = 0.;
               for (const unsigned int q :
                    face_values.quadrature_point_indices())
-                weight += face_values.shape_value_component(i, q, 0) *
-                          discretization.geometry().weight(face_values, q);
+                {
+                  const double point_weight =
+                    discretization.geometry().weight(face_values, q);
+                  weight +=
+                    face_values.shape_value_component(i, q, 0) * point_weight;
+                  face_weight += point_weight;
+                }
+              if (std::abs(weight) < 1e-12 * face_weight)
+                weight = 0.; // exactly
               Dofs node_dofs;
               for (const Field::Block field : all_fields)
                 node_dofs[field] = dof_of_field(discretization, dofs, i, field);
@@ -106,23 +113,31 @@ namespace ThermoContact
                               const double               gap)
     : communicator(discretization.communicator())
     , cross_section(discretization.geometry().cross_section())
+    , nodes_(find_nodes(discretization, gap))
+    , n_all_nodes_(nodes_.size())
   {
-    find_nodes(discretization, gap);
     for (const Field::Block field : all_fields)
-      for (unsigned int i = 0; discretization.has_field(field) && i < n_nodes();
+      for (unsigned int i = 0;
+           discretization.has_field(field) && i < nodes_.size();
            ++i)
         if (const IndexSet &owned = discretization.owned_by_block()[field];
             owned.is_element(nodes_[i].dofs[field]))
-          entries_[field].emplace_back(
-            i, owned.index_within_set(nodes_[i].dofs[field]));
+          {
+            all_entries_[field].emplace_back(
+              i, owned.index_within_set(nodes_[i].dofs[field]));
+            if (nodes_[i].weight > 0.)
+              entries_[field].push_back(all_entries_[field].back());
+          }
+    while (nodes_.back().weight == 0.)
+      nodes_.pop_back();
   }
 
 
 
   template <int dim>
-  void
+  std::vector<ContactNode<dim>>
   ContactEnd<dim>::find_nodes(const Discretization<dim> &discretization,
-                              const double               gap)
+                              const double               gap) const
   {
     std::map<Dofs, ContactNode<dim>> nodes;
     for (const auto &of_rank :
@@ -134,18 +149,36 @@ namespace ThermoContact
               .first->second;
           node.weight += weight;
         }
+    std::vector<ContactNode<dim>> sorted;
     for (const auto &[dofs, node] : nodes)
-      nodes_.push_back(node);
+      sorted.push_back(node);
 
     // the numbering depends on the number of ranks, the position does not
-    std::sort(nodes_.begin(),
-              nodes_.end(),
+    std::sort(sorted.begin(),
+              sorted.end(),
               [](const ContactNode<dim> &a, const ContactNode<dim> &b) {
+                if ((a.weight > 0.) != (b.weight > 0.))
+                  return a.weight > 0.;
                 for (unsigned int d = dim - 1; d > 0; --d)
                   if (std::abs(a.position[d] - b.position[d]) > 1e-12)
                     return a.position[d] < b.position[d];
                 return false;
               });
+    return sorted;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEnd<dim>::gather(const Entries       &entries,
+                          const Vector        &vector,
+                          std::vector<double> &values) const
+  {
+    for (const auto &[node, entry] : entries)
+      values[node] = vector.begin()[entry];
+    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+      Utilities::MPI::sum(values, communicator, values);
   }
 
 
@@ -157,10 +190,19 @@ namespace ThermoContact
                               std::vector<double> &values) const
   {
     values.assign(n_nodes(), 0.);
-    for (const auto &[node, entry] : entries_[field])
-      values[node] = vector.begin()[entry];
-    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
-      Utilities::MPI::sum(values, communicator, values);
+    gather(entries_[field], vector, values);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEnd<dim>::get_all_values(const Field::Block   field,
+                                  const Vector        &vector,
+                                  std::vector<double> &values) const
+  {
+    values.assign(n_all_nodes(), 0.);
+    gather(all_entries_[field], vector, values);
   }
 
 
@@ -179,11 +221,11 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactEnd<dim>::set_values(const Field::Block         field,
-                              const std::vector<double> &values,
-                              Vector                    &vector) const
+  ContactEnd<dim>::set_all_values(const Field::Block         field,
+                                  const std::vector<double> &values,
+                                  Vector                    &vector) const
   {
-    for (const auto &[node, entry] : entries_[field])
+    for (const auto &[node, entry] : all_entries_[field])
       vector.begin()[entry] = values[node];
   }
 

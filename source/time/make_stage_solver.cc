@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/time/fixed_point_solver.h>
+#include <thermocontact/time/iterative_solver.h>
 #include <thermocontact/time/make_stage_solver.h>
 #include <thermocontact/time/monolithic_solver.h>
 
@@ -12,6 +13,9 @@ namespace ThermoContact
   {
     if (body.scene.is_fixed_point)
       return std::make_unique<FixedPointSolver<dim>>(body);
+    if constexpr (dim > 1)
+      if (!body.scene.linear_solver.has_matrices())
+        return std::make_unique<IterativeSolver<dim>>(body);
     return std::make_unique<MonolithicSolver<dim>>(body);
   }
 

@@ -31,7 +31,8 @@ events = rows_of(directory / "events.csv")
 if summary["predicted_in_contact"] is None:
     print("rest:", summary["predicted_remark"])
 elif summary["final_time"] < 50:
-    print("rest: not yet")
+    print("rest: not yet" + (", " if summary["predicted_remark"] else "") +
+          summary["predicted_remark"])
 else:
     differences = [abs(summary[name]) for name in
                    ("difference_displacement_end", "difference_temperature_end",

@@ -9,6 +9,7 @@ sys.dont_write_bytecode = True
 from refused_scenes import check_all, unmet_refusals  # noqa: E402
 
 PLANE = ("Dimension=2", "Mesh/Width=1")
+NARROW = ("Dimension=2", "Mesh/Width=0.3")
 FIXED = ("Time/Step size=0.01",)
 EULER = FIXED + ("Time/Scheme=backward euler",)
 CONSERVING = FIXED + ("Time/Scheme=energy conserving",)
@@ -45,6 +46,11 @@ SCENES = [
     ("Mesh/Cells", CONSERVING + ("Mesh/Degree=1",), "Mesh/Cells=1",
      "Mesh/Cells=2", ("Mesh/Cells=1", "Contact/Condition=none"),
      ("Mesh/Cells=1", "Time/Scheme=sdirk2")),
+
+    # a round rod has points without weight
+    ("Mesh/Mass matrix", ("Dimension=2", "Mesh/Geometry=axisymmetric"),
+     "Mesh/Mass matrix=lumped", "Mesh/Mass matrix=consistent",
+     ("Mesh/Mass matrix=lumped", "Mesh/Geometry=plane strain")),
 
     # steps
     ("Time/Step size", ("Time/Scheme=backward euler",), "Time/Step size=automatic",
@@ -129,14 +135,21 @@ SCENES = [
     ("Time/Start", EULER + EXCHANGE, "Time/Start=paper", "Time/Start=automatic",
      ("Time/Start=paper", "Boundary/Heat exchange=1")),
     ("Solver/Step solver", ITERATION, EXCHANGE[0], "Boundary/Heat exchange=1+1"),
+    ("Solver/Linear solver", PLANE + ("Solver/Linear solver=iterative",),
+     EXCHANGE[0], "Boundary/Heat exchange=1+1",
+     (EXCHANGE[0], "Solver/Linear solver=direct")),
 
     # probes: in the body, edges included
     ("Output/Probes", (), "Output/Probes=1.0000001", "Output/Probes=1"),
     ("Output/Probes", (), "Output/Probes=-1e-9", "Output/Probes=0"),
     ("Output/Probes", (), "Output/Probes=0.5, 0", "Output/Probes=0.5; 0"),
     ("Output/Probes", PLANE, "Output/Probes=0.5", "Output/Probes=0.5, 0"),
-    ("Output/Probes", PLANE, "Output/Probes=0.5, 1.0000001",
-     "Output/Probes=0.5, 1"),
+    ("Output/Probes", NARROW, "Output/Probes=0.5, 0.3000001",
+     "Output/Probes=0.5, 0.3", "Output/Probes=1, 0.3"),
+    ("Output/Probes", NARROW, "Output/Probes=0.5, -1e-9",
+     "Output/Probes=0.5, 0"),
+    ("Output/Probes", NARROW, "Output/Probes=1.0000001, 0.1",
+     "Output/Probes=1, 0.1"),
     ("Output/Probes", (), "Output/Probes=0.5 m", "Output/Probes=0.5"),
     ("Output/Probes", (), "Output/Probes=0.5;", "Output/Probes=0.5"),
 

@@ -21,7 +21,8 @@ VALUES = {
     "Initial values/Velocity": "x", "Sources/Heat source": "1",
     "Sources/Body force": "1", "Sources/End traction": "1",
     "Sources/End heat flux": "1", "Mesh/Mass matrix": "lumped",
-    "Mesh/Width": "2", "Mesh/Cells across": "2", "Time/Start": "consistent",
+    "Mesh/Width": "2", "Mesh/Cells across": "2",
+    "Mesh/Geometry": "axisymmetric", "Time/Start": "consistent",
     "Time/Tolerance": "1e-4", "Time/First step size": "1e-3",
     "Time/Minimum step size": "1e-6", "Time/Maximum step size": "0.1",
     "Time/Locate contact events": "true", "Solver/Fixed point tolerance": "1e-9",
@@ -49,6 +50,9 @@ THERMAL = """Model/Coupling; Model/Thermoelastic heating;
 SCENES = [
     ("Dimension = 1", """Model/Poisson ratio; Boundary/Lateral support; Mesh/Width;
      Mesh/Cells across""", (), (PLANE,), ("Dimension=3", "Mesh/Cells=1")),
+    ("Dimension = 1", "Mesh/Geometry", (), (PLANE,)),
+    ("Dimension = 3", "Mesh/Geometry", ("Dimension=3", "Mesh/Cells=1"),
+     (PLANE,)),
     ("Contact/Condition = rigid", "Contact/Compliance",
      ("Contact/Condition=rigid",), ("Contact/Condition=normal compliance",)),
     ("Contact/Condition = none", "Contact/Compliance",

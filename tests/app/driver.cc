@@ -27,6 +27,7 @@
 #include <iostream>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,48 @@ namespace
 
 
 
+  /**
+   * A directory for Open MPI, which this process and its children use and no
+   * other: processes that run at the same time disturb each other in the common
+   * one.
+   */
+  class MpiDirectory
+  {
+  public:
+    MpiDirectory()
+      : name((fs::temp_directory_path() / "thermocontact-XXXXXX").string())
+    {
+      if (mkdtemp(name.data()) == nullptr)
+        throw std::runtime_error("cannot make a directory like " + name);
+      setenv("OMPI_MCA_orte_tmpdir_base", name.c_str(), 1);
+    }
+
+    ~MpiDirectory()
+    {
+      std::error_code ignored;
+      fs::remove_all(name, ignored);
+    }
+
+  private:
+    std::string name;
+  };
+
+
+
+  /** What the program wrote to the file stderr. */
+  std::string
+  words_of_program()
+  {
+    // from the program's own words on: MPI may complain of the machine first
+    std::ifstream     file("stderr");
+    std::stringstream contents;
+    contents << file.rdbuf();
+    const auto begin = contents.str().find("thermocontact: ");
+    return begin == std::string::npos ? "" : contents.str().substr(begin);
+  }
+
+
+
   void
   print_output_directory(const fs::path &directory, const std::string &keys)
   {
@@ -100,12 +143,13 @@ namespace
 int
 main(int, char **argv)
 {
-  const fs::path    test       = argv[1];
-  const std::string test_dir   = test.parent_path().string() + "/";
-  const std::string prm_dir    = PRM_DIR;
-  const auto        questions  = marked_lines(test, "#? ");
-  auto              arguments  = marked_lines(test, "#$ ");
-  const fs::path    output_dir = "results";
+  const fs::path     test       = argv[1];
+  const std::string  test_dir   = test.parent_path().string() + "/";
+  const std::string  prm_dir    = PRM_DIR;
+  const auto         questions  = marked_lines(test, "#? ");
+  auto               arguments  = marked_lines(test, "#$ ");
+  const fs::path     output_dir = "results";
+  const MpiDirectory mpi_directory;
   if (arguments.empty())
     arguments.emplace_back("FILE");
 
@@ -133,14 +177,7 @@ main(int, char **argv)
       const auto files_before = working_files();
       std::cout << "$ thermocontact " << argument << '\n';
       const int status = WEXITSTATUS(std::system(command.c_str()));
-      // from the program's own words on: MPI may complain of the machine first
-      std::ifstream     file("stderr");
-      std::stringstream contents;
-      contents << file.rdbuf();
-      const auto        begin = contents.str().find("thermocontact: ");
-      const std::string message =
-        begin == std::string::npos ? "" : contents.str().substr(begin);
-      std::cout << replace_all(replace_all(message, test_dir, ""),
+      std::cout << replace_all(replace_all(words_of_program(), test_dir, ""),
                                prm_dir,
                                "prm")
                 << "exit status " << status << '\n';

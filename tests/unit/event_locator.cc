@@ -10,17 +10,23 @@
 // 2. EventLocator, gap 0.1, compliance 0.01, tolerance 1e-3, momentum 1. From
 //    t = 1, u = 0 with u_t = 0.2 contact begins at 1.5. A step to t = 2 is to
 //    be taken to there; one that was aimed ends the state if the miss s of u(1)
-//    satisfies s^2 <= 0.2 eps |u_t| 1e-3 = 4e-7: 1e-4 does, 1e-2 does not; the
-//    event is at 1.5 in all cases. Then u = 0.1 + 0.2 x - 0.4 x^2, x = t - 1.5,
-//    leaves the obstacle at t = 2 with u_t = -0.2.
-//    Rigid: the pressure falls from 1 to -1 between t = 1 and 2, zero at 1.5; a
-//    step that was aimed and ends with p = -5e-5, below 1e-4 of the largest
+//    satisfies s^2 <= 0.2 eps |u_t| 1e-3 = 4e-7: 1e-4 does and 6.2e-4, 6.6e-4
+//    and 1e-2 do not; the event is at 1.5 in all cases. Then u = 0.1 + 0.2 x -
+//    0.4 x^2, x = t - 1.5, leaves the obstacle at t = 2 with u_t = -0.2. Rigid:
+//    the pressure falls from 1 to -1 between t = 1 and 2, zero at 1.5; a step
+//    that was aimed and ends with p = -5e-5, below 1e-4 of the largest
 //    pressure, has its zero at 1 + 0.5/1.00005.
 //    Without location: gap 0.3 to -0.1 between t = 1 and 2 has its zero
 //    at 1.75, -0.1 to 0.1 between t = 2 and 4 at 3. Two nodes of which one
 //    touches: neither open nor closed holds for both, so that the next step is
 //    unilateral, and contact has begun once. An event at the start of a step
-//    waits until a step is accepted, and is dropped if it is taken back.
+//    waits until a step is accepted, and is dropped if it is taken back. An
+//    event is never before the last: begin at 1.5, found at the end 1.4995 of
+//    its step, end of the next step at 1.4999, which counts as 1.5.
+//    Without momentum a miss is 1e-5 of the smallest size: with the energy
+//    5e-5 of the way sqrt(2 eps 5e-5) = 1e-3 on which the obstacle takes it,
+//    1e-8; without mass of eps sqrt(2 5e-5) = 1e-4, 1e-9; of u = 0.1 if the
+//    energy is large, 1e-6. A tenth above, and below, each.
 
 #include <thermocontact/method/event_locator.h>
 
@@ -158,10 +164,11 @@ namespace
   take(EventLocator              &locator,
        const ContactValues       &next,
        const bool                 is_aimed,
-       std::vector<ContactEvent> &events)
+       std::vector<ContactEvent> &events,
+       const BodyScales          &scales = {1., 1.})
   {
     const EventLocator::Finding finding =
-      locator.examine(next, is_aimed, {1., 1.});
+      locator.examine(next, is_aimed, scales);
     deallog << "  to " << next.time << (is_aimed ? ", aimed: " : ": ");
     switch (finding.kind)
       {
@@ -187,7 +194,7 @@ namespace
   void
   test_compliant()
   {
-    for (const double time : {1.5, 1.5005, 1.4995, 1.55})
+    for (const double time : {1.5, 1.5005, 1.4995, 1.5031, 1.5033, 1.55})
       {
         deallog << "compliant" << std::endl;
         EventLocator locator(*compliant, true, ContactNodes::with_mass, 1e-3);
@@ -198,12 +205,44 @@ namespace
              values(time, {0.2 * (time - 1.)}, 0.2, {0.}),
              true,
              events);
+        if (time == 1.4995)
+          take(locator, values(1.4999, {0.1}, -0.05, {0.}), true, events);
         if (time != 1.5)
           continue;
         take(locator, values(1.75, {0.125}, 0., {2.5}), false, events);
         take(locator, values(2.5, {-0.1}, -0.6, {-20.}), false, events);
         take(locator, values(2., {0.1}, -0.2, {0.}), true, events);
         take(locator, values(2.5, {0.}, -0.2, {0.}), false, events);
+      }
+  }
+
+
+
+  /** A step that ends @p miss beyond the obstacle. */
+  void
+  test_miss(const double miss, const ContactNodes nodes, const double energy)
+  {
+    EventLocator              locator(*compliant, true, nodes, 1e-3);
+    std::vector<ContactEvent> events;
+    locator.start(values(1., {0.}, 0.2, {0.}), events);
+    take(locator,
+         values(1.5 + miss / 0.2, {0.1 + miss}, 0.2, {0.}),
+         true,
+         events,
+         {energy, 0.});
+  }
+
+
+
+  void
+  test_misses()
+  {
+    deallog << "misses of 1e-8, 1e-9, 1e-6" << std::endl;
+    for (const double factor : {0.9, 1.1})
+      {
+        test_miss(factor * 1e-8, ContactNodes::with_mass, 5e-5);
+        test_miss(factor * 1e-9, ContactNodes::massless, 5e-5);
+        test_miss(factor * 1e-6, ContactNodes::with_mass, 1e9);
       }
   }
 
@@ -292,6 +331,7 @@ main()
   initlog();
   test_cubic();
   test_compliant();
+  test_misses();
   test_starts();
   test_rigid();
   test_without_location();

@@ -11,7 +11,7 @@
 // Steps of at most 0.25 to T = 0.7, landing on multiples of 0.4 and of 0.6.
 // Smallest step 0.001: a quarter of 2^-8 is below it, so that 0.001 is tried,
 // and nothing after it. First step 0.05 tol^(1/4) = 0.005 with tolerance 1e-4:
-// -31.
+// -31. At most the largest size, whether it is chosen or given: 0.001, 0.1.
 // A time is on a multiple of an interval if it is less than 1e-6 intervals
 // away: 1 - 1e-7 is on 1 (of intervals of 1), 1 - 1e-5 is not, and 1 + 1e-5 has
 // begun the second; 0.3/0.1 < 3 in doubles. Steps of 0.25 (1 - 1e-7) to T = 1,
@@ -81,7 +81,13 @@ namespace
       }
     Parameters parameters     = read_parameters("");
     parameters.time.tolerance = 1e-4;
-    deallog << "first step: " << rung(make_controller(parameters)) << std::endl;
+    deallog << "first step: " << rung(make_controller(parameters));
+    parameters.time.maximum_step_size = 0.001;
+    deallog << ", at most " << make_controller(parameters).propose(0.).size;
+    parameters.time.first_step_size   = 0.25;
+    parameters.time.maximum_step_size = 0.1;
+    deallog << ", given " << make_controller(parameters).propose(0.).size
+            << std::endl;
     for (const bool begins : {true, false})
       {
         StepController controller = make_controller(from_rung());

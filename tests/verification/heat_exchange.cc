@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Heat exchange that depends on gap and pressure, doc/model.md section 15.
+// Heat exchange that depends on gap and pressure, doc/model.md section 16.
 //
 // 1. prm/examples/thermal-switch.prm: the states of rest are roots of the
 //    quadratic equations in the file, derived by hand there; forecast to 1e-12,

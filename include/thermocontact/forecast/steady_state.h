@@ -11,7 +11,7 @@
 namespace ThermoContact
 {
   /**
-   * The end of a body at rest, doc/model.md (M.10), (M.51); NaN: no such field.
+   * The end of a body at rest, doc/model.md (M.10), (M.54); NaN: no such field.
    */
   struct SteadyState
   {
@@ -20,7 +20,7 @@ namespace ThermoContact
     double temperature_end  = 0.;
     bool   in_contact       = false;
 
-    /** Small disturbances do not grow without oscillating, (M.52). */
+    /** Small disturbances do not grow without oscillating, (M.55). */
     bool is_stable = true;
   };
 
@@ -44,7 +44,7 @@ namespace ThermoContact
   /**
    * The steady state (M.10) that a run tends to, which does not depend on the
    * initial values, or, with a heat exchange that depends on the contact, all
-   * of them, (M.51). None with sources, with free lateral faces, and for a body
+   * of them, (M.54). None with sources, with free lateral faces, and for a body
    * that nothing damps.
    */
   SteadyForecast

@@ -4,6 +4,7 @@
 #define thermocontact_input_parameters_h
 
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/scheme.h>
 
@@ -99,11 +100,23 @@ namespace ThermoContact
     unsigned int refinements  = 0;
     double       grading      = 1.;
     std::string  mass_matrix  = "consistent";
+    std::string  geometry     = geometries().front().name;
     double       width        = 0.1;
     unsigned int cells_across = 4;
 
     void
     add_parameters(ParameterHandler &prm);
+
+    /**
+     * How often the cells of a body in 2-D or 3-D can be joined by two in every
+     * direction; 0 if they are graded.
+     */
+    unsigned int
+    n_halvings() const;
+
+    /** Number of nodes of a field in a body of this dimension. */
+    double
+    n_nodes(const unsigned int dim) const;
 
     /**
      * Lengths of the cells along the rod before the refinements, in geometric
@@ -169,6 +182,10 @@ namespace ThermoContact
     std::string  step_solver            = "monolithic";
     double       fixed_point_tolerance  = 1e-12;
     unsigned int fixed_point_iterations = 100;
+    std::string  linear_solver          = "automatic";
+
+    /** Relative residual of a stage; none: automatic. */
+    std::optional<double> linear_tolerance;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -24,7 +24,7 @@ namespace ThermoContact
   /**
    * Contact and a heat exchange that depends on gap and pressure, at once:
    * pressures by the contact law and fluxes $q_i=k_i(\theta_i-\theta_{obs})$
-   * with $k_i=k(\mathrm{gap}_i,p_i)$, doc/model.md (M.49). For given $k$ the
+   * with $k_i=k(\mathrm{gap}_i,p_i)$, doc/model.md (M.52). For given $k$ the
    * fluxes are linear in the pressures and what is left is ContactSolver's
    * problem; so the unknowns are the $k_i$. Where $k$ jumps it takes all values
    * between its limits, and there is always a solution for one node.

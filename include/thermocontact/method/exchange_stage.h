@@ -14,7 +14,7 @@ namespace ThermoContact
 {
   /**
    * What the contact nodes have at the end of a stage without pressures and
-   * heat fluxes, and what they lose by them, doc/model.md (M.48): penetrations
+   * heat fluxes, and what they lose by them, doc/model.md (M.51): penetrations
    * $s=s^{free}-Wp-Vq$, temperatures $\theta=\theta^{free}-Up-Hq$ beyond that
    * of the obstacle. Column j of a matrix is for a unit load at node j.
    */
@@ -33,7 +33,7 @@ namespace ThermoContact
 
   /**
    * The contact nodes at the end of a stage for given coefficients $k_i$: what
-   * is linear or contact in doc/model.md (M.49), and what the law would have
+   * is linear or contact in doc/model.md (M.52), and what the law would have
    * them.
    */
   class ExchangeStage

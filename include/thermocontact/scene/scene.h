@@ -4,6 +4,7 @@
 #define thermocontact_scene_scene_h
 
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/heat_exchange.h>
 #include <thermocontact/method/scheme.h>
@@ -178,6 +179,29 @@ namespace ThermoContact
 
 
 
+  /** How the linear systems of stages are solved. */
+  struct LinearSolver
+  {
+    bool        is_iterative;
+    double      tolerance; ///< relative residual; of the iterative one
+    std::string reason;    ///< of the choice
+
+    std::string
+    name() const
+    {
+      return is_iterative ? "iterative" : "direct";
+    }
+
+    /** The field matrices are there, and what is solved is factorised. */
+    bool
+    has_matrices() const
+    {
+      return !is_iterative;
+    }
+  };
+
+
+
   /** Which sources act on a field of the scene. */
   struct SceneSources
   {
@@ -209,12 +233,13 @@ namespace ThermoContact
      */
     explicit Scene(const Parameters &parameters);
 
-    const Parameters   parameters; ///< as written: for files and words
-    const SceneFields  fields;
-    const Material     material;
-    const SceneHeat    heat;
-    const SceneSources sources;
-    const Scheme      &scheme;
+    const Parameters  parameters; ///< as written: for files and words
+    const SceneFields fields;
+    const std::unique_ptr<const BodyGeometry> geometry;
+    const Material                            material;
+    const SceneHeat                           heat;
+    const SceneSources                        sources;
+    const Scheme                             &scheme;
 
     /** The first step has the prescribed velocity of the paper, (M.26). */
     const bool has_prescribed_start;
@@ -228,6 +253,8 @@ namespace ThermoContact
 
     /** Stages are solved by the iteration of the paper. */
     const bool is_fixed_point;
+
+    const LinearSolver linear_solver;
 
     /**
      * True if anything does work: sources, heat that drives the body, or an

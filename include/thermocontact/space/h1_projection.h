@@ -12,6 +12,11 @@
 
 namespace ThermoContact
 {
+  template <int dim>
+  class MatrixFreeOperator;
+
+
+
   /**
    * The projection $P_E$ of initial data, doc/model.md (M.13):
    * $(\nabla(P_E w-w),\nabla\eta)=0$ for all $\eta$ that vanish on the fixed
@@ -26,8 +31,14 @@ namespace ThermoContact
   class H1Projection
   {
   public:
-    /** Assembles and factorises the Laplace matrix of all components. */
-    explicit H1Projection(const Discretization<dim> &discretization);
+    /**
+     * Assembles and factorises the Laplace matrix of all components.
+     *
+     * @param products null; else the correction is computed with them, by
+     *   conjugate gradients and without matrix; borrowed
+     */
+    explicit H1Projection(const Discretization<dim>     &discretization,
+                          const MatrixFreeOperator<dim> *products = nullptr);
 
     /**
      * Projects @p function, with the components of the FESystem.
@@ -40,8 +51,9 @@ namespace ThermoContact
             Vector              &displacement);
 
   private:
-    const Discretization<dim>    &discretization;
-    std::unique_ptr<DirectSolver> laplace_solver;
+    const Discretization<dim>           &discretization;
+    const MatrixFreeOperator<dim> *const products;
+    std::unique_ptr<DirectSolver>        laplace_solver;
 
     /** Without entries; components do not act on each other. */
     SparseMatrix
@@ -50,9 +62,15 @@ namespace ThermoContact
     void
     assemble_laplace_matrix();
 
-    Vector
+    SystemVector
     correction_rhs(const Function<dim> &function,
-                   const Vector        &interpolant) const;
+                   const SystemVector  &interpolant) const;
+
+    /** Adds the correction, without a matrix. */
+    void
+    add_iteratively(const SystemVector &rhs,
+                    Vector             &temperature,
+                    Vector             &displacement) const;
   };
 } // namespace ThermoContact
 

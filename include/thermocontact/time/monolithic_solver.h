@@ -17,7 +17,7 @@ namespace ThermoContact
 {
   /**
    * The monolithic stage: both fields at once and contact exactly, doc/model.md
-   * (M.15)-(M.18), with a heat exchange that depends on it, (M.48), (M.49). One
+   * (M.15)-(M.18), with a heat exchange that depends on it, (M.51), (M.52). One
    * factorisation per stage length; those used last are kept, since
    * error-controlled steps come back to few sizes. The response to unit
    * pressures, and heat fluxes, is computed when it is first needed.

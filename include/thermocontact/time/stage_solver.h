@@ -9,6 +9,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,10 @@ namespace ThermoContact
     unsigned int solves         = 0; ///< back-substitutions of stages
     unsigned int responses      = 0; ///< back-substitutions for $W$
 
+    unsigned int linear_iterations     = 0; ///< of Krylov, added up
+    unsigned int max_linear_iterations = 0; ///< of one linear system
+    unsigned int active_set_iterations = 0; ///< sets, added up
+
     double factorization_seconds = 0.; ///< assembly of stage matrices, too
     double solve_seconds         = 0.; ///< with factorisations
     double contact_seconds       = 0.; ///< pressures and responses
@@ -44,6 +49,10 @@ namespace ThermoContact
       factorizations += other.factorizations;
       solves += other.solves;
       responses += other.responses;
+      linear_iterations += other.linear_iterations;
+      max_linear_iterations =
+        std::max(max_linear_iterations, other.max_linear_iterations);
+      active_set_iterations += other.active_set_iterations;
       factorization_seconds += other.factorization_seconds;
       solve_seconds += other.solve_seconds;
       contact_seconds += other.contact_seconds;
@@ -54,7 +63,8 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &factorizations &solves &responses;
+      archive &factorizations &solves &responses &linear_iterations
+        &max_linear_iterations &active_set_iterations;
     }
   };
 
