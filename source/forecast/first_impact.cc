@@ -176,7 +176,8 @@ namespace ThermoContact
     const double heat_shift =
       !material.has_thermal_stress() ?
         0. :
-        std::abs(free_expansion(scene) - motion.initial_expansion()) *
+        std::abs(free_expansion(scene, scene.heat.steady_drop()) -
+                 motion.initial_expansion()) *
           -std::expm1(-0.25 * numbers::PI * numbers::PI * impact.time);
     if (!(impact.velocity > 0.) || !(stroke > 2. * heat_shift))
       return {};

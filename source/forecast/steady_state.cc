@@ -2,9 +2,11 @@
 
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/method/bracketed_root.h>
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -34,27 +36,106 @@ namespace ThermoContact
 
 
 
-    /**
-     * Pressure under which an obstacle and a body of stiffness 1 meet, which
-     * without it would overlap by @p penetration.
-     */
-    double
-    pressure_at_rest(const ContactLaw &law, const double penetration)
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+
+
+    /** The body at rest with the profile of a drop $c$, (M.7). */
+    SteadyState
+    state_of_drop(const Scene &scene, const double drop)
     {
-      return law.local_pressure(penetration, 1.);
+      const SceneHeat &heat = scene.heat;
+      SteadyState      state{nan, nan, nan, false};
+      if (scene.fields.has_displacement)
+        {
+          const double expansion = free_expansion(scene, drop);
+          // where an obstacle and a body of stiffness 1 meet
+          state.contact_force =
+            scene.contact.law->local_pressure(expansion - scene.contact.gap,
+                                              1.);
+          state.in_contact       = state.contact_force > 0.;
+          state.displacement_end = expansion - state.contact_force;
+        }
+      if (scene.fields.has_temperature)
+        state.temperature_end =
+          heat.fixed_end_temperature -
+          drop * (heat.fixed_end_temperature - heat.obstacle_temperature);
+      return state;
+    }
+
+
+
+    /** $F(c)$ of (M.59): zero where the exchange keeps the profile. */
+    double
+    imbalance(const Scene &scene, const double drop)
+    {
+      const SteadyState state = state_of_drop(scene, drop);
+      const double      k     = scene.heat.exchange->coefficient(
+        state.in_contact ? 0. : state.displacement_end - scene.contact.gap,
+        state.contact_force);
+      return drop - k / (1. + k);
+    }
+
+
+
+    /** All zeros of (M.59), by sampling; jumps over zero among them. */
+    std::vector<SteadyState>
+    states_of_varying_exchange(const Scene &scene)
+    {
+      const auto f = [&scene](const double c) { return imbalance(scene, c); };
+      const auto add_state = [&scene](const double              c,
+                                      const bool                is_stable,
+                                      std::vector<SteadyState> &states) {
+        states.push_back(state_of_drop(scene, c));
+        states.back().is_stable = is_stable;
+      };
+      std::vector<SteadyState> states;
+      constexpr unsigned int   n           = 20000;
+      bool                     is_negative = f(0.) < 0.;
+      if (!is_negative) // no exchange at all
+        add_state(0., true, states);
+      for (unsigned int i = 1; i <= n; ++i)
+        if (const double c = static_cast<double>(i) / n;
+            (f(c) < 0.) != is_negative)
+          {
+            add_state(bracketed_root(f, (i - 1.) / n, c).first,
+                      is_negative,
+                      states);
+            is_negative = !is_negative;
+          }
+      return states;
     }
   } // namespace
 
 
 
   double
-  free_expansion(const Scene &scene)
+  free_expansion(const Scene &scene, const double drop)
   {
-    const HeatExchange &heat = scene.heat;
+    const SceneHeat &heat = scene.heat;
     return scene.material.thermal_stress *
            (heat.fixed_end_temperature -
-            0.5 * heat.steady_drop() *
+            0.5 * drop *
               (heat.fixed_end_temperature - heat.obstacle_temperature));
+  }
+
+
+
+  unsigned int
+  nearest_state(const std::vector<SteadyState> &states,
+                const SteadyState              &state)
+  {
+    const auto distance = [&state](const SteadyState &other) {
+      return std::isnan(state.temperature_end) ?
+               std::abs(other.displacement_end - state.displacement_end) :
+               std::abs(other.temperature_end - state.temperature_end);
+    };
+    return std::min_element(states.begin(),
+                            states.end(),
+                            [&](const SteadyState &a, const SteadyState &b) {
+                              return distance(a) < distance(b);
+                            }) -
+           states.begin();
   }
 
 
@@ -67,20 +148,11 @@ namespace ThermoContact
     if (!forecast.remark.empty())
       return forecast;
 
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    SteadyState      state{nan, nan, nan, false};
-    const Material  &material = scene.material;
-    if (scene.fields.has_displacement)
-      {
-        const double expansion = free_expansion(scene);
-        state.contact_force =
-          pressure_at_rest(*scene.contact.law, expansion - scene.contact.gap);
-        state.in_contact       = state.contact_force > 0.;
-        state.displacement_end = expansion - state.contact_force;
-      }
-    if (scene.fields.has_temperature)
-      state.temperature_end = scene.heat.steady_temperature(1.);
-    forecast.state = state;
+    if (scene.heat.exchange->is_constant())
+      forecast.states = {state_of_drop(scene, scene.heat.steady_drop())};
+    else
+      forecast.states = states_of_varying_exchange(scene);
+    const Material &material = scene.material;
     if (scene.fields.has_displacement && material.has_inertia() &&
         !material.has_viscosity())
       forecast.remark =

@@ -79,11 +79,18 @@ namespace ThermoContact
                       fixed_end_temperature,
                       "Temperature theta_A of the fixed end x = 0.",
                       any_number);
-    prm.add_parameter("Heat exchange",
-                      heat_exchange,
-                      "Heat exchange coefficient k >= 0 of the contact end: "
-                      "-d theta/dn = k (theta - theta_obs).",
-                      coefficient);
+    add_number_or_expression(
+      prm,
+      "Heat exchange",
+      heat_exchange,
+      "gap, pressure",
+      "Heat exchange coefficient k >= 0 of the contact end: -d theta/dn = k "
+      "(theta - theta_obs); an expression in the local gap >= 0 and pressure >= "
+      "0, e.g. if(pressure > 0, 10 + 5*pressure, 0.1/(0.1 + gap)).",
+      [this](const double number, const std::string &expression) {
+        heat_exchange       = number;
+        exchange_expression = expression;
+      });
     prm.add_parameter("Obstacle temperature",
                       obstacle_temperature,
                       "Temperature theta_obs of the obstacle.",

@@ -138,8 +138,12 @@ namespace ThermoContact
                text(", impulse ", record.contact_impulse));
     log.line("  final     " +
              describe_steady_state(final_state(record), scene));
-    if (const auto rest = steady_state(scene).state)
-      log.line("  at rest   " + compare_with_rest(*rest, record, scene));
+    const auto rest = steady_state(scene).states;
+    if (!rest.empty())
+      log.line("  at rest   " +
+               compare_with_rest(rest[nearest_state(rest, final_state(record))],
+                                 record,
+                                 scene));
     log.line("  energy    " + describe_energy(record, initial_energy));
     log.line(text(
       "  cost      ",

@@ -137,14 +137,21 @@ namespace ThermoContact
 
 
 
+    /** A line for each state of rest. */
     std::string
     describe_rest(const Scene &scene)
     {
       const SteadyForecast forecast = steady_state(scene);
-      if (!forecast.state)
+      if (forecast.states.empty())
         return forecast.remark;
-      return describe_steady_state(*forecast.state, scene) +
-             (forecast.remark.empty() ? "" : "; " + forecast.remark);
+      std::string lines;
+      for (const SteadyState &state : forecast.states)
+        lines += (lines.empty() ? "" : "\n            ") +
+                 describe_steady_state(state, scene) +
+                 (scene.heat.exchange->is_constant() ? "" :
+                  state.is_stable                    ? ", stable" :
+                                                       ", unstable");
+      return lines + (forecast.remark.empty() ? "" : "; " + forecast.remark);
     }
 
 
@@ -295,8 +302,8 @@ namespace ThermoContact
     if (scene.fields.has_temperature)
       log.line(text("  heat      theta_A = ",
                     scene.heat.fixed_end_temperature,
-                    ", k = ",
-                    scene.heat.coefficient,
+                    ", ",
+                    scene.heat.exchange->description(),
                     ", theta_obs = ",
                     scene.heat.obstacle_temperature));
     if (scene.fields.has_displacement)

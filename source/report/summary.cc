@@ -14,7 +14,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <limits>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -31,6 +33,34 @@ namespace ThermoContact
 
 
 
+    /** All states of rest, and the number, from 1, of the one at the end. */
+    void
+    add_states_of_rest(const std::vector<SteadyState> &states,
+                       const SteadyState              &end,
+                       const Scene                    &scene,
+                       nlohmann::ordered_json         &entries)
+    {
+      entries["states_of_rest"]        = nlohmann::ordered_json::array();
+      entries["reached_state_of_rest"] = nullptr;
+      for (const SteadyState &state : states)
+        entries["states_of_rest"].push_back(
+          {{"displacement_end", state.displacement_end},
+           {"contact_force", state.contact_force},
+           {"temperature_end", state.temperature_end},
+           {"in_contact", state.in_contact},
+           {"is_stable", state.is_stable}});
+      if (states.empty())
+        return;
+      const unsigned int nearest = nearest_state(states, end);
+      const double       distance =
+        std::abs(states[nearest].temperature_end - end.temperature_end);
+      if (distance <= 1e-3 * std::abs(scene.heat.fixed_end_temperature -
+                                      scene.heat.obstacle_temperature))
+        entries["reached_state_of_rest"] = nearest + 1;
+    }
+
+
+
     /**
      * What was known before the run, beside what came out; null where nothing
      * was.
@@ -42,9 +72,15 @@ namespace ThermoContact
       constexpr double  nan    = std::numeric_limits<double>::quiet_NaN();
       const Scene      &scene  = simulation.scene();
       const StepRecord &record = simulation.record();
-      const SteadyState none{nan, nan, nan, false};
+      const SteadyState end{record.displacement_end,
+                            record.contact_force,
+                            record.temperature_end,
+                            record.in_contact};
       const auto        forecast = steady_state(scene);
-      const SteadyState rest     = forecast.state.value_or(none);
+      const auto       &states   = forecast.states;
+      const SteadyState rest     = states.empty() ?
+                                     SteadyState{nan, nan, nan, false} :
+                                     states[nearest_state(states, end)];
       const auto        impact   = first_impact(scene);
       const auto        cost =
         expected_cost(scene, simulation.discretization().n_active_cells());
@@ -69,8 +105,10 @@ namespace ThermoContact
         {"predicted_critical_step_size",
          critical_step_size(scene).value_or(nan)},
         {"predicted_steps", cost ? cost->steps : nan}};
-      if (forecast.state)
+      if (!states.empty())
         entries["predicted_in_contact"] = rest.in_contact;
+      if (!scene.heat.exchange->is_constant())
+        add_states_of_rest(states, end, scene, entries);
       return entries;
     }
   } // namespace

@@ -3,8 +3,10 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/parameter_file.h>
+#include <thermocontact/scene/exchange_expression.h>
 #include <thermocontact/scene/scene.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -36,6 +38,22 @@ namespace ThermoContact
 
 
 
+    SceneHeat
+    resolve_heat(const BoundaryParameters &boundary, const double gap)
+    {
+      const std::string &expression = boundary.exchange_expression;
+      SceneHeat          heat;
+      heat.exchange              = expression.empty() ?
+                                     constant_exchange(boundary.heat_exchange) :
+                                     exchange_by_expression(expression, std::max(gap, 1.));
+      heat.fixed_end_temperature = boundary.fixed_end_temperature;
+      heat.obstacle_temperature  = boundary.obstacle_temperature;
+      heat.reference_coefficient = heat.exchange->coefficient(-gap, 0.);
+      return heat;
+    }
+
+
+
     SceneSources
     resolve_sources(const SourceParameters &sources, const SceneFields &fields)
     {
@@ -53,9 +71,11 @@ namespace ThermoContact
     bool
     resolve_prescribed_start(const Parameters  &parameters,
                              const SceneFields &fields,
+                             const SceneHeat   &heat,
                              const Scheme      &scheme)
     {
       return fields.has_displacement && parameters.model.inertia > 0. &&
+             heat.exchange->is_constant() &&
              (parameters.time.start == "paper" ||
               (parameters.time.start == "automatic" && scheme.is_of_paper &&
                parameters.contact.massless_nodes != "on"));
@@ -133,6 +153,7 @@ namespace ThermoContact
     LinearSolver
     resolve_linear_solver(const Parameters   &parameters,
                           const SceneFields  &fields,
+                          const SceneHeat    &heat,
                           const Scheme       &scheme,
                           const SceneContact &contact,
                           const bool          is_fixed_point,
@@ -158,6 +179,8 @@ namespace ThermoContact
         return direct("Time/Start = paper");
       if (contact.has_impacts() || !contact.law->is_linear())
         return direct("Contact/Condition = " + parameters.contact.condition);
+      if (!heat.exchange->is_constant())
+        return direct("Boundary/Heat exchange depends on the contact");
       const double n_unknowns =
         parameters.mesh.n_nodes(dim) * fields.n_components(dim);
       const double limit = dim == 2 ? 2e5 : 1.5e4;
@@ -176,12 +199,11 @@ namespace ThermoContact
     , geometry(ThermoContact::geometry(parameters.mesh.geometry)
                  .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, fields))
-    , heat({parameters.boundary.heat_exchange,
-            parameters.boundary.fixed_end_temperature,
-            parameters.boundary.obstacle_temperature})
+    , heat(resolve_heat(parameters.boundary, parameters.contact.gap))
     , sources(resolve_sources(parameters.sources, fields))
     , scheme(ThermoContact::scheme(parameters.time.scheme))
-    , has_prescribed_start(resolve_prescribed_start(parameters, fields, scheme))
+    , has_prescribed_start(
+        resolve_prescribed_start(parameters, fields, heat, scheme))
     , contact(resolve_contact(parameters,
                               fields,
                               material,
@@ -193,6 +215,7 @@ namespace ThermoContact
     , is_fixed_point(parameters.solver.step_solver == "fixed point")
     , linear_solver(resolve_linear_solver(parameters,
                                           fields,
+                                          heat,
                                           scheme,
                                           contact,
                                           is_fixed_point,

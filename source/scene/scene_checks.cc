@@ -50,6 +50,13 @@ namespace ThermoContact
                "consistent or automatic, since Model/Inertia = 0",
                "Time/Start = automatic: a body without inertia has no velocity "
                "to start with");
+      if (is_paper && !scene.heat.exchange->is_constant())
+        refuse("Time/Start",
+               time.start,
+               "consistent or automatic, since Boundary/Heat exchange is an "
+               "expression",
+               "Time/Start = automatic: the heat equation alone does not know "
+               "the pressure");
       if (is_paper && parameters.contact.massless_nodes == "on")
         refuse("Time/Start",
                time.start,
@@ -93,6 +100,32 @@ namespace ThermoContact
 
 
 
+    /** An exchange that depends on the contact needs contact. */
+    void
+    check_exchange(const Scene &scene)
+    {
+      const Parameters  &parameters = scene.parameters;
+      const std::string &expression = parameters.boundary.exchange_expression;
+      if (scene.heat.exchange->is_constant())
+        return;
+      if (!scene.contact.law->is_active())
+        refuse("Boundary/Heat exchange",
+               expression,
+               "a number, since " +
+                 (scene.fields.has_displacement ?
+                    "Contact/Condition = " + parameters.contact.condition :
+                    "Model/Fields = " + parameters.model.fields),
+               "there is neither gap nor pressure");
+      if (!scene.scheme.needs_linear_contact.empty())
+        refuse("Boundary/Heat exchange",
+               expression,
+               "a number, since Time/Scheme = " + scene.scheme.name,
+               "Time/Scheme = " + default_scheme().name + ": " +
+                 scene.scheme.needs_linear_contact);
+    }
+
+
+
     void
     check_fixed_point(const Scene &scene)
     {
@@ -120,6 +153,9 @@ namespace ThermoContact
             "Model/Fields = " + parameters.model.fields,
           "Solver/Step solver = monolithic: the iteration of the paper "
           "belongs to its full model");
+      if (!scene.heat.exchange->is_constant())
+        refuse_since("Boundary/Heat exchange is an expression",
+                     "the iteration of the paper has a constant one");
       if (parameters.time.locates_contact_events())
         refuse("Time/Locate contact events",
                parameters.time.locate_contact_events,
@@ -245,6 +281,8 @@ namespace ThermoContact
         refuse_since("Time/Start = paper");
       if (!scene.contact.law->is_linear())
         refuse_since("Contact/Condition = " + parameters.contact.condition);
+      if (!scene.heat.exchange->is_constant())
+        refuse_since("Boundary/Heat exchange depends on the contact");
       if (scene.contact.has_impacts())
         refuse_since("Contact/Massless nodes = off and Contact/Condition = " +
                      parameters.contact.condition);
@@ -335,6 +373,7 @@ namespace ThermoContact
     else
       check_fixed_steps(parameters.time);
     check_start(scene);
+    check_exchange(scene);
     if (scene.is_fixed_point)
       check_fixed_point(scene);
     check_scheme(scene);

@@ -42,8 +42,7 @@ namespace ThermoContact
     const bool      has_displacement = scene.fields.has_displacement;
     Words           terms;
     terms.add_if(has_temperature, "heat conduction");
-    terms.add_if(has_temperature && scene.heat.coefficient > 0.,
-                 "heat exchange");
+    terms.add_if(has_temperature && scene.heat.has_exchange(), "heat exchange");
     terms.add_if(has_displacement && material.has_inertia(), "inertia");
     terms.add_if(has_displacement, "elasticity");
     terms.add_if(has_displacement && material.has_viscosity(), "viscosity");

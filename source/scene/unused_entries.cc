@@ -131,7 +131,7 @@ namespace ThermoContact
                    "Contact/Massless nodes",
                    "Time/Locate contact events"},
                   condition);
-    unused.add_if(scene.heat.coefficient == 0.,
+    unused.add_if(!scene.heat.has_exchange(),
                   {"Boundary/Obstacle temperature"},
                   "Boundary/Heat exchange = 0");
     unused.add_if(!parameters.time.has_error_control(),

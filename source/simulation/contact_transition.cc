@@ -26,10 +26,10 @@ namespace ThermoContact
     Vector load        = body.discretization.make_vector(Field::displacement);
     inverse_receptance = body.contact_end().response_matrix(
       [&](const unsigned int node) -> const Vector & {
-        std::vector<double> unit_impulse(body.contact_end().n_nodes(), 0.);
-        unit_impulse[node] = 1.;
-        load               = 0.;
-        body.equations.subtract_pressure(unit_impulse, -1., load);
+        body.contact_end().set_load_of_node(Field::displacement,
+                                            node,
+                                            1.,
+                                            load);
         Vector &response = impulse_responses.emplace_back(load);
         mass_solver->solve(response, load);
         ++counters_.responses;

@@ -195,6 +195,12 @@ namespace ThermoContact
     else if (body.scene.contact.is_in_equilibrium)
       settle_contact_nodes(body, state);
     warn_of_contact(body, state, warnings);
+
+    body.contact_end().get_penetrations(state.displacement, penetration);
+    for (unsigned int i = 0; i < penetration.size(); ++i)
+      state.exchange_coefficient[i] =
+        body.scene.heat.exchange->coefficient(penetration[i],
+                                              state.contact_pressure[i]);
     return state;
   }
 

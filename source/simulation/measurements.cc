@@ -198,8 +198,11 @@ namespace ThermoContact
     body.contact_end().get_values(Field::temperature,
                                   state.temperature,
                                   contact_values);
-    record.temperature_end  = body.contact_end().mean(contact_values);
-    record.heat_flux_end    = body.scene.heat.flux(record.temperature_end);
+    record.temperature_end = body.contact_end().mean(contact_values);
+    for (unsigned int i = 0; i < contact_values.size(); ++i)
+      contact_values[i] =
+        body.scene.heat.flux(state.exchange_coefficient[i], contact_values[i]);
+    record.heat_flux_end    = body.contact_end().mean(contact_values);
     record.temperature_mean = mean_weights * state.temperature;
   }
 

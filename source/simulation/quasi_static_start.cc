@@ -60,10 +60,7 @@ namespace ThermoContact
       Vector                   unit_load(load);
       const FullMatrix<double> all_responses =
         end.response_matrix([&](const unsigned int node) -> const Vector & {
-          std::vector<double> unit_pressure(excluded.size(), 0.);
-          unit_pressure[node] = 1.;
-          unit_load           = 0.;
-          body.equations.subtract_pressure(unit_pressure, -1., unit_load);
+          end.set_load_of_node(Field::displacement, node, 1., unit_load);
           Vector &response = unit_responses.emplace_back(unit_load);
           solver.solve(response, unit_load);
           return response;
@@ -130,7 +127,8 @@ namespace ThermoContact
               "a body without inertia that starts in contact with a rigid "
               "obstacle needs sparse factors\n  remedy:  Solver/Linear solver "
               "= direct, or a larger Contact/Gap");
-      body.equations.subtract_pressure(state.contact_pressure,
+      body.contact_end().subtract_load(Field::displacement,
+                                       state.contact_pressure,
                                        1.,
                                        momentum_load);
       solver.solve_momentum(
@@ -193,7 +191,10 @@ namespace ThermoContact
                   state.contact_pressure.end(),
                   0.);
       }
-    body.equations.subtract_pressure(state.contact_pressure, 1., rhs);
+    body.contact_end().subtract_load(Field::displacement,
+                                     state.contact_pressure,
+                                     1.,
+                                     rhs);
     // nodes on a rigid obstacle cannot move into it
     const auto no_inward_velocity = rigid_obstacle().make({});
     solve_with_contact(body,

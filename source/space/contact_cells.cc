@@ -94,7 +94,7 @@ namespace ThermoContact
                        lexicographic,
                        discretization.first_component(Field::temperature),
                        face_values,
-                       scene.heat.coefficient,
+                       scene.heat.linear_coefficient(),
                        heat_exchange.emplace_back(n_nodes, n_nodes));
             }
           if (scene.contact.has_massless_nodes)

@@ -272,6 +272,34 @@ namespace ThermoContact
 
 
   template <int dim>
+  void
+  ContactEnd<dim>::subtract_load(const Field::Block         field,
+                                 const std::vector<double> &densities,
+                                 const double               factor,
+                                 Vector                    &load) const
+  {
+    for (const auto &[node, entry] : entries_[field])
+      load.begin()[entry] -= factor * nodes_[node].weight * densities[node];
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEnd<dim>::set_load_of_node(const Field::Block field,
+                                    const unsigned int node,
+                                    const double       value,
+                                    Vector            &load) const
+  {
+    load = 0.;
+    for (const auto &[i, entry] : entries_[field])
+      if (i == node)
+        load.begin()[entry] = value * nodes_[node].weight;
+  }
+
+
+
+  template <int dim>
   double
   ContactEnd<dim>::mean(const std::vector<double> &values) const
   {

@@ -164,6 +164,7 @@ namespace ThermoContact
     state.displacement = make_vector(Field::displacement);
     state.velocity     = make_vector(Field::displacement);
     state.contact_pressure.assign(contact_end_->n_nodes(), 0.);
+    state.exchange_coefficient = state.contact_pressure;
     return state;
   }
 

@@ -17,7 +17,7 @@ namespace ThermoContact
     class SteadyProfile : public Function<dim>
     {
     public:
-      SteadyProfile(const unsigned int n_components, const HeatExchange &heat)
+      SteadyProfile(const unsigned int n_components, const SceneHeat &heat)
         : Function<dim>(n_components)
         , heat(heat)
       {}
@@ -29,7 +29,7 @@ namespace ThermoContact
       }
 
     private:
-      const HeatExchange heat;
+      const SceneHeat &heat;
     };
   } // namespace
 
@@ -53,6 +53,7 @@ namespace ThermoContact
     , loads(loads)
     , law(*scene.contact.law)
     , material(scene.material)
+    , heat(scene.heat)
     , has_work_(scene.has_work())
     , steady_profile_(discretization.make_vector(Field::temperature))
     , steady_stress(discretization.make_vector(Field::displacement))
@@ -191,7 +192,38 @@ namespace ThermoContact
     if (material.has_viscosity())
       rate += material.viscosity *
               momentum_form(stage_operator.viscous_stiffness(), state.velocity);
+    if (!heat.exchange->is_constant())
+      rate += exchange_dissipation(state, heat_scratch);
     return rate;
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::exchange_dissipation(const State  &state,
+                                    const Vector &excess) const
+  {
+    const ContactEnd<dim> &end = discretization.contact_end();
+    end.get_values(Field::temperature, excess, end_temperature);
+    for (unsigned int i = 0; i < end_temperature.size(); ++i)
+      end_temperature[i] *= state.exchange_coefficient[i] * end_temperature[i];
+    return end.mean(end_temperature);
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::exchange_work(const State &state, const Vector &excess) const
+  {
+    const ContactEnd<dim> &end = discretization.contact_end();
+    end.get_values(Field::temperature, excess, end_temperature);
+    for (unsigned int i = 0; i < end_temperature.size(); ++i)
+      end_temperature[i] *=
+        -heat.flux(state.exchange_coefficient[i] - heat.reference_coefficient,
+                   heat.steady_temperature(1.));
+    return end.mean(end_temperature);
   }
 
 
@@ -248,7 +280,8 @@ namespace ThermoContact
                          const Vector &momentum_load,
                          const State  &state) const
   {
-    double rate = 0.;
+    const double area = discretization.geometry().cross_section();
+    double       rate = 0.;
     if (discretization.has_field(Field::temperature))
       {
         heat_scratch = state.temperature;
@@ -264,10 +297,12 @@ namespace ThermoContact
             stage_operator.divergence().vmult(heat_product, state.velocity);
             rate += material.thermal_stress * (heat_scratch * heat_product);
           }
+        if (!heat.exchange->is_constant())
+          rate += area * exchange_work(state, heat_scratch);
       }
     if (discretization.has_field(Field::displacement) && loads.has_sources())
       rate += momentum_load * state.velocity;
-    return rate / discretization.geometry().cross_section();
+    return rate / area;
   }
 
 

@@ -314,7 +314,8 @@ namespace ThermoContact
           for (const unsigned int i : face_values.dof_indices())
             for (const unsigned int j : face_values.dof_indices())
               cell_matrix(i, j) +=
-                scene.heat.coefficient * theta.value(i, q) * theta.value(j, q) *
+                scene.heat.linear_coefficient() * theta.value(i, q) *
+                theta.value(j, q) *
                 discretization.geometry().weight(face_values, q);
         cell->get_dof_indices(dofs);
         unconstrained.distribute_local_to_global(cell_matrix, dofs, stiffness);

@@ -361,21 +361,6 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ThermoviscoelasticOperator<dim>::subtract_pressure(
-    const std::vector<double> &pressure,
-    const double               factor,
-    Vector                    &momentum) const
-  {
-    const ContactEnd<dim> &end = discretization.contact_end();
-    for (const auto &[node, entry] : end.entries(Field::displacement))
-      momentum.begin()[entry] -=
-        factor * end.nodes()[node].weight * pressure[node];
-  }
-
-
-
-  template <int dim>
-  void
   ThermoviscoelasticOperator<dim>::zero_constrained(const Field::Block field,
                                                     Vector &vector) const
   {

@@ -2,32 +2,13 @@
 
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/time/dirk_integrator.h>
-#include <thermocontact/time/fixed_point_solver.h>
-#include <thermocontact/time/iterative_solver.h>
-#include <thermocontact/time/monolithic_solver.h>
+#include <thermocontact/time/make_stage_solver.h>
 #include <thermocontact/time/schemes.h>
 
 #include <algorithm>
 
 namespace ThermoContact
 {
-  namespace
-  {
-    template <int dim>
-    std::unique_ptr<StageSolver>
-    make_stage_solver(const Body<dim> &body)
-    {
-      if (body.scene.is_fixed_point)
-        return std::make_unique<FixedPointSolver<dim>>(body);
-      if constexpr (dim > 1)
-        if (!body.scene.linear_solver.has_matrices())
-          return std::make_unique<IterativeSolver<dim>>(body);
-      return std::make_unique<MonolithicSolver<dim>>(body);
-    }
-  } // namespace
-
-
-
   std::vector<Scheme>
   dirk_schemes()
   {
@@ -93,7 +74,10 @@ namespace ThermoContact
         known.velocity.add(factor, accelerations[j]);
       }
     if (i > 0)
-      known.contact_pressure = stages[i - 1].pressure;
+      {
+        known.contact_pressure     = stages[i - 1].pressure;
+        known.exchange_coefficient = stages[i - 1].exchange_coefficient;
+      }
   }
 
 
@@ -209,9 +193,10 @@ namespace ThermoContact
             accelerations[i].add(-1., known.velocity);
             accelerations[i] /= tau;
           }
-        known.time             = time;
-        known.velocity         = stage.velocity;
-        known.contact_pressure = stage.pressure;
+        known.time                 = time;
+        known.velocity             = stage.velocity;
+        known.contact_pressure     = stage.pressure;
+        known.exchange_coefficient = stage.exchange_coefficient;
         known.temperature.add(tau, stage.temperature_rate);
         known.displacement.add(tau, stage.velocity);
         book(known, tableau.b()[i] * time_step.size, result);

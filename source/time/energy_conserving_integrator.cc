@@ -3,6 +3,7 @@
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/time/contact_equilibrium.h>
 #include <thermocontact/time/energy_conserving_integrator.h>
+#include <thermocontact/time/make_stage_solver.h>
 #include <thermocontact/time/schemes.h>
 
 #include <algorithm>
@@ -54,7 +55,7 @@ namespace ThermoContact
   template <int dim>
   EnergyConservingIntegrator<dim>::EnergyConservingIntegrator(Body<dim> &body)
     : body(body)
-    , solver(body)
+    , solver(make_open_stage_solver(body))
     , midpoint(body.discretization.make_state())
     , heat_load(body.discretization.make_vector(Field::temperature))
     , momentum_load(body.discretization.make_vector(Field::displacement))
@@ -175,7 +176,7 @@ namespace ThermoContact
           2. * (old_displacement[i] + 0.5 * time_step.size * velocity[i]) -
           old_free_position[i];
       }
-    FullMatrix<double> difference(solver.response());
+    FullMatrix<double> difference(solver->response());
     difference.add(-1., receptance);
     rates.pressure     = state.contact_pressure;
     rates.n_iterations = contact->step_pressure(beyond_gap(old_free_position),
@@ -183,7 +184,7 @@ namespace ThermoContact
                                                 difference,
                                                 displacement_scale,
                                                 rates.pressure);
-    solver.apply_pressure(rates);
+    solver->apply_pressure(rates);
     const std::vector<double> loss = product(difference, rates.pressure);
     for (unsigned int i = 0; i < n; ++i)
       free_position[i] -= 2. * loss[i];
@@ -263,7 +264,7 @@ namespace ThermoContact
     const double size = time_step.size;
     midpoint.time     = state.time + 0.5 * size;
     assemble_loads(state.time, time_step.end);
-    solver.solve_without_contact(
+    solver->solve_without_contact(
       state, 0.5 * size, heat_load, momentum_load, rates);
     if (body.law().is_active())
       apply_contact(state, time_step);

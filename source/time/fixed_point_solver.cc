@@ -118,7 +118,8 @@ namespace ThermoContact
       for (const ContactNode<dim> &node : body.contact_end().nodes())
         known_scale = std::max(known_scale, std::abs(node.gap));
 
-    rates.velocity = 0.; // the paper's start: the last displacement
+    rates.exchange_coefficient = known.exchange_coefficient;
+    rates.velocity             = 0.; // the paper's start: the last displacement
     rates.failure.clear();
     update_pressure(tau, rates);
 
@@ -135,7 +136,8 @@ namespace ThermoContact
         body.equations.add_thermal_stress(rates.temperature_rate,
                                           tau * tau,
                                           momentum_stage_rhs);
-        body.equations.subtract_pressure(rates.pressure,
+        body.contact_end().subtract_load(Field::displacement,
+                                         rates.pressure,
                                          tau,
                                          momentum_stage_rhs);
         momentum_solver->solve(rates.velocity, momentum_stage_rhs);
@@ -180,7 +182,10 @@ namespace ThermoContact
     for (unsigned int iteration = 0; iteration < 200; ++iteration)
       {
         momentum_stage_rhs = 0.;
-        body.equations.subtract_pressure(pressure, -tau, momentum_stage_rhs);
+        body.contact_end().subtract_load(Field::displacement,
+                                         pressure,
+                                         -tau,
+                                         momentum_stage_rhs);
         momentum_solver->solve(velocity, momentum_stage_rhs);
         ++counters_.responses;
         body.contact_end().get_values(Field::displacement, velocity, response);

@@ -500,6 +500,7 @@ namespace ThermoContact
     const double       tolerance = body.scene.linear_solver.tolerance;
     rates.failure.clear();
     rates.pressure.assign(n, 0.);
+    rates.exchange_coefficient = stage.known->exchange_coefficient;
     std::vector<bool> is_active(n, false);
     if (body.law().is_active() && mode != ContactMode::open)
       for (unsigned int i = 0; i < n; ++i)

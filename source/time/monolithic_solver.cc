@@ -27,7 +27,9 @@ namespace ThermoContact
   template <int dim>
   MonolithicSolver<dim>::MonolithicSolver(const Body<dim> &body)
     : body(body)
+    , exchange(*body.scene.heat.exchange)
     , contact_solver(body.law())
+    , exchange_solver(body.law(), exchange)
     , max_factorizations(
         cache_size<dim>(body.discretization.dof_handler().n_dofs()))
     , heat_rhs(body.discretization.make_vector(Field::temperature))
@@ -68,7 +70,7 @@ namespace ThermoContact
     factorizations.push_front(
       {StageFactorization<dim>(body.discretization, body.equations, tau),
        {},
-       FullMatrix<double>()});
+       {}});
     counters_.factorizations +=
       factorizations.front().matrix.n_factorizations();
   }
@@ -77,26 +79,69 @@ namespace ThermoContact
 
   template <int dim>
   void
-  MonolithicSolver<dim>::compute_response(Factorization &factorization)
+  MonolithicSolver<dim>::compute_unit_responses(const Field::Block load,
+                                                Factorization &factorization)
   {
-    const double tau       = factorization.matrix.tau();
-    factorization.response = body.contact_end().response_matrix(
-      [&](const unsigned int node) -> const Vector & {
-        std::vector<double> unit_pressure(body.contact_end().n_nodes(), 0.);
-        unit_pressure[node] = 1.;
-        heat_rhs            = 0.;
-        momentum_rhs        = 0.;
-        body.equations.subtract_pressure(unit_pressure, -tau, momentum_rhs);
-        factorization.unit_responses.push_back({heat_rhs, momentum_rhs});
-        UnitResponse &unit_response = factorization.unit_responses.back();
+    const double tau = factorization.matrix.tau();
+    for (unsigned int node = 0; node < body.contact_end().n_nodes(); ++node)
+      {
+        heat_rhs     = 0.;
+        momentum_rhs = 0.;
+        if (load == Field::displacement)
+          body.contact_end().set_load_of_node(load, node, tau, momentum_rhs);
+        else
+          body.contact_end().set_load_of_node(load, node, 1., heat_rhs);
+        UnitResponse &unit_response =
+          factorization.unit_responses[load].emplace_back(
+            UnitResponse{heat_rhs, momentum_rhs});
         factorization.matrix.solve(heat_rhs,
                                    momentum_rhs,
                                    unit_response.temperature_rate,
                                    unit_response.velocity);
         ++counters_.responses;
-        return unit_response.velocity;
-      });
-    factorization.response *= tau;
+      }
+  }
+
+
+
+  template <int dim>
+  FullMatrix<double>
+  MonolithicSolver<dim>::loss_at_end(const Field::Block   field,
+                                     const Field::Block   load,
+                                     const Factorization &factorization) const
+  {
+    FullMatrix<double> matrix = body.contact_end().response_matrix(
+      [&](const unsigned int node) -> const Vector & {
+        const UnitResponse &response = factorization.unit_responses[load][node];
+        return field == Field::displacement ? response.velocity :
+                                              response.temperature_rate;
+      },
+      field);
+    matrix *= factorization.matrix.tau();
+    return matrix;
+  }
+
+
+
+  template <int dim>
+  void
+  MonolithicSolver<dim>::compute_response(Factorization &factorization)
+  {
+    const Field::Block pressure = Field::displacement;
+    const Field::Block flux     = Field::temperature;
+    EndResponse       &end      = factorization.end;
+    compute_unit_responses(pressure, factorization);
+    end.penetration_by_pressure =
+      loss_at_end(Field::displacement, pressure, factorization);
+    if (exchange.is_constant())
+      return;
+    compute_unit_responses(flux, factorization);
+    end.penetration_by_flux =
+      loss_at_end(Field::displacement, flux, factorization);
+    end.temperature_by_pressure =
+      loss_at_end(Field::temperature, pressure, factorization);
+    end.temperature_by_flux =
+      loss_at_end(Field::temperature, flux, factorization);
   }
 
 
@@ -110,7 +155,7 @@ namespace ThermoContact
     for (const Factorization &factorization : factorizations)
       {
         retained.taus.push_back(factorization.matrix.tau());
-        retained.has_response.push_back(!factorization.unit_responses.empty());
+        retained.has_response.push_back(factorization.has_response());
       }
     return retained;
   }
@@ -138,9 +183,9 @@ namespace ThermoContact
   MonolithicSolver<dim>::response()
   {
     Factorization &factorization = factorizations.front();
-    if (factorization.unit_responses.empty())
+    if (!factorization.has_response())
       compute_response(factorization);
-    return factorization.response;
+    return factorization.end.penetration_by_pressure;
   }
 
 
@@ -149,15 +194,45 @@ namespace ThermoContact
   void
   MonolithicSolver<dim>::apply_pressure(StageRates &rates) const
   {
-    const Factorization &factorization = factorizations.front();
-    for (unsigned int j = 0; j < rates.pressure.size(); ++j)
-      if (const double p = rates.pressure[j]; p != 0.)
+    subtract_responses(Field::displacement, rates.pressure, rates);
+  }
+
+
+
+  template <int dim>
+  void
+  MonolithicSolver<dim>::subtract_responses(
+    const Field::Block         load,
+    const std::vector<double> &densities,
+    StageRates                &rates) const
+  {
+    const auto &responses = factorizations.front().unit_responses[load];
+    const bool  heats =
+      load == Field::temperature || body.equations.is_coupled();
+    for (unsigned int j = 0; j < densities.size(); ++j)
+      if (const double density = densities[j]; density != 0.)
         {
-          const UnitResponse &unit_response = factorization.unit_responses[j];
-          rates.velocity.add(-p, unit_response.velocity);
-          if (body.equations.is_coupled())
-            rates.temperature_rate.add(-p, unit_response.temperature_rate);
+          rates.velocity.add(-density, responses[j].velocity);
+          if (heats)
+            rates.temperature_rate.add(-density, responses[j].temperature_rate);
         }
+  }
+
+
+
+  template <int dim>
+  void
+  MonolithicSolver<dim>::get_free_penetration(const State      &known,
+                                              const StageRates &rates)
+  {
+    const double           tau = factorizations.front().matrix.tau();
+    const ContactEnd<dim> &end = body.contact_end();
+    // from the obstacle on: in contact the first term is small or zero, and
+    // the sum keeps the digits of the second in short stages
+    end.get_penetrations(known.displacement, known_values);
+    end.get_values(Field::displacement, rates.velocity, free_penetration);
+    for (unsigned int i = 0; i < free_penetration.size(); ++i)
+      free_penetration[i] = known_values[i] + tau * free_penetration[i];
   }
 
 
@@ -168,20 +243,12 @@ namespace ThermoContact
                                        const ContactMode mode,
                                        StageRates       &rates)
   {
-    const StopWatch        watch(counters_.contact_seconds);
-    const double           tau = factorizations.front().matrix.tau();
-    const ContactEnd<dim> &end = body.contact_end();
-    // from the obstacle on: in contact the first term is small or zero, and
-    // the sum keeps the digits of the second in short stages
-    end.get_penetrations(known.displacement, known_penetration);
-    end.get_values(Field::displacement, rates.velocity, free_penetration);
+    const StopWatch watch(counters_.contact_seconds);
+    get_free_penetration(known, rates);
     bool reaches_obstacle = false;
     for (unsigned int i = 0; i < free_penetration.size(); ++i)
-      {
-        free_penetration[i] = known_penetration[i] + tau * free_penetration[i];
-        reaches_obstacle |= free_penetration[i] > 0. ||
-                            (!rates.is_held.empty() && rates.is_held[i]);
-      }
+      reaches_obstacle |= free_penetration[i] > 0. ||
+                          (!rates.is_held.empty() && rates.is_held[i]);
     if (mode == ContactMode::unilateral && !reaches_obstacle)
       return; // no node is pushed back: zero pressures solve (M.18)
 
@@ -223,7 +290,8 @@ namespace ThermoContact
     for (unsigned int j = 0; j < change.size(); ++j)
       if (const double p = change[j]; p != 0.)
         {
-          const UnitResponse &unit_response = factorization.unit_responses[j];
+          const UnitResponse &unit_response =
+            factorization.unit_responses[Field::displacement][j];
           difference.displacement.add(-p * tau, unit_response.velocity);
           difference.velocity.add(-p * viscosity / (viscosity + tau),
                                   unit_response.velocity);
@@ -231,6 +299,39 @@ namespace ThermoContact
             difference.temperature.add(-p * tau,
                                        unit_response.temperature_rate);
         }
+  }
+
+
+
+  template <int dim>
+  void
+  MonolithicSolver<dim>::solve_exchange(const State      &known,
+                                        const ContactMode mode,
+                                        StageRates       &rates)
+  {
+    const StopWatch watch(counters_.contact_seconds);
+    get_free_penetration(known, rates);
+    response();
+    EndResponse           &response = factorizations.front().end;
+    const double           tau      = factorizations.front().matrix.tau();
+    const ContactEnd<dim> &end      = body.contact_end();
+    response.free_penetration       = free_penetration;
+    end.get_values(Field::temperature, known.temperature, known_values);
+    end.get_values(Field::temperature,
+                   rates.temperature_rate,
+                   response.free_temperature);
+    for (unsigned int i = 0; i < known_values.size(); ++i)
+      response.free_temperature[i] = known_values[i] -
+                                     body.scene.heat.obstacle_temperature +
+                                     tau * response.free_temperature[i];
+
+    end_exchange.pressure    = known.contact_pressure;
+    end_exchange.coefficient = known.exchange_coefficient;
+    rates.n_iterations = exchange_solver.solve(response, mode, end_exchange);
+    rates.pressure     = end_exchange.pressure;
+    rates.exchange_coefficient = end_exchange.coefficient;
+    apply_pressure(rates);
+    subtract_responses(Field::temperature, end_exchange.flux, rates);
   }
 
 
@@ -256,6 +357,7 @@ namespace ThermoContact
     rates.failure.clear();
     rates.n_iterations = 0;
     rates.pressure.assign(body.contact_end().n_nodes(), 0.);
+    rates.exchange_coefficient = known.exchange_coefficient;
   }
 
 
@@ -270,7 +372,9 @@ namespace ThermoContact
                                StageRates       &rates)
   {
     solve_without_contact(known, tau, heat_load, momentum_load, rates);
-    if (body.law().is_active() && mode != ContactMode::open)
+    if (!exchange.is_constant())
+      solve_exchange(known, mode, rates);
+    else if (body.law().is_active() && mode != ContactMode::open)
       solve_contact(known, mode, rates);
   }
 

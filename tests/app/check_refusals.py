@@ -19,6 +19,7 @@ MASSLESS = ("Contact/Massless nodes=on",)
 STUDY = ("Study/Vary=Mesh/Cells = 4 | 8",)
 RIGID = ("Contact/Condition=rigid",)
 ITERATIVE = PLANE + ("Solver/Linear solver=iterative",)
+EXCHANGE = ("Boundary/Heat exchange=1+gap",)
 
 # entry at fault, what the scenes share, what is refused, its accepted neighbours
 SCENES = [
@@ -148,6 +149,39 @@ SCENES = [
      "Solver/Linear tolerance=0.0099"),
     ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=-1e-9",
      "Solver/Linear tolerance=1e-9"),
+
+    # heat exchange by an expression: not negative and finite for gaps up to 1 or that
+    # of the undeformed body, and pressures up to 1; of a body that meets an obstacle
+    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=-1",
+     "Boundary/Heat exchange=0"),
+    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=1-1.001*gap",
+     "Boundary/Heat exchange=1-gap"),
+    ("Boundary/Heat exchange", ("Boundary/Heat exchange=2-gap",),
+     "Contact/Gap=2.001", "Contact/Gap=2"),
+    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=1-1.001*pressure",
+     "Boundary/Heat exchange=1-pressure"),
+    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=1/gap",
+     "Boundary/Heat exchange=1/(1e-6+gap)"),
+    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=1/(pressure-0.5)^2",
+     "Boundary/Heat exchange=1/(1+pressure)"),
+    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=1-2",
+     "Boundary/Heat exchange=2-1"),
+    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=gap*x",
+     "Boundary/Heat exchange=gap*pi"),
+    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=gap; pressure",
+     "Boundary/Heat exchange=gap + pressure"),
+    ("Boundary/Heat exchange", EXCHANGE, "Contact/Condition=none",
+     "Contact/Condition=rigid"),
+    ("Boundary/Heat exchange", EXCHANGE, "Model/Fields=temperature",
+     ("Model/Fields=temperature", "Boundary/Heat exchange=2")),
+    ("Boundary/Heat exchange", FIXED + EXCHANGE, "Time/Scheme=energy conserving",
+     "Time/Scheme=sdirk2"),
+    ("Time/Start", EULER + EXCHANGE, "Time/Start=paper", "Time/Start=automatic",
+     ("Time/Start=paper", "Boundary/Heat exchange=1")),
+    ("Solver/Step solver", ITERATION, EXCHANGE[0], "Boundary/Heat exchange=1+1"),
+    ("Solver/Linear solver", PLANE + ("Solver/Linear solver=iterative",),
+     EXCHANGE[0], "Boundary/Heat exchange=1+1",
+     (EXCHANGE[0], "Solver/Linear solver=direct")),
 
     # probes: in the body, edges included
     ("Output/Probes", (), "Output/Probes=1.0000001", "Output/Probes=1"),

@@ -80,7 +80,7 @@ namespace ThermoContact
       const double epsilon = std::numeric_limits<double>::epsilon();
       const double p =
         scene.fields.has_displacement ? simulation.record().contact_force : 0.;
-      const double k = scene.heat.coefficient;
+      const double k = scene.heat.reference_coefficient;
       return 4. * unit *
                (u * u + std::min(dt, 1.) * theta * excess +
                 unit * theta * theta + dt * scene.material.viscosity * v * v) +

@@ -196,7 +196,10 @@ namespace
       , rates(system)
       , response(system)
     {
-      equations.subtract_pressure({1.}, -tau, momentum);
+      discretization.contact_end().set_load_of_node(Field::displacement,
+                                                    0,
+                                                    tau,
+                                                    momentum);
       discretization.join(heat, momentum, system);
       solver.solve(response, system);
       receptance = tau * end_value(response);

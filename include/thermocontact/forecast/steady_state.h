@@ -5,18 +5,23 @@
 
 #include <thermocontact/scene/scene.h>
 
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace ThermoContact
 {
-  /** The end of a body at rest, doc/model.md (M.10); NaN: no such field. */
+  /**
+   * The end of a body at rest, doc/model.md (M.10), (M.59); NaN: no such field.
+   */
   struct SteadyState
   {
     double displacement_end = 0.;
     double contact_force    = 0.; ///< per unit cross-section
     double temperature_end  = 0.;
     bool   in_contact       = false;
+
+    /** Small disturbances do not grow without oscillating, (M.60). */
+    bool is_stable = true;
   };
 
 
@@ -24,7 +29,11 @@ namespace ThermoContact
   /** Where a scene comes to rest, as far as that is known in closed form. */
   struct SteadyForecast
   {
-    std::optional<SteadyState> state;
+    /**
+     * By falling temperature of the end, if that of the obstacle is below. One,
+     * but for a heat exchange that depends on the contact.
+     */
+    std::vector<SteadyState> states;
 
     /** Why there is none, or how it is approached; may be empty. */
     std::string remark;
@@ -33,8 +42,9 @@ namespace ThermoContact
 
 
   /**
-   * The steady state (M.10) that a run tends to. It does not depend on the
-   * initial values. None with sources, with free lateral faces, and for a body
+   * The steady state (M.10) that a run tends to, which does not depend on the
+   * initial values, or, with a heat exchange that depends on the contact, all
+   * of them, (M.59). None with sources, with free lateral faces, and for a body
    * that nothing damps.
    */
   SteadyForecast
@@ -42,9 +52,20 @@ namespace ThermoContact
 
 
 
-  /** $G$ of (M.10), the free expansion of the steady temperature. */
+  /** The one with the nearest temperature of the end, or displacement. */
+  unsigned int
+  nearest_state(const std::vector<SteadyState> &states,
+                const SteadyState              &state);
+
+
+
+  /**
+   * $G$ of (M.10), the free expansion of a steady temperature.
+   *
+   * @param drop $c$ of (M.7)
+   */
   double
-  free_expansion(const Scene &scene);
+  free_expansion(const Scene &scene, const double drop);
 } // namespace ThermoContact
 
 #endif

@@ -41,10 +41,11 @@ namespace ThermoContact
   struct BoundaryParameters
   {
     double      fixed_end_temperature = 10.; ///< $\theta_A$
-    double      heat_exchange         = 1.;  ///< $k\ge0$
-    double      obstacle_temperature  = 0.;  ///< $\theta_{obs}$
-    std::string lateral_support       = "rollers";
-    std::string fixed_end_support     = "clamped";
+    double      heat_exchange         = 1.;  ///< $k\ge0$ if it is a number,
+    std::string exchange_expression;         ///< or else in gap, pressure
+    double      obstacle_temperature = 0.;   ///< $\theta_{obs}$
+    std::string lateral_support      = "rollers";
+    std::string fixed_end_support    = "clamped";
 
     void
     add_parameters(ParameterHandler &prm);

@@ -6,6 +6,7 @@
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
+#include <thermocontact/method/heat_exchange.h>
 #include <thermocontact/method/scheme.h>
 
 #include <cmath>
@@ -84,33 +85,51 @@ namespace ThermoContact
 
   /**
    * Heat between the contact end and the obstacle, (M.3), and the steady
-   * profile $\theta_s=\theta_A-c(\theta_A-\theta_{obs})x$ that it makes, (M.7).
+   * profile $\theta_s=\theta_A-c(\theta_A-\theta_{obs})x$ of one coefficient,
+   * (M.7).
    */
-  struct HeatExchange
+  struct SceneHeat
   {
-    double coefficient;           ///< $k\ge0$
-    double fixed_end_temperature; ///< $\theta_A$
-    double obstacle_temperature;  ///< $\theta_{obs}$
+    std::unique_ptr<const HeatExchange> exchange;
+    double                              fixed_end_temperature; ///< $\theta_A$
+    double obstacle_temperature; ///< $\theta_{obs}$
 
-    /** Heat that leaves the end, $k(\theta-\theta_{obs})$. */
-    double
-    flux(const double temperature_end) const
+    /** $k_s$ of the steady profile: $k$ at the gap of the undeformed body. */
+    double reference_coefficient;
+
+    /** False if no heat is exchanged. */
+    bool
+    has_exchange() const
     {
-      return coefficient * (temperature_end - obstacle_temperature);
+      return !exchange->is_constant() || reference_coefficient > 0.;
     }
 
-    /** $k\theta_{obs}$, what the obstacle gives by its temperature alone. */
+    /** The $k$ that matrices and loads contain: one that is constant, or 0. */
+    double
+    linear_coefficient() const
+    {
+      return exchange->is_constant() ? reference_coefficient : 0.;
+    }
+
+    /** $k\theta_{obs}$ of it, what the obstacle gives by its temperature. */
     double
     obstacle_heat() const
     {
-      return coefficient * obstacle_temperature;
+      return linear_coefficient() * obstacle_temperature;
     }
 
-    /** $c=k/(k+1)$, the part of the way to the obstacle's temperature. */
+    /** Heat that leaves a node of the end, $k(\theta-\theta_{obs})$. */
+    double
+    flux(const double coefficient, const double temperature) const
+    {
+      return coefficient * (temperature - obstacle_temperature);
+    }
+
+    /** $c=k_s/(k_s+1)$, the part of the way to the obstacle's temperature. */
     double
     steady_drop() const
     {
-      return coefficient / (coefficient + 1.);
+      return reference_coefficient / (reference_coefficient + 1.);
     }
 
     /** $\theta_s(x)$. */
@@ -217,14 +236,17 @@ namespace ThermoContact
    */
   struct Scene
   {
-    /** @param parameters may be ones that check_scene() refuses */
+    /**
+     * @param parameters may be ones that check_scene() refuses
+     * @throw InputError if the heat exchange is no valid expression
+     */
     explicit Scene(const Parameters &parameters);
 
     const Parameters  parameters; ///< as written: for files and words
     const SceneFields fields;
     const std::unique_ptr<const BodyGeometry> geometry;
     const Material                            material;
-    const HeatExchange                        heat;
+    const SceneHeat                           heat;
     const SceneSources                        sources;
     const Scheme                             &scheme;
 
@@ -246,11 +268,16 @@ namespace ThermoContact
 
     const LinearSolver linear_solver;
 
-    /** True if anything does work: sources, or heat that drives the body. */
+    /**
+     * True if anything does work: sources, heat that drives the body, or an
+     * obstacle of its own temperature whose heat exchange varies.
+     */
     bool
     has_work() const
     {
-      return sources.any() || material.is_driven_by_heat();
+      return sources.any() || material.is_driven_by_heat() ||
+             (!heat.exchange->is_constant() &&
+              heat.fixed_end_temperature != heat.obstacle_temperature);
     }
 
     /**

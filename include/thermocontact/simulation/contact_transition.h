@@ -29,7 +29,7 @@ namespace ThermoContact
     /**
      * Pressures and velocities at the end of a step within which nodes without
      * mass closed at a rigid obstacle: those of the stages stand for the jump
-     * of the velocity there and have its impulse, (M.49).
+     * of the velocity there and have its impulse, (M.63).
      */
     void
     settle_closed_nodes(StepResult &result);

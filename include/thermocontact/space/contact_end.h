@@ -138,6 +138,24 @@ namespace ThermoContact
                    const std::vector<double> &values,
                    Vector                    &vector) const;
 
+    /**
+     * Takes from the locally owned values @p factor times the load of nodal
+     * densities, $Np$ of pressures or heat fluxes: @p load $-=$ factor
+     * $\sum_i w_ip_ie_i$.
+     */
+    void
+    subtract_load(const Field::Block         field,
+                  const std::vector<double> &densities,
+                  const double               factor,
+                  Vector                    &load) const;
+
+    /** @p load becomes that of the density @p value at one node alone. */
+    void
+    set_load_of_node(const Field::Block field,
+                     const unsigned int node,
+                     const double       value,
+                     Vector            &load) const;
+
     /** Mean over the contact end of a field with these nodal values. */
     double
     mean(const std::vector<double> &values) const;
@@ -150,21 +168,22 @@ namespace ThermoContact
     }
 
     /**
-     * The matrix whose column j has the normal displacements of the nodes that
-     * @p respond returns for a unit load at node j. Collective.
+     * The matrix whose column j has the values of the nodes that @p respond
+     * returns for a unit load at node j. Collective.
      *
-     * @param respond vector of the displacement's layout for a node; valid until
+     * @param respond vector of the layout of @p field for a node; valid until
      *   the next call
      */
     template <typename Respond>
     FullMatrix<double>
-    response_matrix(const Respond &respond) const
+    response_matrix(const Respond     &respond,
+                    const Field::Block field = Field::displacement) const
     {
       FullMatrix<double>  matrix(n_nodes(), n_nodes());
       std::vector<double> column;
       for (unsigned int j = 0; j < n_nodes(); ++j)
         {
-          get_values(Field::displacement, respond(j), column);
+          get_values(field, respond(j), column);
           for (unsigned int i = 0; i < n_nodes(); ++i)
             matrix(i, j) = column[i];
         }

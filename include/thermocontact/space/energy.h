@@ -75,7 +75,7 @@ namespace ThermoContact
     /**
      * Rate of physical dissipation, (M.23) without its $\Delta t$:
      * $\|\nabla\hat\theta\|^2+k\|\hat\theta\|_{\Gamma_C}^2+\zeta(C\varepsilon
-     * (v),\varepsilon(v))\ge0$.
+     * (v),\varepsilon(v))\ge0$, with the $k$ of @p state.
      */
     double
     dissipation_rate(const State &state) const;
@@ -87,7 +87,7 @@ namespace ThermoContact
     double
     numerical_dissipation(const State &old_state, const State &state) const;
 
-    /** True if anything does work: sources, or heat that drives the rod. */
+    /** True if anything does work, Scene::has_work(). */
     bool
     has_work() const
     {
@@ -95,9 +95,9 @@ namespace ThermoContact
     }
 
     /**
-     * Rate of work of the sources and, if thermoelastic heating is off, of the
-     * thermal stress, $a(\hat\theta,\mathrm{div}\,v)$; (M.25) without its
-     * $\Delta t$.
+     * Rate of work of the sources, of a heat exchange that is not the one of
+     * the steady profile, and, if thermoelastic heating is off, of the thermal
+     * stress, $a(\hat\theta,\mathrm{div}\,v)$; (M.25) without its $\Delta t$.
      *
      * @param heat_load,momentum_load loads at the time of @p state as
      *   Loads::assemble() gives them
@@ -121,6 +121,7 @@ namespace ThermoContact
     const Loads<dim>                      &loads;
     const ContactLaw                      &law;
     const Material                        &material;
+    const SceneHeat                       &heat;
     const bool                             has_work_;
     Vector                                 steady_profile_;
     Vector                                 steady_stress; ///< $D^T\theta_s$
@@ -131,6 +132,7 @@ namespace ThermoContact
     mutable std::vector<double>            end_displacement;
     mutable std::vector<double>            old_end_displacement;
     mutable std::vector<double>            old_penetration;
+    mutable std::vector<double>            end_temperature;
 
     /** The terms of rank 0, on all ranks. */
     EnergyTerms
@@ -148,6 +150,20 @@ namespace ThermoContact
 
     double
     contact_dissipation(const State &old_state, const State &state) const;
+
+    /**
+     * $\|\hat\theta\|_{\Gamma_C}^2$ with the $k$ of a state, where matrices
+     * do not contain it.
+     */
+    double
+    exchange_dissipation(const State &state, const Vector &excess) const;
+
+    /**
+     * What the obstacle gives, by the part of $k$ beyond that of the steady
+     * profile, to a body with this profile.
+     */
+    double
+    exchange_work(const State &state, const Vector &excess) const;
   };
 } // namespace ThermoContact
 

@@ -26,6 +26,12 @@ namespace ThermoContact
     /** Pressure $p_i\ge0$ at the contact nodes, on all ranks. */
     std::vector<double> contact_pressure;
 
+    /**
+     * Heat exchange coefficient $k_i\ge0$ at the contact nodes, on all ranks:
+     * that of the law, or, where the law jumps, any between its limits there.
+     */
+    std::vector<double> exchange_coefficient;
+
     /** Exchanges two states without copying or allocating. */
     void
     swap(State &other)
@@ -35,6 +41,7 @@ namespace ThermoContact
       displacement.swap(other.displacement);
       velocity.swap(other.velocity);
       contact_pressure.swap(other.contact_pressure);
+      exchange_coefficient.swap(other.exchange_coefficient);
     }
 
     /**
@@ -47,7 +54,7 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &time &contact_pressure;
+      archive &time &contact_pressure &exchange_coefficient;
       for (Vector *vector : {&temperature, &displacement, &velocity})
         {
           std::vector<double> values(vector->begin(), vector->end());

@@ -158,15 +158,6 @@ namespace ThermoContact
                        const double  factor,
                        Vector       &momentum) const;
 
-    /**
-     * @p momentum $-= \sum_i p_i w_i e_i$ times @p factor: the load $Np$ of
-     * nodal pressures.
-     */
-    void
-    subtract_pressure(const std::vector<double> &pressure,
-                      const double               factor,
-                      Vector                    &momentum) const;
-
     /** Sets the entries of constrained degrees of freedom to zero. */
     void
     zero_constrained(const Field::Block field, Vector &vector) const;

@@ -43,7 +43,7 @@ namespace ThermoContact
   /**
    * Velocities and pressures of contact nodes without mass, with viscosity, at
    * a rigid obstacle, that go with displacements, temperatures and the
-   * velocities of all other nodes, doc/model.md (M.49): no node in contact
+   * velocities of all other nodes, doc/model.md (M.63): no node in contact
    * moves into the obstacle, and those with pressure rest.
    *
    * @param stiffness of contact_stiffness()

@@ -81,7 +81,7 @@ namespace ThermoContact
     bool
     can_change_at_once(const ContactMode mode) const;
 
-    /** True if nodes that close in a step are held, doc/model.md (M.48). */
+    /** True if nodes that close in a step are held, doc/model.md (M.62). */
     bool
     holds_closing_nodes(const ContactMode mode) const;
 
@@ -103,7 +103,7 @@ namespace ThermoContact
                       const ContactMode mode,
                       StepResult       &result) const;
 
-    /** The difference to the embedded scheme, (M.29), (M.47). */
+    /** The difference to the embedded scheme, (M.29), (M.61). */
     void
     estimate_error(const double      step_size,
                    const ContactMode mode,

@@ -4,7 +4,6 @@
 #define thermocontact_time_energy_conserving_integrator_h
 
 #include <thermocontact/method/conserving_contact.h>
-#include <thermocontact/time/monolithic_solver.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <memory>
@@ -41,18 +40,18 @@ namespace ThermoContact
     StageSolver &
     stage_solver() override
     {
-      return solver;
+      return *solver;
     }
 
     const StageSolver &
     stage_solver() const override
     {
-      return solver;
+      return *solver;
     }
 
   private:
-    Body<dim>            &body;
-    MonolithicSolver<dim> solver;
+    Body<dim>                             &body;
+    const std::unique_ptr<OpenStageSolver> solver;
 
     StageRates         rates;
     State              midpoint;

@@ -4,24 +4,26 @@
 #define thermocontact_time_monolithic_solver_h
 
 #include <thermocontact/method/contact_solver.h>
+#include <thermocontact/method/exchange_solver.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/stage_factorization.h>
 #include <thermocontact/time/stage_solver.h>
 
-#include <deal.II/lac/full_matrix.h>
-
+#include <array>
 #include <list>
+#include <vector>
 
 namespace ThermoContact
 {
   /**
    * The monolithic stage: both fields at once and contact exactly, doc/model.md
-   * (M.15)-(M.18). One factorisation per stage length; those used last are
-   * kept, since error-controlled steps come back to few sizes. The response to
-   * unit pressures is computed when a node first reaches the obstacle.
+   * (M.15)-(M.18), with a heat exchange that depends on it, (M.56), (M.57). One
+   * factorisation per stage length; those used last are kept, since
+   * error-controlled steps come back to few sizes. The response to unit
+   * pressures, and heat fluxes, is computed when it is first needed.
    */
   template <int dim>
-  class MonolithicSolver : public StageSolver
+  class MonolithicSolver : public OpenStageSolver
   {
   public:
     /** @param body borrowed */
@@ -55,33 +57,26 @@ namespace ThermoContact
     void
     restore(const RetainedFactorizations &retained) override;
 
-    /**
-     * The rates of a stage for zero pressures, to be followed by
-     * apply_pressure(); parameters as for solve().
-     */
     void
     solve_without_contact(const State  &known,
                           const double  tau,
                           const Vector &heat_load,
                           const Vector &momentum_load,
-                          StageRates   &rates);
+                          StageRates   &rates) override;
 
-    /** $W$ of (M.16) for the stage that was solved last. */
     const FullMatrix<double> &
-    response();
+    response() override;
 
-    /**
-     * Adds the response to @p rates.pressure to the rates of the stage that was
-     * solved last without contact.
-     */
     void
-    apply_pressure(StageRates &rates) const;
+    apply_pressure(StageRates &rates) const override;
 
   private:
-    const Body<dim>    &body;
-    const ContactSolver contact_solver;
+    const Body<dim>     &body;
+    const HeatExchange  &exchange;
+    const ContactSolver  contact_solver;
+    const ExchangeSolver exchange_solver;
 
-    /** Rates per unit pressure at a node, with the sign reversed. */
+    /** Rates per unit pressure, or heat flux, with the sign reversed. */
     struct UnitResponse
     {
       Vector temperature_rate;
@@ -91,9 +86,18 @@ namespace ThermoContact
     /** The stage matrix for one stage length and what goes with it. */
     struct Factorization
     {
-      StageFactorization<dim>   matrix;
-      std::vector<UnitResponse> unit_responses;
-      FullMatrix<double>        response; ///< $W$
+      StageFactorization<dim> matrix;
+
+      /** To pressures: Field::displacement; to fluxes: Field::temperature. */
+      std::array<std::vector<UnitResponse>, 2> unit_responses;
+
+      EndResponse end; ///< what they do to the contact nodes
+
+      bool
+      has_response() const
+      {
+        return !unit_responses[Field::displacement].empty();
+      }
     };
 
     const unsigned int       max_factorizations;
@@ -101,21 +105,50 @@ namespace ThermoContact
 
     Vector              heat_rhs;
     Vector              momentum_rhs;
-    std::vector<double> known_penetration;
+    std::vector<double> known_values;
     std::vector<double> free_penetration;
+    EndExchange         end_exchange;
 
     /** Puts the factorisation for @p tau in front. */
     void
     provide_factorization(const double tau);
 
+    /** All that the scene needs. */
     void
     compute_response(Factorization &factorization);
+
+    /** To unit loads of the contact nodes on one of the fields. */
+    void
+    compute_unit_responses(const Field::Block load,
+                           Factorization     &factorization);
+
+    /** What the contact nodes of @p field lose by unit loads on @p load. */
+    FullMatrix<double>
+    loss_at_end(const Field::Block   field,
+                const Field::Block   load,
+                const Factorization &factorization) const;
+
+    /** Takes the responses to loads of the contact nodes from the rates. */
+    void
+    subtract_responses(const Field::Block         load,
+                       const std::vector<double> &densities,
+                       StageRates                &rates) const;
+
+    /** Of the rates without contact. */
+    void
+    get_free_penetration(const State &known, const StageRates &rates);
 
     /** Pressures from the penetrations without contact. */
     void
     solve_contact(const State      &known,
                   const ContactMode mode,
                   StageRates       &rates);
+
+    /** Pressures and heat fluxes from the end of the stage without them. */
+    void
+    solve_exchange(const State      &known,
+                   const ContactMode mode,
+                   StageRates       &rates);
   };
 } // namespace ThermoContact
 

@@ -7,6 +7,8 @@
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/space/state.h>
 
+#include <deal.II/lac/full_matrix.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -16,9 +18,10 @@ namespace ThermoContact
   /** The solution of one implicit stage, doc/model.md (M.14). */
   struct StageRates
   {
-    Vector              temperature_rate; ///< $\theta'$
-    Vector              velocity;         ///< $v=u'$
-    std::vector<double> pressure;         ///< $p_i$ at the contact nodes
+    Vector              temperature_rate;     ///< $\theta'$
+    Vector              velocity;             ///< $v=u'$
+    std::vector<double> pressure;             ///< $p_i$ at the contact nodes
+    std::vector<double> exchange_coefficient; ///< $k_i$ there
     std::vector<bool>   is_held; ///< in: nodes that stay closed; empty: none
     unsigned int        n_iterations = 0; ///< active sets or fixed point
     std::string         failure;          ///< empty: solved
@@ -129,7 +132,7 @@ namespace ThermoContact
 
     /**
      * Takes out of the difference between two results of a step what the
-     * contact condition forbids, doc/model.md (M.47): nodes in contact stay
+     * contact condition forbids, doc/model.md (M.61): nodes in contact stay
      * with the obstacle, by pressures in the stage that was solved last. A
      * solver without responses to pressures leaves the difference as it is.
      *
@@ -166,6 +169,38 @@ namespace ThermoContact
 
   protected:
     SolverCounters counters_;
+  };
+
+
+
+  /**
+   * A stage solver that also solves a stage with contact left open, whose rates
+   * depend linearly on the pressures that are applied afterwards.
+   */
+  class OpenStageSolver : public StageSolver
+  {
+  public:
+    /**
+     * The rates of a stage for zero pressures, to be followed by
+     * apply_pressure(); parameters as for solve().
+     */
+    virtual void
+    solve_without_contact(const State  &known,
+                          const double  tau,
+                          const Vector &heat_load,
+                          const Vector &momentum_load,
+                          StageRates   &rates) = 0;
+
+    /** $W$ of (M.16) for the stage that was solved last. */
+    virtual const FullMatrix<double> &
+    response() = 0;
+
+    /**
+     * Adds the response to @p rates.pressure to the rates of the stage that was
+     * solved last without contact.
+     */
+    virtual void
+    apply_pressure(StageRates &rates) const = 0;
   };
 } // namespace ThermoContact
 

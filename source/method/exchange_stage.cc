@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/method/contact_solver.h>
+#include <thermocontact/method/exchange_stage.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  using dealii::FullMatrix;
+
+  namespace
+  {
+    using Values = std::vector<double>;
+
+    Values
+    multiply(const FullMatrix<double> &matrix, const Values &values)
+    {
+      Values result(values.size(), 0.);
+      for (unsigned int i = 0; i < result.size(); ++i)
+        for (unsigned int j = 0; j < values.size(); ++j)
+          result[i] += matrix(i, j) * values[j];
+      return result;
+    }
+
+
+
+    /** @p left times @p right. */
+    FullMatrix<double>
+    multiply(const FullMatrix<double> &left, const FullMatrix<double> &right)
+    {
+      FullMatrix<double> result(left.m(), right.n());
+      left.mmult(result, right);
+      return result;
+    }
+  } // namespace
+
+
+
+  ExchangeStage::ExchangeStage(const ContactLaw   &law,
+                               const HeatExchange &exchange,
+                               const EndResponse  &response,
+                               const ContactMode   mode,
+                               const Values       &pressure)
+    : n(response.free_penetration.size())
+    , pressure(pressure)
+    , law(law)
+    , exchange(exchange)
+    , response(response)
+    , mode(mode)
+  {}
+
+
+
+  void
+  ExchangeStage::eliminate_fluxes(const Values &coefficient)
+  {
+    inverse = response.temperature_by_flux;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        inverse(i, j) = coefficient[i] * inverse(i, j) + (i == j ? 1. : 0.);
+    inverse.gauss_jordan();
+    conductance = inverse;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        conductance(i, j) *= coefficient[j];
+
+    const FullMatrix<double> shrinkage =
+      multiply(response.penetration_by_flux, conductance);
+    const Values loss = multiply(shrinkage, response.free_temperature);
+    free_penetration  = response.free_penetration;
+    for (unsigned int i = 0; i < n; ++i)
+      free_penetration[i] -= loss[i];
+    receptance = response.penetration_by_pressure;
+    receptance.add(-1., multiply(shrinkage, response.temperature_by_pressure));
+  }
+
+
+
+  void
+  ExchangeStage::solve_contact()
+  {
+    n_iterations = 0;
+    if (mode == ContactMode::closed)
+      ContactSolver(law).solve_closed(receptance, free_penetration, pressure);
+    else if (mode == ContactMode::unilateral &&
+             std::any_of(free_penetration.begin(),
+                         free_penetration.end(),
+                         [](const double s) { return s > 0.; }))
+      n_iterations =
+        ContactSolver(law).solve(receptance, free_penetration, pressure);
+    else
+      pressure.assign(n, 0.);
+  }
+
+
+
+  std::vector<double>
+  ExchangeStage::law_at(const Values &coefficient)
+  {
+    eliminate_fluxes(coefficient);
+    solve_contact();
+    Values       driving(response.free_temperature);
+    const Values loss = multiply(response.temperature_by_pressure, pressure);
+    for (unsigned int i = 0; i < n; ++i)
+      driving[i] -= loss[i];
+    flux = multiply(conductance, driving);
+
+    penetration          = response.free_penetration;
+    const Values by_flux = multiply(response.penetration_by_flux, flux);
+    const Values by_contact =
+      multiply(response.penetration_by_pressure, pressure);
+    Values result(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        penetration[i] -= by_flux[i] + by_contact[i];
+        if (is_closed(i))
+          penetration[i] = 0.;
+        result[i] =
+          exchange.coefficient(penetration[i], std::max(pressure[i], 0.));
+      }
+    return result;
+  }
+
+
+
+  FullMatrix<double>
+  ExchangeStage::pressure_derivative(const FullMatrix<double> &loss) const
+  {
+    std::vector<unsigned int> closed, all;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        all.push_back(i);
+        if (is_closed(i))
+          closed.push_back(i);
+      }
+    FullMatrix<double> result(n, n);
+    if (closed.empty())
+      return result;
+    const unsigned int m = closed.size();
+    FullMatrix<double> matrix(m, m), rhs(m, n);
+    matrix.extract_submatrix_from(receptance, closed, closed);
+    rhs.extract_submatrix_from(loss, closed, all);
+    for (unsigned int i = 0; i < m; ++i)
+      matrix(i, i) += law.tangent(pressure[closed[i]]);
+    matrix.gauss_jordan();
+    FullMatrix<double> of_closed = multiply(matrix, rhs);
+    of_closed *= -1.;
+    of_closed.scatter_matrix_to(closed, all, result);
+    return result;
+  }
+
+
+
+  FullMatrix<double>
+  ExchangeStage::derivative() const
+  {
+    // from (I + kH) dq = dk (theta - theta_obs) - k U dp
+    const Values cooling = multiply(response.temperature_by_flux, flux);
+    const Values loss    = multiply(response.temperature_by_pressure, pressure);
+    FullMatrix<double> flux_alone(inverse);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        flux_alone(i, j) *= response.free_temperature[j] - cooling[j] - loss[j];
+    const FullMatrix<double> shrinkage =
+      multiply(response.penetration_by_flux, flux_alone);
+    const FullMatrix<double> by_pressure = pressure_derivative(shrinkage);
+    FullMatrix<double>       result      = multiply(receptance, by_pressure);
+    result.add(1., shrinkage); // of the gaps
+
+    double length = 0., load = 0.;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        length = std::max(length, std::abs(response.free_penetration[i]));
+        load   = std::max(load, pressure[i]);
+      }
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        // away from the contact, where k may jump
+        const bool   closed = is_closed(i);
+        const double h      = 1e-7 * (closed ? load : length);
+        const double s      = penetration[i];
+        const double p      = std::max(pressure[i], 0.);
+        const double slope =
+          h == 0. ?
+            0. :
+            (exchange.coefficient(closed ? s : s - h, closed ? p + h : p) -
+             exchange.coefficient(s, p)) /
+              h;
+        for (unsigned int j = 0; j < n; ++j)
+          result(i, j) = slope * (closed ? by_pressure(i, j) : result(i, j));
+      }
+    return result;
+  }
+} // namespace ThermoContact

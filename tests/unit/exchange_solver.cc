@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Contact and heat exchange of the nodes at the end of a stage, no mesh.
+//
+// 1. One node, W = V = H = 1, U = 0, k = 1/(1 + gap) open and 1 + p closed,
+//    elastic with compliance 1, free temperature 3. By hand:
+//      free penetration 0.5:  open with k = 1/2: q = 3/2 / (3/2) = 1,
+//                             gap = 1 - 0.5 = 0.5, and 1/(1.5) is not 1/2; with
+//                             gap = y, k = 1/(1 + y): q = 3 k/(1 + k) =
+//                             3/(2 + y) = y + 0.5: y^2 + 2.5 y - 2 = 0, so
+//                             y = (sqrt(14.25) - 2.5)/2
+//      free penetration 3.5:  closed, p = (3.5 - q)/2, k = 1 + p, q = 3 k/(1 +
+//      k):
+//                             q = 3 (5.5 - q)/(7.5 - q), so
+//                             q^2 - 10.5 q + 16.5 = 0, q = (10.5 -
+//                             sqrt(44.25))/2
+//    held open at 3.5: gap 0, k = 1: q = 3/2, p = 0; held closed at 0.5: no
+//    gap, p = (0.5 - q)/2 negative, k = 1: q = 3/2, p = -1/2.
+// 2. Where k jumps: k = 10 under pressure, 0 else, rigid, W = V = H = 1, U = 0,
+//    free penetration 0.1, free temperature 1. Open, nothing cools: it reaches
+//    the obstacle; closed, q = 10/11 > 0.1: it leaves. So it touches without
+//    pressure: q = 0.1, theta = 0.9, k = 1/9. Three such nodes: the same.
+// 3. Random problems with 1 and 6 nodes: [H U; V W] = A^T A + 0.01 I plus an
+//    antisymmetric part, columns scaled by positive weights, random compliance,
+//    0 in every third: the laws hold to 1e-11 of the largest term, and from
+//    other values to start with, too. k = 0.2/(0.1 + gap) + p.
+// 4. k = 1 - gap, held open, from k = 1, free penetration -2 and temperature 1:
+// q =
+//    1/2, gap = 5/2, where k = -3/2: an error that says so.
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/method/exchange_solver.h>
+
+#include <deal.II/lac/identity_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "../tests.h"
+
+using namespace ThermoContact;
+using dealii::FullMatrix;
+
+namespace
+{
+  class Exchange : public HeatExchange
+  {
+  public:
+    using Law = std::function<double(double, double)>;
+
+    explicit Exchange(const Law &law)
+      : law(law)
+    {}
+
+    std::string
+    description() const override
+    {
+      return "k";
+    }
+
+  protected:
+    double
+    value(const double gap, const double pressure) const override
+    {
+      return law(gap, pressure);
+    }
+
+  private:
+    const Law law;
+  };
+
+
+
+  /** Nodes that do not act on each other, with W = V = H = 1, U = 0. */
+  EndResponse
+  separate_nodes(const unsigned int n, const double s, const double theta)
+  {
+    EndResponse response;
+    response.free_penetration.assign(n, s);
+    response.free_temperature.assign(n, theta);
+    response.temperature_by_pressure.reinit(n, n);
+    response.penetration_by_pressure = dealii::IdentityMatrix(n);
+    response.penetration_by_flux     = response.penetration_by_pressure;
+    response.temperature_by_flux     = response.penetration_by_pressure;
+    return response;
+  }
+
+
+
+  EndExchange
+  start(const unsigned int n, const double k)
+  {
+    return {std::vector<double>(n, 0.),
+            std::vector<double>(n, 0.),
+            std::vector<double>(n, k)};
+  }
+
+
+
+  void
+  test_one_node()
+  {
+    const auto           law = make_law(1.);
+    const Exchange       exchange([](const double gap, const double p) {
+      return p > 0. ? 1. + p : 1. / (1. + gap);
+    });
+    const ExchangeSolver solver(*law, exchange);
+    const double         y = 0.5 * (std::sqrt(14.25) - 2.5);
+    const double         q = 0.5 * (10.5 - std::sqrt(44.25));
+    for (const double k : {0., 0.3, 20.})
+      {
+        EndExchange end = start(1, k);
+        solver.solve(separate_nodes(1, 0.5, 3.), ContactMode::unilateral, end);
+        deallog << "from k = " << k << ": open, flux "
+                << end.flux[0] / (y + 0.5) << ", pressure " << end.pressure[0]
+                << ", k " << end.coefficient[0] * (1. + y);
+        end = start(1, k);
+        solver.solve(separate_nodes(1, 3.5, 3.), ContactMode::unilateral, end);
+        deallog << "; closed, flux " << end.flux[0] / q << ", pressure "
+                << end.pressure[0] / (0.5 * (3.5 - q)) << std::endl;
+      }
+    EndExchange end = start(1, 0.3);
+    solver.solve(separate_nodes(1, 3.5, 3.), ContactMode::open, end);
+    deallog << "held open: flux " << end.flux[0] << ", pressure "
+            << end.pressure[0];
+    solver.solve(separate_nodes(1, 0.5, 3.), ContactMode::closed, end);
+    deallog << "; held closed: flux " << end.flux[0] << ", pressure "
+            << end.pressure[0] << std::endl;
+  }
+
+
+
+  void
+  test_jump(const unsigned int n)
+  {
+    const auto     law = make_law(0.);
+    const Exchange exchange(
+      [](const double, const double p) { return p > 0. ? 10. : 0.; });
+    EndExchange end = start(n, 0.);
+    ExchangeSolver(*law, exchange)
+      .solve(separate_nodes(n, 0.1, 1.), ContactMode::unilateral, end);
+    double largest_pressure = 0.;
+    deallog << "jump, " << n << " nodes: k, flux";
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        deallog << ' ' << end.coefficient[i] << ' ' << end.flux[i];
+        raise(largest_pressure, end.pressure[i]);
+      }
+    deallog << ", pressure below 1e-12 " << (largest_pressure < 1e-12)
+            << std::endl;
+  }
+
+
+
+  /** $A^TA+0.01I$ of a random matrix. */
+  FullMatrix<double>
+  random_matrix(const unsigned int n, std::mt19937 &random)
+  {
+    std::uniform_real_distribution<double> number(-1., 1.);
+    FullMatrix<double>                     factor(n, n), matrix(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        factor(i, j) = number(random);
+    factor.Tmmult(matrix, factor);
+    for (unsigned int i = 0; i < n; ++i)
+      matrix(i, i) += 0.01;
+    return matrix;
+  }
+
+
+
+  /** What a stage could answer, and where its nodes would be. */
+  EndResponse
+  random_response(const unsigned int n, std::mt19937 &random)
+  {
+    std::uniform_real_distribution<double> number(-1., 1.);
+    EndResponse                            response = separate_nodes(n, 0., 0.);
+    response.temperature_by_flux                    = random_matrix(n, random);
+    response.penetration_by_pressure                = random_matrix(n, random);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          response.penetration_by_flux(i, j) = number(random);
+          response.temperature_by_pressure(j, i) =
+            -response.penetration_by_flux(i, j);
+        }
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        const double weight = 0.1 + std::abs(number(random));
+        for (FullMatrix<double> *const matrix :
+             {&response.temperature_by_flux,
+              &response.temperature_by_pressure,
+              &response.penetration_by_flux,
+              &response.penetration_by_pressure})
+          for (unsigned int i = 0; i < n; ++i)
+            (*matrix)(i, j) *= weight;
+        response.free_penetration[j] = number(random);
+        response.free_temperature[j] = 2. * number(random);
+      }
+    return response;
+  }
+
+
+
+  /** Largest violation of a law, relative to the largest term. */
+  double
+  violation(const EndResponse  &r,
+            const EndExchange  &end,
+            const ContactLaw   &law,
+            const HeatExchange &exchange)
+  {
+    double       largest = 0., scale = 1.;
+    const double n = end.flux.size();
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        double s = r.free_penetration[i], theta = r.free_temperature[i];
+        for (unsigned int j = 0; j < n; ++j)
+          {
+            s -= r.penetration_by_pressure(i, j) * end.pressure[j] +
+                 r.penetration_by_flux(i, j) * end.flux[j];
+            theta -= r.temperature_by_pressure(i, j) * end.pressure[j] +
+                     r.temperature_by_flux(i, j) * end.flux[j];
+            scale = std::max({scale, end.pressure[j], std::abs(end.flux[j])});
+          }
+        const double p = end.pressure[i], k = end.coefficient[i];
+        raise(largest, -p);
+        raise(largest, std::abs(end.flux[i] - k * theta));
+        raise(largest, p > 0. ? std::abs(s - law.penetration(p)) : s);
+        raise(largest, std::abs(k - exchange.coefficient(p > 0. ? 0. : s, p)));
+      }
+    return largest / scale;
+  }
+
+
+
+  void
+  test_random()
+  {
+    std::mt19937   random(1);
+    const Exchange exchange(
+      [](const double gap, const double p) { return 0.2 / (0.1 + gap) + p; });
+    for (const unsigned int n : {1, 6})
+      {
+        double       largest  = 0.;
+        unsigned int n_closed = 0, n_open = 0;
+        for (unsigned int i = 0; i < 300; ++i)
+          {
+            const auto law = make_law(i % 3 == 0 ? 0. : 0.1 * (i % 7 + 1));
+            const EndResponse response = random_response(n, random);
+            for (const double k : {0., 1.})
+              {
+                EndExchange end = start(n, k);
+                ExchangeSolver(*law, exchange)
+                  .solve(response, ContactMode::unilateral, end);
+                raise(largest, violation(response, end, *law, exchange));
+                for (const double p : end.pressure)
+                  ++(p > 0. ? n_closed : n_open);
+              }
+          }
+        deallog << n << " random nodes: laws hold to 1e-11 "
+                << (largest < 1e-11) << ", some closed " << (n_closed > 0)
+                << ", some open " << (n_open > 0) << std::endl;
+      }
+  }
+
+
+
+  void
+  test_negative()
+  {
+    const auto     law = make_law(1.);
+    const Exchange exchange(
+      [](const double gap, const double) { return 1. - gap; });
+    EndExchange end = start(1, 1.);
+    try
+      {
+        ExchangeSolver(*law, exchange)
+          .solve(separate_nodes(1, -2., 1.), ContactMode::open, end);
+        deallog << "accepted" << std::endl;
+      }
+    catch (const ComputationError &error)
+      {
+        const std::string message = error.what();
+        deallog << message.substr(0, message.find(" at gap")) << std::endl;
+      }
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  initlog();
+  test_one_node();
+  test_jump(1);
+  test_jump(3);
+  test_random();
+  test_negative();
+}
