@@ -70,7 +70,7 @@ namespace ThermoContact
     factorizations.push_front(
       {StageFactorization<dim>(body.discretization, body.equations, tau),
        {},
-       {}});
+       EndResponse()});
     counters_.factorizations +=
       factorizations.front().matrix.n_factorizations();
   }
