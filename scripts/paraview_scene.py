@@ -8,9 +8,10 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import paraview_space_time
 from paraview import servermanager
 from paraview.simple import (Box, ColorBy, CreateView, ExtractSurface,
-                             GetColorTransferFunction, GetScalarBar, PVDReader,
-                             Render, SaveScreenshot, Show, Text, Tube,
-                             WarpByVector)
+                             GetColorTransferFunction, GetScalarBar,
+                             LinearExtrusion, PVDReader, Render,
+                             SaveScreenshot, Show, Text, Tube, WarpByVector,
+                             XMLUnstructuredGridReader)
 from paraview_numbers import (Ranges, field_of, scale_label, time_labels,
                               times_of_pictures)
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -50,13 +51,35 @@ class Snapshots:
                            for d in (1, 2))
 
 
-def show_box(view, low, high, colour, opacity=1.):
-    box = Box(XLength=high[0] - low[0], YLength=high[1] - low[1],
-              ZLength=high[2] - low[2],
-              Center=[(a + b) / 2 for a, b in zip(low, high)])
-    shown = Show(box, view)
+def show_plain(view, source, colour, opacity=1.):
+    shown = Show(source, view)
     shown.AmbientColor = shown.DiffuseColor = colour
     shown.Opacity = opacity
+    return shown
+
+
+def show_box(view, low, high, colour, opacity=1.):
+    show_plain(view, Box(
+        XLength=high[0] - low[0], YLength=high[1] - low[1],
+        ZLength=high[2] - low[2],
+        Center=[(a + b) / 2 for a, b in zip(low, high)]), colour, opacity)
+
+
+def depth_of(path):
+    """Difference of the gaps of an obstacle with a shape."""
+    grid = servermanager.Fetch(XMLUnstructuredGridReader(FileName=[path]))
+    gaps = vtk_to_numpy(grid.GetPointData().GetArray("gap"))
+    return gaps.max() - gaps.min()
+
+
+def show_shape(view, path, scale, thickness, colour, opacity):
+    """An obstacle whose gap is not the same everywhere, as far as the end
+    reaches."""
+    face = WarpByVector(Input=XMLUnstructuredGridReader(FileName=[path]),
+                        Vectors=["POINTS", "displacement"], ScaleFactor=scale)
+    shape = LinearExtrusion(Input=ExtractSurface(Input=face),
+                            ScaleFactor=thickness, Vector=[1, 0, 0])
+    ColorBy(show_plain(view, shape, colour, opacity), None)
 
 
 def body_of(snapshots, scale):
@@ -150,7 +173,8 @@ def render(settings):
     scale = settings["scale"]
     plate, right = snapshots.ranges.plate(
         scale, settings["gap"] if snapshots.moves else None)
-    view = make_view(snapshots, right, settings["width"])
+    depth = depth_of(settings["shape"]) if settings["shape"] else 0
+    view = make_view(snapshots, right + scale * depth, settings["width"])
     size = max(10, settings["width"] // 55)
     show_colours(view, show_body(view, snapshots, scale), snapshots, size)
     low, high = ([-RADIUS] * 2, [RADIUS] * 2) if snapshots.dim == 1 else (
@@ -158,7 +182,10 @@ def render(settings):
     more = 0.04
     low, high = [v - more for v in low], [v + more for v in high]
     show_box(view, [-0.03, *low], [0, *high], [0.45] * 3)
-    if plate is not None:
+    if plate is not None and settings["shape"]:
+        show_shape(view, settings["shape"], scale, right - plate,
+                   [0.84, 0.37, 0], 0.55)
+    elif plate is not None:
         show_box(view, [plate, *low], [right, *high], [0.84, 0.37, 0], 0.55)
     time_text = show_text(view, size, "Upper Left Corner")
     if snapshots.moves:

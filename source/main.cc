@@ -19,6 +19,7 @@
 #include <deal.II/base/timer.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -163,6 +164,26 @@ namespace ThermoContact
 
 
 
+    /**
+     * Without mpirun, Open MPI looks for networks and starts a daemon that a
+     * single process has no use for: most of its time to start. What the user
+     * has set stays. To be called before MPI_Init.
+     */
+    void
+    tell_mpi_of_single_process()
+    {
+      for (const char *const by_launcher :
+           {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
+        if (std::getenv(by_launcher) != nullptr)
+          return;
+      const int keep = 0;
+      setenv("OMPI_MCA_pml", "ob1", keep);
+      setenv("OMPI_MCA_btl", "self", keep);
+      setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+    }
+
+
+
     void
     run(const CommandLine &command, const Timer &since_start, Log &log)
     {
@@ -221,7 +242,8 @@ main(int argc, char **argv)
 
   std::signal(SIGXFSZ, SIG_IGN); // a file at its limit is an error like others
 
-  const Timer                      since_start;
+  const Timer since_start;
+  tell_mpi_of_single_process();
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const bool                       is_first_rank =
     Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;

@@ -24,14 +24,13 @@ namespace ThermoContact
                 const unsigned int digits)
   {
     AssertIndexRange(digits, max_digits + 1);
-    char       number[max_length];
-    const auto end = std::to_chars(number,
-                                   number + max_length,
-                                   value,
-                                   std::chars_format::general,
-                                   digits)
-                       .ptr;
-    line.append(number, end);
+    char        number[max_length];
+    char *const last = number + max_length;
+    const auto  end =
+      digits == all_digits ?
+         std::to_chars(number, last, value) :
+         std::to_chars(number, last, value, std::chars_format::general, digits);
+    line.append(number, end.ptr);
   }
 
 

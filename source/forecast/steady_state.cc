@@ -24,6 +24,8 @@ namespace ThermoContact
       if (scene.parameters.dimension > 1 && !scene.has_rollers &&
           (material.has_thermal_stress() || scene.contact.law->is_active()))
         return "no closed form with free lateral faces";
+      if (scene.contact.law->is_active() && !scene.contact.has_uniform_gap())
+        return "no closed form with a gap that is not the same everywhere";
       if (material.has_inertia() && !material.has_viscosity() &&
           !material.has_heating())
         return "none: nothing damps the motion, which goes on for ever";

@@ -60,7 +60,7 @@ namespace ThermoContact
     replace("[", "");
     replace("]", "");
     replace(" (inclusive)", "");
-    replace("-MAX_DOUBLE...MAX_DOUBLE", "");
+    replace(" -MAX_DOUBLE...MAX_DOUBLE", "");
     replace("...MAX_DOUBLE", " or more");
     replace("...", " to ");
     const bool is_range = pattern.find(" to ") != std::string::npos;

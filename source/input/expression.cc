@@ -204,11 +204,13 @@ namespace ThermoContact
 
 
 
-    /** The coordinates, and t if it is known. */
+    /** The coordinates or what stands for them, and t if it is known. */
     std::vector<std::string>
     variable_names(const unsigned int dim, const ExpressionNames &names)
     {
-      std::vector<std::string> variables = {"x", "y", "z"};
+      std::vector<std::string> variables =
+        names.variables.empty() ? std::vector<std::string>{"x", "y", "z"} :
+                                  names.variables;
       variables.resize(dim);
       if (names.has_time)
         variables.push_back("t");
@@ -252,7 +254,7 @@ namespace ThermoContact
         {
           refuse(expression,
                  "cannot be read: " + quote(describe_fault(error)),
-                 "an expression in " + known_names + ", e.g. 20*x*(x-1)^2",
+                 "an expression in " + known_names + ", e.g. " + names.example,
                  error.GetPos() < 0 ?
                    nowhere :
                    component.begin + find_position(component.text,
@@ -323,9 +325,11 @@ namespace ThermoContact
             point[0] = i / 16.;
             if (!std::isfinite(function->value(point)))
               refuse(expression,
-                     "not finite at x = " + Utilities::to_string(point[0]) +
+                     "not finite at " + variables.front() + " = " +
+                       Utilities::to_string(point[0]) +
                        (names.has_time ? ", t = 0" : ""),
-                     "expressions that are finite on 0 <= x <= 1",
+                     "expressions that are finite on 0 <= " +
+                       variables.front() + " <= 1",
                      components.size() > 1 ? component.begin : nowhere);
           }
       }

@@ -3,6 +3,7 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/number_or_word.h>
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/input/words_of_kinds.h>
 
 #include <deal.II/base/patterns.h>
 
@@ -23,39 +24,10 @@ namespace ThermoContact
 
 
 
-    /** The names of all kinds, separated by '|'. */
-    template <typename Kind>
-    std::string
-    names_of(const std::vector<Kind> &kinds)
-    {
-      std::string names;
-      for (const Kind &kind : kinds)
-        names += (names.empty() ? "" : "|") + kind.name;
-      return names;
-    }
-
-
-
     std::string
     describe_scheme(const Scheme &scheme)
     {
       return text(" (order ", scheme.order, ", ", scheme.text, ")");
-    }
-
-
-
-    /** The names of all kinds with what is to be said of each. */
-    template <typename Kind, typename Say>
-    std::string
-    in_words(const std::vector<Kind> &kinds, const Say &say)
-    {
-      std::string words;
-      for (unsigned int i = 0; i < kinds.size(); ++i)
-        words += (i == 0                ? "" :
-                  i + 1 == kinds.size() ? " or " :
-                                          ", ") +
-                 kinds[i].name + say(kinds[i]);
-      return words;
     }
   } // namespace
 
@@ -121,6 +93,12 @@ namespace ThermoContact
                       "Lateral faces, for Dimension > 1: rollers (no normal "
                       "displacement) or free; adiabatic in both cases.",
                       Selection("rollers|free"));
+    prm.add_parameter("Fixed end support",
+                      fixed_end_support,
+                      "The fixed end x = 0, for Dimension > 1: clamped (no "
+                      "displacement) or sliding (no axial displacement, no "
+                      "shear stress).",
+                      Selection("clamped|sliding"));
     prm.leave_subsection();
   }
 
@@ -144,11 +122,19 @@ namespace ThermoContact
                       "Compliance epsilon > 0 of an elastic obstacle: pressure "
                       "= penetration / epsilon.",
                       coefficient);
-    prm.add_parameter("Gap",
-                      gap,
-                      "Initial gap g between the undeformed rod and the "
-                      "obstacle; negative is a preload.",
-                      any_number);
+    add_number_or_expression(
+      prm,
+      "Gap",
+      gap,
+      "y, z",
+      "Initial gap g between the undeformed rod and the obstacle; negative is a "
+      "preload. An expression in y, z, for Dimension > 1, is the shape of the "
+      "obstacle, at each contact node its gap, e.g. 0.1+(y-0.05)^2/2.",
+      [this](const double number, const std::string &expression) {
+        gap            = number;
+        gap_expression = expression;
+      },
+      true);
     prm.add_parameter("Massless nodes",
                       massless_nodes,
                       "The mass of the contact nodes is moved to their "
@@ -212,45 +198,6 @@ namespace ThermoContact
                       "Heat flux h into the contact end: -d theta/dn = "
                       "k (theta - theta_obs) - h." +
                         variables);
-    prm.leave_subsection();
-  }
-
-
-
-  void
-  MeshParameters::add_parameters(ParameterHandler &prm)
-  {
-    prm.enter_subsection("Mesh");
-    prm.add_parameter("Cells",
-                      cells,
-                      "Number of cells along the rod; the paper: 250.",
-                      Integer(1, 10000000));
-    prm.add_parameter("Degree",
-                      degree,
-                      "Polynomial degree p of both fields; the paper: 1.",
-                      Integer(1, 30));
-    prm.add_parameter("Refinements",
-                      refinements,
-                      "Global refinements of that mesh.",
-                      Integer(0, 30));
-    prm.add_parameter("Grading",
-                      grading,
-                      "Size of the first cell over size of the last, in "
-                      "geometric progression; 1 is uniform.",
-                      Double(1e-8, 1e8));
-    prm.add_parameter("Mass matrix",
-                      mass_matrix,
-                      "consistent, or lumped (Gauss-Lobatto rule: diagonal).",
-                      Selection("consistent|lumped"));
-    prm.add_parameter("Width",
-                      width,
-                      "Width (and height) of the body, for Dimension > 1; its "
-                      "length is 1.",
-                      Double(1e-3, 1e3));
-    prm.add_parameter("Cells across",
-                      cells_across,
-                      "Number of cells across the body, for Dimension > 1.",
-                      Integer(1, 100000));
     prm.leave_subsection();
   }
 
@@ -341,6 +288,23 @@ namespace ThermoContact
                       "Iterations per step after which the run stops with an "
                       "error.",
                       Integer(1, 1000000));
+    prm.add_parameter("Linear solver",
+                      linear_solver,
+                      "direct: sparse factors of the stage matrix, one set for "
+                      "each step size; iterative: Krylov and multigrid without "
+                      "matrices, for large bodies in two and three dimensions; "
+                      "automatic: what is faster for the number of unknowns.",
+                      Selection("automatic|direct|iterative"));
+    add_number_or_word(prm,
+                       "Linear tolerance",
+                       "automatic",
+                       "Residual of a stage relative to its right-hand side at "
+                       "which the iterative solver stops.",
+                       [this](const double *number) {
+                         linear_tolerance = number ?
+                                              std::optional<double>(*number) :
+                                              std::nullopt;
+                       });
     prm.leave_subsection();
   }
 
@@ -354,8 +318,9 @@ namespace ThermoContact
                       "Title of the run, for the log and the CSV files.");
     prm.add_parameter("Dimension",
                       dimension,
-                      "Space dimension: 1 is the rod; in 2 (plane strain) and "
-                      "3 the body is a box of length 1.",
+                      "Space dimension: 1 is the rod; in 2 the body is a strip "
+                      "or a round rod (Mesh/Geometry), in 3 a box, of length "
+                      "1.",
                       Integer(1, 3));
     model.add_parameters(prm);
     boundary.add_parameters(prm);

@@ -51,14 +51,29 @@ namespace ThermoContact
     const std::vector<bool>          &is_active,
     std::vector<double>              &pressure) const
   {
+    std::vector<double> rhs(free_penetration);
+    if (!law.is_linear()) // s(p) = s'(p) p + offset
+      for (unsigned int i = 0; i < rhs.size(); ++i)
+        rhs[i] -=
+          law.penetration(pressure[i]) - law.tangent(pressure[i]) * pressure[i];
+    pressure = solve_linearized(response, pressure, is_active, rhs);
+  }
+
+
+
+  std::vector<double>
+  ContactSolver::solve_linearized(const dealii::FullMatrix<double> &response,
+                                  const std::vector<double>        &pressure,
+                                  const std::vector<bool>          &is_active,
+                                  const std::vector<double> &free_change) const
+  {
+    std::vector<double>       change(pressure.size(), 0.);
     std::vector<unsigned int> active;
     for (unsigned int i = 0; i < is_active.size(); ++i)
       if (is_active[i])
         active.push_back(i);
-    const std::vector<double> old_pressure(pressure);
-    std::fill(pressure.begin(), pressure.end(), 0.);
     if (active.empty())
-      return;
+      return change;
 
     const unsigned int         n = active.size();
     dealii::FullMatrix<double> matrix(n, n);
@@ -67,18 +82,14 @@ namespace ThermoContact
       {
         for (unsigned int j = 0; j < n; ++j)
           matrix(i, j) = response(active[i], active[j]);
-        const double p       = old_pressure[active[i]];
-        const double tangent = law.tangent(p);
-        matrix(i, i) += tangent;
-        // s(p) = s'(p) p + offset; a linear law has none
-        const double offset =
-          law.is_linear() ? 0. : law.penetration(p) - tangent * p;
-        rhs(i) = free_penetration[active[i]] - offset;
+        matrix(i, i) += law.tangent(pressure[active[i]]);
+        rhs(i) = free_change[active[i]];
       }
     matrix.gauss_jordan();
     matrix.vmult(solution, rhs);
     for (unsigned int i = 0; i < n; ++i)
-      pressure[active[i]] = solution(i);
+      change[active[i]] = solution(i);
+    return change;
   }
 
 
@@ -87,6 +98,7 @@ namespace ThermoContact
   ContactSolver::update_active_set(const dealii::FullMatrix<double> &response,
                                    const std::vector<double> &free_penetration,
                                    const std::vector<double> &pressure,
+                                   const std::vector<bool>   &is_held,
                                    const bool                 only_the_first,
                                    std::vector<bool>         &is_active) const
   {
@@ -100,8 +112,9 @@ namespace ThermoContact
         const double p          = pressure[i];
         const double receptance = response(i, i) + law.tangent(p);
         const double reach = free_penetration[i] - loss(response, pressure, i);
-        const bool   is_wrong =
-          is_active[i] ? p * receptance < -rounding : reach > rounding;
+        const bool   is_wrong = is_active[i] ?
+                                  p * receptance < -rounding && !is_held[i] :
+                                  reach > rounding;
         if (is_wrong)
           is_active[i] = !is_active[i];
         // Newton's method goes on until the law is met
@@ -153,7 +166,8 @@ namespace ThermoContact
   unsigned int
   ContactSolver::solve(const dealii::FullMatrix<double> &response,
                        const std::vector<double>        &free_penetration,
-                       std::vector<double>              &pressure) const
+                       std::vector<double>              &pressure,
+                       const std::vector<bool>          &is_held) const
   {
     const unsigned int n = free_penetration.size();
     if (!law.is_active())
@@ -163,7 +177,10 @@ namespace ThermoContact
       }
     if (n == 1)
       {
-        pressure[0] = law.local_pressure(free_penetration[0], response(0, 0));
+        pressure[0] =
+          !is_held.empty() && is_held[0] ?
+            law.local_closed_pressure(free_penetration[0], response(0, 0)) :
+            law.local_pressure(free_penetration[0], response(0, 0));
         return 1;
       }
 
@@ -172,9 +189,11 @@ namespace ThermoContact
     const unsigned int max_block_iterations  = 20;
     const unsigned int max_single_iterations = 100 * n;
 
+    std::vector<bool> held(is_held);
+    held.resize(n, false);
     std::vector<bool> is_active(n);
     for (unsigned int i = 0; i < n; ++i)
-      is_active[i] = pressure[i] > 0.;
+      is_active[i] = held[i] || pressure[i] > 0.;
     for (unsigned int iteration = 1;
          iteration <= max_block_iterations + max_single_iterations;
          ++iteration)
@@ -183,11 +202,13 @@ namespace ThermoContact
         if (!update_active_set(response,
                                free_penetration,
                                pressure,
+                               held,
                                iteration > max_block_iterations,
                                is_active))
           {
-            for (double &p : pressure)
-              p = std::max(p, 0.);
+            for (unsigned int i = 0; i < n; ++i)
+              if (!held[i])
+                pressure[i] = std::max(pressure[i], 0.);
             return iteration;
           }
       }

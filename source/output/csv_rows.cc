@@ -4,11 +4,10 @@
 
 namespace ThermoContact
 {
-  template <>
   const CsvColumns<StepRecord> &
-  columns_of<StepRecord>()
+  contact_columns(const unsigned int dim)
   {
-    static const CsvColumns<StepRecord> columns = {
+    static const CsvColumns<StepRecord> of_rod = {
       {"step", &StepRecord::step},
       {"time", &StepRecord::time},
       {"step_size", &StepRecord::step_size},
@@ -29,14 +28,26 @@ namespace ThermoContact
       {"iterations", &StepRecord::iterations},
       {"work", &StepRecord::work},
       {"temperature_mean", &StepRecord::temperature_mean}};
-    return columns;
+    static const CsvColumns<StepRecord> of_face = [] {
+      CsvColumns<StepRecord> columns = of_rod;
+      for (const auto &[name, member] :
+           {std::pair("contact_area", &FaceRecord::contact_area),
+            std::pair("max_pressure", &FaceRecord::max_pressure),
+            std::pair("min_gap", &FaceRecord::min_gap),
+            std::pair("moment_y", &FaceRecord::moment_y),
+            std::pair("moment_z", &FaceRecord::moment_z)})
+        columns.emplace_back(name, [member = member](const StepRecord &record) {
+          return record.face.*member;
+        });
+      return columns;
+    }();
+    return dim == 1 ? of_rod : of_face;
   }
 
 
 
-  template <>
   const CsvColumns<ContactEvent> &
-  columns_of<ContactEvent>()
+  event_columns()
   {
     static const CsvColumns<ContactEvent> columns = {
       {"time", &ContactEvent::time},
@@ -50,9 +61,8 @@ namespace ThermoContact
 
 
 
-  template <>
   const CsvColumns<StepAttempt> &
-  columns_of<StepAttempt>()
+  attempt_columns()
   {
     static const CsvColumns<StepAttempt> columns = {
       {"time", &StepAttempt::time},

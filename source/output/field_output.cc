@@ -4,6 +4,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/output/field_output.h>
+#include <thermocontact/output/obstacle_file.h>
 #include <thermocontact/output/output_directory.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -11,6 +12,7 @@
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <sstream>
 
@@ -76,7 +78,19 @@ namespace ThermoContact
 
 
 
-    /** Stress from a vector of $(\theta, u+\zeta v)$. */
+    /** Rows of the stress in space; that of a rod is a scalar. */
+    template <int dim>
+    constexpr unsigned int n_rows = dim == 1 ? 1 : 3;
+
+    template <int dim>
+    constexpr unsigned int n_stresses = n_rows<dim> *n_rows<dim>;
+
+
+
+    /**
+     * Stress from a vector of $(\theta, u+\zeta v)$: scalars, which Snapshot
+     * makes a tensor.
+     */
     template <int dim>
     class StressPostprocessor : public DataPostprocessor<dim>
     {
@@ -90,16 +104,14 @@ namespace ThermoContact
       std::vector<std::string>
       get_names() const override
       {
-        return std::vector<std::string>(dim * dim, "stress");
+        return std::vector<std::string>(n_stresses<dim>, "stress");
       }
 
       std::vector<Interpretation>
       get_data_component_interpretation() const override
       {
         return std::vector<Interpretation>(
-          dim * dim,
-          dim == 1 ? DataComponentInterpretation::component_is_scalar :
-                     DataComponentInterpretation::component_is_part_of_tensor);
+          n_stresses<dim>, DataComponentInterpretation::component_is_scalar);
       }
 
       UpdateFlags
@@ -122,16 +134,16 @@ namespace ThermoContact
                 value[d]    = inputs.solution_values[q](first + d);
                 gradient[d] = inputs.solution_gradients[q][first + d];
               }
-            const Strain<dim> strain = body.discretization.geometry().strain(
+            const Strain strain = body.discretization.geometry().strain(
               gradient, value, inputs.evaluation_points[q]);
             const Material &material = body.scene.material;
             const double    thermal =
               material.has_thermal_stress() ?
                    material.thermal_stress * inputs.solution_values[q](0) :
                    0.;
-            for (unsigned int d = 0; d < dim; ++d)
-              for (unsigned int e = 0; e < dim; ++e)
-                computed[q](d * dim + e) =
+            for (unsigned int d = 0; d < n_rows<dim>; ++d)
+              for (unsigned int e = 0; e < n_rows<dim>; ++e)
+                computed[q](d * n_rows<dim> + e) =
                   elastic_stress(material, strain, d, e) -
                   (d == e ? thermal : 0.);
           }
@@ -155,7 +167,10 @@ namespace ThermoContact
 
 
 
-    /** DataOut whose part of a file can be had as text. */
+    /**
+     * DataOut whose part of a file can be had as text, and in which the stress
+     * is a tensor in space whatever the dimension of the mesh.
+     */
     template <int dim>
     class Snapshot : public DataOut<dim>
     {
@@ -169,12 +184,21 @@ namespace ThermoContact
       {
         if (this->get_patches().empty())
           return "";
+        const std::vector<std::string> names = this->get_dataset_names();
+        auto       ranges = this->get_nonscalar_data_ranges();
+        const auto stress = std::find(names.begin(), names.end(), "stress");
+        if (dim > 1 && stress != names.end())
+          {
+            const unsigned int first = stress - names.begin();
+            ranges.emplace_back(
+              first,
+              first + n_stresses<dim> - 1,
+              "stress",
+              DataComponentInterpretation::component_is_part_of_tensor);
+          }
         std::ostringstream text;
-        DataOutBase::write_vtu_main(this->get_patches(),
-                                    this->get_dataset_names(),
-                                    this->get_nonscalar_data_ranges(),
-                                    flags,
-                                    text);
+        DataOutBase::write_vtu_main(
+          this->get_patches(), names, ranges, flags, text);
         return text.str();
       }
     };
@@ -202,21 +226,17 @@ namespace ThermoContact
 
 
   template <int dim>
-  TrilinosWrappers::MPI::BlockVector
+  BlockVector
   FieldOutput<dim>::joined(const Vector &temperature,
                            const Vector &displacement) const
   {
-    // several ranks cannot exchange the ghosts of an empty block
-    std::vector<IndexSet> owned;
-    for (const Field::Block field : all_fields)
+    BlockVector result = discretization.make_ghosted_vector();
+    for (const auto &[field, values] :
+         {std::pair(Field::temperature, &temperature),
+          std::pair(Field::displacement, &displacement)})
       if (discretization.has_field(field))
-        owned.push_back(discretization.owned_by_block()[field]);
-    TrilinosWrappers::MPI::BlockVector result(owned,
-                                              discretization.communicator());
-    if (discretization.has_field(Field::temperature))
-      result.block(0) = temperature;
-    if (discretization.has_field(Field::displacement))
-      result.block(result.n_blocks() - 1) = displacement;
+        result.block(discretization.ghosted_block(field))
+          .copy_locally_owned_data_from(*values);
     return result;
   }
 
@@ -297,8 +317,11 @@ namespace ThermoContact
     for (const std::string &piece : pieces)
       text << piece;
     DataOutBase::write_vtu_footer(text);
-    const std::string fault =
-      write_atomically(directory + "/" + name, text.str());
+    std::string fault = write_atomically(directory + "/" + name, text.str());
+    if (fault.empty() && times_.size() == 1 &&
+        !body.scene.contact.has_uniform_gap())
+      fault = write_atomically(directory + "/obstacle.vtu",
+                               obstacle_file(body.contact_end()));
     return fault.empty() ? write_pvd(directory + "/fields.pvd") : fault;
   }
 

@@ -53,10 +53,14 @@ namespace ThermoContact
     field_timer.reset();
     const std::string   &title = simulation.parameters().title;
     const OutputProgress sizes = progress ? *progress : OutputProgress();
-    open<StepRecord>(contact_file, "contact.csv", title, sizes.contact_size);
-    open<ContactEvent>(events_file, "events.csv", title, sizes.events_size);
+    open(contact_columns(dim),
+         contact_file,
+         "contact.csv",
+         title,
+         sizes.contact_size);
+    open(event_columns(), events_file, "events.csv", title, sizes.events_size);
     if (has_attempts)
-      open<StepAttempt>(steps_file, "steps.csv", title, sizes.steps_size);
+      open(attempt_columns(), steps_file, "steps.csv", title, sizes.steps_size);
     if (is_writer && parameters.fields_interval > 0.)
       {
         std::error_code error; // a fault shows when the first file is opened
@@ -73,17 +77,18 @@ namespace ThermoContact
   template <int dim>
   template <typename Record>
   void
-  Output<dim>::open(TableFile          &file,
-                    const std::string  &name,
-                    const std::string  &title,
-                    const std::uint64_t size)
+  Output<dim>::open(const CsvColumns<Record> &columns,
+                    TableFile                &file,
+                    const std::string        &name,
+                    const std::string        &title,
+                    const std::uint64_t       size)
   {
     if (!is_writer)
       return;
     if (size > 0)
       return file.reopen(directory + "/" + name, size);
     file.open(directory + "/" + name);
-    file.write_row(head_comments(title) + csv_head(columns_of<Record>()));
+    file.write_row(head_comments(title) + csv_head(columns));
   }
 
 
@@ -175,7 +180,7 @@ namespace ThermoContact
         is_due(parameters.contact_interval, record.time, next_contact))
       {
         if (is_writer)
-          add_row(record, contact_file);
+          add_row(contact_columns(dim), record, contact_file);
         if (probe_output)
           probe_output->write(simulation.state());
       }
@@ -213,7 +218,7 @@ namespace ThermoContact
   Output<dim>::write_events(const std::vector<ContactEvent> &events)
   {
     for (; n_written_events < events.size(); ++n_written_events)
-      add_row(events[n_written_events], events_file);
+      add_row(event_columns(), events[n_written_events], events_file);
   }
 
 
@@ -225,7 +230,7 @@ namespace ThermoContact
     if (!is_writer || !has_attempts)
       return; // do not format what goes nowhere
     for (const StepAttempt &attempt : attempts)
-      add_row(attempt, steps_file);
+      add_row(attempt_columns(), attempt, steps_file);
   }
 
 

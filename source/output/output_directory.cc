@@ -31,6 +31,7 @@ namespace ThermoContact
                                      "events.csv",
                                      "fields.pvd",
                                      "log.txt",
+                                     "obstacle.vtu",
                                      "probes.csv",
                                      "space-time.columns",
                                      "space-time.vtu",

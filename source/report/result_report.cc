@@ -153,6 +153,14 @@ namespace ThermoContact
       " solves; ",
       significant(record.step == 0 ? 0. : 1e6 * times.loop / record.step, 3),
       " us per step"));
+    if (scene.linear_solver.is_iterative)
+      log.line(text("  linear    ",
+                    counters.linear_iterations,
+                    " Krylov iterations, at most ",
+                    counters.max_linear_iterations,
+                    " for a system; ",
+                    counters.active_set_iterations,
+                    " sets of contact nodes"));
     report_times(times, counters, log);
   }
 

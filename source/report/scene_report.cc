@@ -19,17 +19,16 @@ namespace ThermoContact
     {
       const MeshParameters &mesh = simulation.parameters().mesh;
       const unsigned int    n    = simulation.discretization().n_active_cells();
-      if (dim == 1)
-        return text("rod of length 1, ", n, " cells of degree ", mesh.degree);
-      return text(dim,
-                  "-D body of length 1 and width ",
-                  mesh.width,
+      return text(simulation.scene().geometry->description(),
                   ", ",
                   n,
                   " cells of degree ",
                   mesh.degree,
-                  ", lateral faces: ",
-                  simulation.parameters().boundary.lateral_support);
+                  dim == 1 ? "" :
+                             ", lateral faces: " +
+                               simulation.parameters().boundary.lateral_support,
+                  simulation.scene().has_sliding_end ? ", fixed end: sliding" :
+                                                       "");
     }
 
 
@@ -57,21 +56,46 @@ namespace ThermoContact
         line += text(line.empty() ? "" : " + ",
                      space.n_displacement_dofs(),
                      " displacement");
-      return line +
-             text("; factorised at once: ", simulation.n_factorized_unknowns());
+      return line + text(simulation.scene().linear_solver.is_iterative ?
+                           "; on the coarsest level, factorised: " :
+                           "; factorised at once: ",
+                         simulation.n_factorized_unknowns());
     }
 
 
 
     std::string
-    describe_contact(const Scene &scene)
+    describe_linear_solver(const LinearSolver &solver)
     {
-      const SceneContact &contact = scene.contact;
+      return text(solver.name(),
+                  ", since ",
+                  solver.reason,
+                  solver.is_iterative ?
+                    text("; relative residual ", solver.tolerance) :
+                    "");
+    }
+
+
+
+    template <int dim>
+    std::string
+    describe_contact(const Simulation<dim> &simulation)
+    {
+      const SceneContact &contact = simulation.scene().contact;
       if (!contact.law->is_active())
         return contact.law->description();
+      const auto [smallest, largest] =
+        simulation.discretization().contact_end().range_of_gap();
       return text(contact.law->description(),
                   ", g = ",
-                  contact.gap,
+                  contact.has_uniform_gap() ?
+                    text(contact.gap) :
+                    text(simulation.parameters().contact.gap_expression,
+                         " (",
+                         smallest,
+                         " to ",
+                         largest,
+                         " at the contact nodes)"),
                   contact.has_massless_nodes ? ", massless contact nodes" : "");
     }
 
@@ -253,6 +277,8 @@ namespace ThermoContact
       log.line(scene.parameters.title);
     log.line("  body      " + describe_body(simulation));
     log.line("  unknowns  " + describe_unknowns(simulation));
+    if (dim > 1)
+      log.line("  solver    " + describe_linear_solver(scene.linear_solver));
     log.line("  terms     " + join_words(scene_terms(scene)));
     if (scene.fields.has_displacement)
       log.line(text("  model     ",
@@ -274,7 +300,7 @@ namespace ThermoContact
                     ", theta_obs = ",
                     scene.heat.obstacle_temperature));
     if (scene.fields.has_displacement)
-      log.line("  contact   " + describe_contact(scene));
+      log.line("  contact   " + describe_contact(simulation));
     log.line("  time      " + describe_time(scene));
     report_forecast(scene, simulation.discretization().n_active_cells(), log);
     report_warnings(simulation.history().warnings, 0, log);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/scene/scene.h>
 
 #include <cmath>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -102,7 +105,9 @@ namespace ThermoContact
         (fields.has_displacement ? contact_law(parameters.contact.condition) :
                                    no_obstacle())
           .make(parameters.contact);
-      contact.gap                = parameters.contact.gap;
+      contact.gap                = parameters.contact.gap_expression.empty() ?
+                                     parameters.contact.gap :
+                                     std::numeric_limits<double>::quiet_NaN();
       contact.has_massless_nodes = resolve_massless_nodes(parameters,
                                                           *contact.law,
                                                           scheme,
@@ -120,6 +125,47 @@ namespace ThermoContact
         contact.law->is_active() && parameters.time.locates_contact_events();
       return contact;
     }
+    /**
+     * Factors are faster for bodies of few unknowns, and cost memory and time
+     * that grow faster than the number of unknowns, the more so the more
+     * dimensions a body has.
+     */
+    LinearSolver
+    resolve_linear_solver(const Parameters   &parameters,
+                          const SceneFields  &fields,
+                          const Scheme       &scheme,
+                          const SceneContact &contact,
+                          const bool          is_fixed_point,
+                          const bool          has_prescribed_start)
+    {
+      const SolverParameters &solver = parameters.solver;
+      const unsigned int      dim    = parameters.dimension;
+      const double tolerance         = solver.linear_tolerance.value_or(1e-9);
+      const auto   direct            = [&](const std::string &reason) {
+        return LinearSolver{false, tolerance, reason};
+      };
+      if (solver.linear_solver != "automatic")
+        return {solver.linear_solver == "iterative",
+                tolerance,
+                "Solver/Linear solver = " + solver.linear_solver};
+      if (dim == 1)
+        return direct("Dimension = 1");
+      if (!scheme.needs_linear_contact.empty())
+        return direct("Time/Scheme = " + scheme.name);
+      if (is_fixed_point)
+        return direct("Solver/Step solver = fixed point");
+      if (has_prescribed_start)
+        return direct("Time/Start = paper");
+      if (contact.has_impacts() || !contact.law->is_linear())
+        return direct("Contact/Condition = " + parameters.contact.condition);
+      const double n_unknowns =
+        parameters.mesh.n_nodes(dim) * fields.n_components(dim);
+      const double limit = dim == 2 ? 2e5 : 1.5e4;
+      return {
+        n_unknowns > limit,
+        tolerance,
+        text(significant(n_unknowns, 3), " unknowns in ", dim, " dimensions")};
+    }
   } // namespace
 
 
@@ -127,6 +173,8 @@ namespace ThermoContact
   Scene::Scene(const Parameters &parameters)
     : parameters(parameters)
     , fields(resolve_fields(parameters.model))
+    , geometry(ThermoContact::geometry(parameters.mesh.geometry)
+                 .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, fields))
     , heat({parameters.boundary.heat_exchange,
             parameters.boundary.fixed_end_temperature,
@@ -140,7 +188,14 @@ namespace ThermoContact
                               scheme,
                               has_prescribed_start))
     , has_rollers(parameters.boundary.lateral_support == "rollers")
+    , has_sliding_end(parameters.boundary.fixed_end_support == "sliding")
     , has_lumped_mass(parameters.mesh.mass_matrix == "lumped")
     , is_fixed_point(parameters.solver.step_solver == "fixed point")
+    , linear_solver(resolve_linear_solver(parameters,
+                                          fields,
+                                          scheme,
+                                          contact,
+                                          is_fixed_point,
+                                          has_prescribed_start))
   {}
 } // namespace ThermoContact

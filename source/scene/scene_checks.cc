@@ -215,6 +215,40 @@ namespace ThermoContact
                "at least 2, or Mesh/Degree above 1, for massless contact nodes",
                "a finer mesh: their mass moves to nodes that are not held");
     }
+    /** What needs the factors of a matrix, or its responses to pressures. */
+    void
+    check_linear_solver(const Scene &scene)
+    {
+      const auto refuse_since = [](const std::string &reason) {
+        refuse("Solver/Linear solver",
+               "iterative",
+               "direct or automatic, since " + reason,
+               "Solver/Linear solver = automatic");
+      };
+      const Parameters &parameters = scene.parameters;
+      if (parameters.solver.linear_tolerance &&
+          !(*parameters.solver.linear_tolerance > 0. &&
+            *parameters.solver.linear_tolerance < 1e-2))
+        refuse("Solver/Linear tolerance",
+               *parameters.solver.linear_tolerance,
+               "positive and below 0.01",
+               "Solver/Linear tolerance = automatic");
+      if (!scene.linear_solver.is_iterative)
+        return;
+      if (parameters.dimension == 1)
+        refuse_since("Dimension = 1");
+      if (!scene.scheme.needs_linear_contact.empty())
+        refuse_since("Time/Scheme = " + scene.scheme.name);
+      if (scene.is_fixed_point)
+        refuse_since("Solver/Step solver = fixed point");
+      if (scene.has_prescribed_start)
+        refuse_since("Time/Start = paper");
+      if (!scene.contact.law->is_linear())
+        refuse_since("Contact/Condition = " + parameters.contact.condition);
+      if (scene.contact.has_impacts())
+        refuse_since("Contact/Massless nodes = off and Contact/Condition = " +
+                     parameters.contact.condition);
+    }
   } // namespace
 
 
@@ -231,6 +265,40 @@ namespace ThermoContact
              "Time/Scheme = " + default_scheme().name + ": " +
                scheme.needs_linear_contact);
   }
+
+
+
+  namespace
+  {
+    /** A rod has one gap, which has no y. */
+    void
+    check_gap(const Parameters &parameters)
+    {
+      if (parameters.dimension == 1 &&
+          !parameters.contact.gap_expression.empty())
+        refuse("Contact/Gap",
+               parameters.contact.gap_expression,
+               "a number, since Dimension = 1",
+               "Dimension = 2 or 3 for an obstacle with a shape");
+    }
+
+
+
+    /** Something has to keep the body from moving across its axis. */
+    void
+    check_support(const Scene &scene)
+    {
+      if (scene.fields.has_displacement && scene.has_sliding_end &&
+          !scene.has_rollers && !scene.geometry->has_axis_at_side() &&
+          !scene.material.has_inertia())
+        refuse("Boundary/Fixed end support",
+               scene.parameters.boundary.fixed_end_support,
+               "clamped, since Boundary/Lateral support = free and "
+               "Model/Inertia = 0",
+               "clamped, or Boundary/Lateral support = rollers: without "
+               "inertia nothing holds the body across its axis");
+    }
+  } // namespace
 
 
 
@@ -252,6 +320,12 @@ namespace ThermoContact
              parameters.contact.compliance,
              "epsilon > 0",
              "for a rigid obstacle set Contact/Condition = rigid");
+    if (scene.has_lumped_mass && !scene.geometry->has_uniform_weight())
+      refuse("Mesh/Mass matrix",
+             parameters.mesh.mass_matrix,
+             "consistent, since Mesh/Geometry = " + parameters.mesh.geometry,
+             "Mesh/Mass matrix = consistent: lumped nodes on the axis would "
+             "have no mass");
     check_number_of_unknowns(parameters.mesh, parameters.dimension);
     parse_probe_positions(parameters.output.probes,
                           parameters.dimension,
@@ -265,6 +339,9 @@ namespace ThermoContact
       check_fixed_point(scene);
     check_scheme(scene);
     check_neighbours(scene);
+    check_support(scene);
+    check_gap(parameters);
+    check_linear_solver(scene);
   }
 
 

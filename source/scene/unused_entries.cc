@@ -46,6 +46,7 @@ namespace ThermoContact
                      "Model/Thermoelastic heating",
                      "Model/Poisson ratio",
                      "Boundary/Lateral support",
+                     "Boundary/Fixed end support",
                      "Contact/Condition",
                      "Contact/Compliance",
                      "Contact/Gap",
@@ -114,9 +115,14 @@ namespace ThermoContact
     unused.add_if(parameters.dimension == 1,
                   {"Model/Poisson ratio",
                    "Boundary/Lateral support",
+                   "Boundary/Fixed end support",
                    "Mesh/Width",
-                   "Mesh/Cells across"},
+                   "Mesh/Cells across",
+                   "Mesh/Grading across"},
                   "Dimension = 1");
+    unused.add_if(parameters.dimension != 2,
+                  {"Mesh/Geometry"},
+                  "Dimension = " + std::to_string(parameters.dimension));
     const ContactLawKind &law       = contact_law(parameters.contact.condition);
     const std::string     condition = "Contact/Condition = " + law.name;
     unused.add_if(true, foreign_to_law(law), condition);
@@ -150,6 +156,9 @@ namespace ThermoContact
                   {"Solver/Fixed point tolerance",
                    "Solver/Fixed point iterations"},
                   "Solver/Step solver = monolithic");
+    unused.add_if(scene.linear_solver.has_matrices(),
+                  {"Solver/Linear tolerance"},
+                  "Solver/Linear solver = direct");
     return unused.entries;
   }
 

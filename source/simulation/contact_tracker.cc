@@ -19,7 +19,7 @@ namespace ThermoContact
 
 
   template <int dim>
-  ContactTracker<dim>::ContactTracker(const Body<dim> &body)
+  ContactTracker<dim>::ContactTracker(Body<dim> &body)
     : body(body)
     , transition(body)
     , locator(body.law(),
@@ -141,6 +141,11 @@ namespace ThermoContact
                               std::vector<ContactEvent> &events)
   {
     const ContactMode mode = locator.mode();
+    if (!result.closed_nodes.empty())
+      {
+        transition.settle_closed_nodes(result);
+        get_values(result.state, next);
+      }
     locator.accept(next, finding, events);
     n_retakes = 0;
     if (verdict.kind == ContactVerdict::accept_with_law)

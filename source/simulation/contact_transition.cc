@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/simulation/contact_transition.h>
+#include <thermocontact/simulation/quasi_static_start.h>
+#include <thermocontact/time/contact_equilibrium.h>
 
 #include <algorithm>
 
 namespace ThermoContact
 {
   template <int dim>
-  ContactTransition<dim>::ContactTransition(const Body<dim> &body)
+  ContactTransition<dim>::ContactTransition(Body<dim> &body)
     : body(body)
   {}
 
@@ -42,7 +44,8 @@ namespace ThermoContact
   void
   ContactTransition<dim>::restore(const SolverCounters &counters)
   {
-    if (counters.factorizations > 0 && !mass_solver)
+    if (counters.factorizations > 0 && body.scene.contact.has_mass() &&
+        !mass_solver)
       compute_impulse_responses();
     counters_ = counters;
   }
@@ -85,6 +88,28 @@ namespace ThermoContact
     const double old_energy = energy_terms.sum();
     energy_terms            = body.energy.energy(state);
     numerical_dissipation += old_energy - energy_terms.sum();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactTransition<dim>::settle_closed_nodes(StepResult &result)
+  {
+    if (result.closed_nodes.empty() || !body.law().is_rigid())
+      return;
+    if (!body.scene.material.has_inertia())
+      {
+        complete_quasi_static_state(body, result.state, result.closed_nodes);
+        ++counters_.factorizations;
+        return;
+      }
+    if (contact_stiffness_.empty())
+      contact_stiffness_ = contact_stiffness(body);
+    settle_contact_velocities(body,
+                              contact_stiffness_,
+                              result.closed_nodes,
+                              result.state);
   }
 
 

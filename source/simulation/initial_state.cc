@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/simulation/quasi_static_start.h>
 #include <thermocontact/space/h1_projection.h>
@@ -68,6 +69,17 @@ namespace ThermoContact
 
 
 
+    /** The gap as it is written. */
+    std::string
+    words_of_gap(const Scene &scene)
+    {
+      return scene.contact.has_uniform_gap() ?
+               text(scene.contact.gap) :
+               scene.parameters.contact.gap_expression;
+    }
+
+
+
     /** A rigid obstacle must not be penetrated. */
     template <int dim>
     void
@@ -85,23 +97,29 @@ namespace ThermoContact
       body.contact_end().get_values(Field::displacement,
                                     state.velocity,
                                     velocity);
-      const double reach =
-        *std::max_element(displacement.begin(), displacement.end());
-      const double gap = scene.contact.gap;
+      std::vector<double> penetration;
+      body.contact_end().get_penetrations(state.displacement, penetration);
+      const unsigned int deepest =
+        std::max_element(penetration.begin(), penetration.end()) -
+        penetration.begin();
 
       std::ostringstream message;
-      message << "Contact/Gap = " << gap << ": ";
-      if (reach > gap)
+      message << "Contact/Gap = " << words_of_gap(scene) << ": ";
+      if (penetration[deepest] > 0.)
         {
-          message << "the initial displacement " << reach
-                  << " of the end penetrates the rigid obstacle\n  remedy:  a "
+          message << "the initial displacement " << displacement[deepest]
+                  << " of the end";
+          if (!scene.contact.has_uniform_gap())
+            message << ", where the gap is "
+                    << body.contact_end().nodes()[deepest].gap << ',';
+          message << " penetrates the rigid obstacle\n  remedy:  a "
                      "larger gap, another Initial values/Displacement, or "
                      "Contact/Condition = normal compliance";
           throw InputError(message.str());
         }
       if (scene.has_prescribed_start && scene.parameters.time.end_time > 0.)
         for (unsigned int i = 0; i < velocity.size(); ++i)
-          if (displacement[i] + first_step_size * velocity[i] > gap)
+          if (penetration[i] + first_step_size * velocity[i] > 0.)
             {
               message
                 << "the prescribed first step of the paper would "
@@ -120,7 +138,7 @@ namespace ThermoContact
                     const State              &state,
                     std::vector<std::string> &warnings)
     {
-      const double gap      = body.scene.contact.gap;
+      const double gap      = body.contact_end().range_of_gap().first;
       const double pressure = *std::max_element(state.contact_pressure.begin(),
                                                 state.contact_pressure.end());
       if (!body.law().is_active() || (gap >= 0. && pressure == 0.))
@@ -130,7 +148,7 @@ namespace ThermoContact
                                     state.displacement,
                                     displacement);
       std::ostringstream message;
-      message << "Contact/Gap = " << gap << ": "
+      message << "Contact/Gap = " << words_of_gap(body.scene) << ": "
               << (gap < 0. ?
                     "negative, the undeformed body overlaps the obstacle "
                     "(preload)" :
@@ -153,7 +171,8 @@ namespace ThermoContact
     const Discretization<dim> &discretization = body.discretization;
     State                      state          = discretization.make_state();
     {
-      H1Projection<dim> projection(discretization);
+      H1Projection<dim> projection(discretization,
+                                   body.equations.matrix_free());
       projection.project(body.data.initial_fields(),
                          state.temperature,
                          state.displacement);

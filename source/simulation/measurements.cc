@@ -151,6 +151,12 @@ namespace ThermoContact
     record.in_contact    = largest_pressure > 0.;
     record.stress_end    = mean_traction() - record.contact_force;
 
+    if (dim > 1)
+      {
+        measure_face(state, record.face);
+        record.face.min_gap = record.gap;
+      }
+
     double mid = 0.;
     for (const auto &[entry, weight] : mid_weights)
       mid += weight * state.displacement.begin()[entry];
@@ -158,6 +164,29 @@ namespace ThermoContact
     if (Utilities::MPI::n_mpi_processes(communicator) > 1)
       mid = Utilities::MPI::sum(mid, communicator);
     record.displacement_mid = mid;
+  }
+
+
+
+  template <int dim>
+  void
+  Measurements<dim>::measure_face(const State &state, FaceRecord &face)
+  {
+    const ContactEnd<dim> &end  = body.contact_end();
+    const Point<dim>       axis = body.discretization.geometry().on_axis(1.);
+    const bool is_axis_inside   = !body.scene.geometry->has_axis_at_side();
+    face                        = FaceRecord();
+    for (unsigned int i = 0; i < end.n_nodes(); ++i)
+      if (const double p = state.contact_pressure[i]; p > 0.)
+        {
+          face.contact_area += end.share(i);
+          face.max_pressure = std::max(face.max_pressure, p);
+          if (!is_axis_inside)
+            continue;
+          const Tensor<1, dim> arm = end.nodes()[i].position - axis;
+          face.moment_y += end.share(i) * p * (dim > 1 ? arm[dim > 1] : 0.);
+          face.moment_z += end.share(i) * p * (dim > 2 ? arm[dim - 1] : 0.);
+        }
   }
 
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/method/contact_solver.h>
 #include <thermocontact/simulation/quasi_static_start.h>
 #include <thermocontact/space/direct_solver.h>
+#include <thermocontact/time/iterative_solver.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -13,6 +15,17 @@ namespace ThermoContact
 {
   namespace
   {
+    template <int dim>
+    std::vector<double>
+    penetrations(const Body<dim> &body, const State &state)
+    {
+      std::vector<double> result;
+      body.contact_end().get_penetrations(state.displacement, result);
+      return result;
+    }
+
+
+
     /**
      * Solves $Sw=r-Np$ with (M.18) for $w$ at the contact nodes.
      *
@@ -77,10 +90,70 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /**
+     * The same without matrices: stages of length 1 with the temperature as it
+     * is. Their equations have the matrix $(\zeta+1)S$ and the forces on the
+     * body as loads.
+     */
+    template <int dim>
+    void
+    complete_iteratively(Body<dim> &body, State &state)
+    {
+      const Discretization<dim> &space = body.discretization;
+      Vector heat_load                 = space.make_vector(Field::temperature);
+      Vector momentum_load             = space.make_vector(Field::displacement);
+      body.loads.assemble(state.time, heat_load, momentum_load);
+      IterativeSolver<dim> solver(body);
+      StageRates           rates;
+      rates.velocity = momentum_load;
+      State known(state);
+      known.velocity           = 0.;
+      const Material &material = body.scene.material;
+      if (material.is_static())
+        {
+          solver.solve_momentum(known,
+                                1.,
+                                heat_load,
+                                momentum_load,
+                                ContactMode::unilateral,
+                                rates);
+          state.displacement += rates.velocity;
+          state.contact_pressure = rates.pressure;
+          return;
+        }
+      if (body.law().is_rigid())
+        for (const double s : penetrations(body, state))
+          if (s >= 0.)
+            throw ComputationError(
+              "a body without inertia that starts in contact with a rigid "
+              "obstacle needs sparse factors\n  remedy:  Solver/Linear solver "
+              "= direct, or a larger Contact/Gap");
+      body.equations.subtract_pressure(state.contact_pressure,
+                                       1.,
+                                       momentum_load);
+      solver.solve_momentum(
+        known, 1., heat_load, momentum_load, ContactMode::open, rates);
+      state.velocity.equ((material.viscosity + 1.) / material.viscosity,
+                         rates.velocity);
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
-  complete_quasi_static_state(Body<dim> &body, State &state)
+  complete_quasi_static_state(Body<dim>               &body,
+                              State                   &state,
+                              const std::vector<bool> &is_closed)
   {
+    if constexpr (dim > 1)
+      if (!body.scene.linear_solver.has_matrices())
+        {
+          complete_iteratively(body, state);
+          return;
+        }
     const Discretization<dim> &space = body.discretization;
     Vector heat_load                 = space.make_vector(Field::temperature);
     Vector momentum_load             = space.make_vector(Field::displacement);
@@ -110,13 +183,17 @@ namespace ThermoContact
         return;
       }
 
-    body.equations.subtract_pressure(state.contact_pressure, 1., rhs);
-    std::vector<bool>   is_away(n, true);
-    std::vector<double> penetration;
-    body.contact_end().get_penetrations(state.displacement, penetration);
+    std::vector<bool> is_away(n, true);
     if (body.law().is_rigid())
-      for (unsigned int i = 0; i < n; ++i)
-        is_away[i] = penetration[i] < 0.;
+      {
+        const std::vector<double> penetration = penetrations(body, state);
+        for (unsigned int i = 0; i < n; ++i)
+          is_away[i] = is_closed.empty() ? penetration[i] < 0. : !is_closed[i];
+        std::fill(state.contact_pressure.begin(),
+                  state.contact_pressure.end(),
+                  0.);
+      }
+    body.equations.subtract_pressure(state.contact_pressure, 1., rhs);
     // nodes on a rigid obstacle cannot move into it
     const auto no_inward_velocity = rigid_obstacle().make({});
     solve_with_contact(body,
@@ -133,9 +210,9 @@ namespace ThermoContact
 
 
   template void
-  complete_quasi_static_state(Body<1> &, State &);
+  complete_quasi_static_state(Body<1> &, State &, const std::vector<bool> &);
   template void
-  complete_quasi_static_state(Body<2> &, State &);
+  complete_quasi_static_state(Body<2> &, State &, const std::vector<bool> &);
   template void
-  complete_quasi_static_state(Body<3> &, State &);
+  complete_quasi_static_state(Body<3> &, State &, const std::vector<bool> &);
 } // namespace ThermoContact

@@ -20,7 +20,10 @@ namespace ThermoContact
     , measurements(body_)
     , integrator(scene_.scheme.integrator->make(body_))
     , tracker(body_)
-    , controller(parameters.time, parameters.output, scene_.scheme.order)
+    , controller(parameters.time,
+                 parameters.output,
+                 scene_.scheme.order,
+                 parameters.dimension == 1 ? 4 : 1)
     , error_norm(body_.energy.steady_profile_energy())
     , energy_watch(scene_)
   {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/space/contact_end.h>
 #include <thermocontact/space/discretization.h>
 
@@ -53,7 +55,7 @@ namespace ThermoContact
       FEFaceValues<dim>         face_values(
         discretization.mapping(),
         fe,
-        DimensionTraits<dim>::nodal_face_quadrature(fe.degree),
+        discretization.geometry().node_weight_quadrature(fe.degree),
         update_values | update_quadrature_points | update_JxW_values);
       std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
       std::vector<Share<dim>>              shares;
@@ -67,11 +69,18 @@ namespace ThermoContact
               if (fe.system_to_component_index(i).first != 0 ||
                   !fe.has_support_on_face(i, f))
                 continue;
-              double weight = 0.;
+              double weight = 0., face_weight = 0.;
               for (const unsigned int q :
                    face_values.quadrature_point_indices())
-                weight += face_values.shape_value_component(i, q, 0) *
-                          discretization.geometry().weight(face_values, q);
+                {
+                  const double point_weight =
+                    discretization.geometry().weight(face_values, q);
+                  weight +=
+                    face_values.shape_value_component(i, q, 0) * point_weight;
+                  face_weight += point_weight;
+                }
+              if (std::abs(weight) < 1e-12 * face_weight)
+                weight = 0.; // exactly
               Dofs node_dofs;
               for (const Field::Block field : all_fields)
                 node_dofs[field] = dof_of_field(discretization, dofs, i, field);
@@ -83,6 +92,25 @@ namespace ThermoContact
             }
         });
       return shares;
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /** An expression may be finite at the axis and not at a node. */
+    template <int dim>
+    void
+    check_gap(const ContactNode<dim> &node)
+    {
+      if (dim == 1 || std::isfinite(node.gap))
+        return;
+      throw InputError(
+        text("Contact/Gap: not finite at y = ",
+             node.position[dim > 1 ? 1 : 0],
+             dim > 2 ? text(", z = ", node.position[dim - 1]) : "",
+             "\n  allowed: an expression that is finite on the contact end"));
     }
   } // namespace
 
@@ -103,26 +131,34 @@ namespace ThermoContact
 
   template <int dim>
   ContactEnd<dim>::ContactEnd(const Discretization<dim> &discretization,
-                              const double               gap)
+                              const Function<dim>       &gap)
     : communicator(discretization.communicator())
     , cross_section(discretization.geometry().cross_section())
+    , nodes_(find_nodes(discretization, gap))
+    , n_all_nodes_(nodes_.size())
   {
-    find_nodes(discretization, gap);
     for (const Field::Block field : all_fields)
-      for (unsigned int i = 0; discretization.has_field(field) && i < n_nodes();
+      for (unsigned int i = 0;
+           discretization.has_field(field) && i < nodes_.size();
            ++i)
         if (const IndexSet &owned = discretization.owned_by_block()[field];
             owned.is_element(nodes_[i].dofs[field]))
-          entries_[field].emplace_back(
-            i, owned.index_within_set(nodes_[i].dofs[field]));
+          {
+            all_entries_[field].emplace_back(
+              i, owned.index_within_set(nodes_[i].dofs[field]));
+            if (nodes_[i].weight > 0.)
+              entries_[field].push_back(all_entries_[field].back());
+          }
+    while (nodes_.back().weight == 0.)
+      nodes_.pop_back();
   }
 
 
 
   template <int dim>
-  void
+  std::vector<ContactNode<dim>>
   ContactEnd<dim>::find_nodes(const Discretization<dim> &discretization,
-                              const double               gap)
+                              const Function<dim>       &gap) const
   {
     std::map<Dofs, ContactNode<dim>> nodes;
     for (const auto &of_rank :
@@ -130,22 +166,44 @@ namespace ThermoContact
       for (const auto &[dofs, weight, position] : of_rank)
         {
           ContactNode<dim> &node =
-            nodes.emplace(dofs, ContactNode<dim>{position, dofs, 0., gap})
+            nodes.emplace(dofs, ContactNode<dim>{position, dofs, 0., 0.})
               .first->second;
           node.weight += weight;
         }
+    std::vector<ContactNode<dim>> sorted;
     for (const auto &[dofs, node] : nodes)
-      nodes_.push_back(node);
+      {
+        sorted.push_back(node);
+        sorted.back().gap = gap.value(node.position);
+        check_gap(sorted.back());
+      }
 
     // the numbering depends on the number of ranks, the position does not
-    std::sort(nodes_.begin(),
-              nodes_.end(),
+    std::sort(sorted.begin(),
+              sorted.end(),
               [](const ContactNode<dim> &a, const ContactNode<dim> &b) {
+                if ((a.weight > 0.) != (b.weight > 0.))
+                  return a.weight > 0.;
                 for (unsigned int d = dim - 1; d > 0; --d)
                   if (std::abs(a.position[d] - b.position[d]) > 1e-12)
                     return a.position[d] < b.position[d];
                 return false;
               });
+    return sorted;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEnd<dim>::gather(const Entries       &entries,
+                          const Vector        &vector,
+                          std::vector<double> &values) const
+  {
+    for (const auto &[node, entry] : entries)
+      values[node] = vector.begin()[entry];
+    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+      Utilities::MPI::sum(values, communicator, values);
   }
 
 
@@ -157,10 +215,19 @@ namespace ThermoContact
                               std::vector<double> &values) const
   {
     values.assign(n_nodes(), 0.);
-    for (const auto &[node, entry] : entries_[field])
-      values[node] = vector.begin()[entry];
-    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
-      Utilities::MPI::sum(values, communicator, values);
+    gather(entries_[field], vector, values);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEnd<dim>::get_all_values(const Field::Block   field,
+                                  const Vector        &vector,
+                                  std::vector<double> &values) const
+  {
+    values.assign(n_all_nodes(), 0.);
+    gather(all_entries_[field], vector, values);
   }
 
 
@@ -179,12 +246,27 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactEnd<dim>::set_values(const Field::Block         field,
-                              const std::vector<double> &values,
-                              Vector                    &vector) const
+  ContactEnd<dim>::set_all_values(const Field::Block         field,
+                                  const std::vector<double> &values,
+                                  Vector                    &vector) const
   {
-    for (const auto &[node, entry] : entries_[field])
+    for (const auto &[node, entry] : all_entries_[field])
       vector.begin()[entry] = values[node];
+  }
+
+
+
+  template <int dim>
+  std::pair<double, double>
+  ContactEnd<dim>::range_of_gap() const
+  {
+    const auto [smallest, largest] =
+      std::minmax_element(nodes_.begin(),
+                          nodes_.end(),
+                          [](const auto &a, const auto &b) {
+                            return a.gap < b.gap;
+                          });
+    return {smallest->gap, largest->gap};
   }
 
 

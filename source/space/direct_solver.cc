@@ -29,8 +29,9 @@ namespace ThermoContact
 
 
 
+  template <typename VectorType>
   void
-  DirectSolver::solve(Vector &x, const Vector &b)
+  DirectSolver::solve(VectorType &x, const VectorType &b)
   {
     try
       {
@@ -45,4 +46,11 @@ namespace ThermoContact
           "mesh and Time/Step size for extreme values");
       }
   }
+
+
+
+  template void
+  DirectSolver::solve(Vector &, const Vector &);
+  template void
+  DirectSolver::solve(SystemVector &, const SystemVector &);
 } // namespace ThermoContact

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/space/discretization.h>
+#include <thermocontact/space/matrix_free_spaces.h>
+#include <thermocontact/space/problem_data.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -21,7 +23,7 @@ namespace ThermoContact
   Discretization<dim>::Discretization(const Scene   &scene,
                                       const MPI_Comm communicator)
     : communicator_(communicator)
-    , geometry_(scene.parameters.mesh)
+    , geometry_(scene)
     , triangulation(DimensionTraits<dim>::make_triangulation(communicator))
     , finite_element_(FE_Q<dim>(scene.parameters.mesh.degree),
                       scene.fields.n_components(dim))
@@ -29,39 +31,48 @@ namespace ThermoContact
     , dof_handler_(*triangulation)
     , constrained_entries_(2)
   {
-    make_grid(scene.parameters.mesh);
+    make_grid(scene.parameters.mesh,
+              scene.linear_solver.has_matrices() ?
+                0 :
+                scene.parameters.mesh.n_halvings());
     distribute_dofs(scene.fields);
-    make_constraints(scene.has_rollers);
+    constraints_ = make_constraints(scene.has_sliding_end);
     collect_constrained();
+    if constexpr (dim > 1)
+      if (!scene.linear_solver.has_matrices())
+        {
+          matrix_free_ = std::make_shared<const MatrixFreeSpaces<dim>>(*this);
+          for (const Field::Block field : all_fields)
+            if (has_field(field))
+              prototypes[field].reinit(matrix_free_->make_vector(field));
+        }
     contact_end_ =
-      std::make_unique<const ContactEnd<dim>>(*this, scene.contact.gap);
+      std::make_unique<const ContactEnd<dim>>(*this, *contact_gap<dim>(scene));
   }
 
 
 
   template <int dim>
   void
-  Discretization<dim>::make_grid(const MeshParameters &mesh)
+  Discretization<dim>::make_grid(const MeshParameters &mesh,
+                                 const unsigned int    n_halvings)
   {
-    std::vector<unsigned int> repetitions(dim, mesh.cells_across);
-    repetitions[0]          = mesh.cells;
+    std::vector<unsigned int> repetitions(dim, mesh.cells_across >> n_halvings);
+    repetitions[0]          = mesh.cells >> n_halvings;
     const Point<dim> corner = geometry_.corner();
 
     const bool colorize = true;
-    if (mesh.grading == 1.)
+    if (mesh.grading == 1. && mesh.grading_across == 1.)
       GridGenerator::subdivided_hyper_rectangle(
         *triangulation, repetitions, Point<dim>(), corner, colorize);
     else
       {
-        std::vector<std::vector<double>> sizes(
-          dim,
-          std::vector<double>(mesh.cells_across,
-                              mesh.width / mesh.cells_across));
+        std::vector<std::vector<double>> sizes(dim, mesh.cell_sizes_across());
         sizes[0] = mesh.cell_sizes();
         GridGenerator::subdivided_hyper_rectangle(
           *triangulation, sizes, Point<dim>(), corner, colorize);
       }
-    triangulation->refine_global(mesh.refinements);
+    triangulation->refine_global(mesh.refinements + n_halvings);
   }
 
 
@@ -96,25 +107,29 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  Discretization<dim>::make_constraints(const bool has_rollers)
+  AffineConstraints<double>
+  Discretization<dim>::make_constraints(const bool has_sliding_end) const
   {
-    constraints_.reinit(relevant_);
+    AffineConstraints<double> constraints(relevant_);
 
     const Functions::ZeroFunction<dim> zero(n_components());
+    ComponentMask                      held(n_components(), true);
+    if (has_sliding_end && has_field(Field::displacement))
+      for (unsigned int d = 1; d < dim; ++d)
+        held.set(first_component(Field::displacement) + d, false);
     VectorTools::interpolate_boundary_values(
-      mapping_, dof_handler_, fixed_boundary_id, zero, constraints_);
-    for (unsigned int d = 1;
-         has_rollers && has_field(Field::displacement) && d < dim;
-         ++d)
+      mapping_, dof_handler_, fixed_boundary_id, zero, constraints, held);
+    for (unsigned int d = 1; has_field(Field::displacement) && d < dim; ++d)
       {
         ComponentMask normal(n_components(), false);
         normal.set(first_component(Field::displacement) + d, true);
-        for (const types::boundary_id id : {2 * d, 2 * d + 1})
-          VectorTools::interpolate_boundary_values(
-            mapping_, dof_handler_, id, zero, constraints_, normal);
+        for (const types::boundary_id face : {2 * d, 2 * d + 1})
+          if (geometry_.is_held(face))
+            VectorTools::interpolate_boundary_values(
+              mapping_, dof_handler_, face, zero, constraints, normal);
       }
-    constraints_.close();
+    constraints.close();
+    return constraints;
   }
 
 
@@ -155,10 +170,26 @@ namespace ThermoContact
 
 
   template <int dim>
+  BlockVector
+  Discretization<dim>::make_ghosted_vector() const
+  {
+    std::vector<IndexSet> owned, relevant;
+    for (const Field::Block field : all_fields)
+      if (has_field(field))
+        {
+          owned.push_back(owned_by_block_[field]);
+          relevant.push_back(relevant_by_block_[field]);
+        }
+    return BlockVector(owned, relevant, communicator_);
+  }
+
+
+
+  template <int dim>
   void
   Discretization<dim>::join(const Vector &temperature,
                             const Vector &displacement,
-                            Vector       &system) const
+                            SystemVector &system) const
   {
     // Owned indices of the system are those of block 0, then those of block 1.
     std::copy(displacement.begin(),
@@ -172,9 +203,9 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Discretization<dim>::split(const Vector &system,
-                             Vector       &temperature,
-                             Vector       &displacement) const
+  Discretization<dim>::split(const SystemVector &system,
+                             Vector             &temperature,
+                             Vector             &displacement) const
   {
     const auto middle = system.begin() + temperature.locally_owned_size();
     std::copy(system.begin(), middle, temperature.begin());

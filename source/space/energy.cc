@@ -63,7 +63,7 @@ namespace ThermoContact
   {
     if (!discretization.has_field(Field::temperature))
       return;
-    Vector system = discretization.make_system_vector();
+    SystemVector system = discretization.make_system_vector();
     VectorTools::interpolate(discretization.mapping(),
                              discretization.dof_handler(),
                              SteadyProfile<dim>(discretization.n_components(),
@@ -90,11 +90,11 @@ namespace ThermoContact
 
   template <int dim>
   double
-  Energy<dim>::heat_form(const SparseMatrix &matrix, const Vector &vector) const
+  Energy<dim>::heat_form(const LinearMap &map, const Vector &vector) const
   {
     if (!discretization.has_field(Field::temperature))
       return 0.;
-    matrix.vmult(heat_product, vector);
+    map.vmult(heat_product, vector);
     return vector * heat_product / discretization.geometry().cross_section();
   }
 
@@ -102,12 +102,11 @@ namespace ThermoContact
 
   template <int dim>
   double
-  Energy<dim>::momentum_form(const SparseMatrix &matrix,
-                             const Vector       &vector) const
+  Energy<dim>::momentum_form(const LinearMap &map, const Vector &vector) const
   {
     if (!discretization.has_field(Field::displacement))
       return 0.;
-    matrix.vmult(momentum_product, vector);
+    map.vmult(momentum_product, vector);
     return vector * momentum_product /
            discretization.geometry().cross_section();
   }

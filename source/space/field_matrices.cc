@@ -33,7 +33,7 @@ namespace ThermoContact
     {
       double         theta = 0.;
       Tensor<1, dim> grad_theta;
-      Strain<dim>    strain;
+      Strain         strain;
     };
 
 

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/types.h>
 #include <thermocontact/space/geometry.h>
 
-#include <cmath>
+#include <deal.II/base/quadrature_lib.h>
 
 namespace ThermoContact
 {
   template <int dim>
-  Geometry<dim>::Geometry(const MeshParameters &mesh)
-    : width(mesh.width)
-    , cross_section_(std::pow(mesh.width, dim - 1))
+  Geometry<dim>::Geometry(const Scene &scene)
+    : body(*scene.geometry)
+    , has_rollers(scene.has_rollers)
+    , width(scene.parameters.mesh.width)
+    , cross_section_(body.cross_section())
   {}
 
 
@@ -33,8 +36,31 @@ namespace ThermoContact
     dealii::Point<dim> point;
     point[0] = x;
     for (unsigned int d = 1; d < dim; ++d)
-      point[d] = 0.5 * width;
+      point[d] = body.axis();
     return point;
+  }
+
+
+
+  template <int dim>
+  dealii::Quadrature<dim - 1>
+  Geometry<dim>::node_weight_quadrature(const unsigned int degree) const
+  {
+    // with a weight the nodal rule is not exact for degree 1
+    if (!body.has_uniform_weight())
+      return dealii::QGauss<dim - 1>(degree + 1);
+    return DimensionTraits<dim>::nodal_face_quadrature(degree);
+  }
+
+
+
+  template <int dim>
+  bool
+  Geometry<dim>::is_held(const dealii::types::boundary_id lateral_face) const
+  {
+    constexpr dealii::types::boundary_id side_at_zero = 2; // y = 0
+    return has_rollers ||
+           (lateral_face == side_at_zero && body.has_axis_at_side());
   }
 
 

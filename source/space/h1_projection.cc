@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/space/h1_projection.h>
+#include <thermocontact/space/linear_map.h>
+#include <thermocontact/space/matrix_free_operator.h>
 
 #include <deal.II/dofs/dof_tools.h>
 
 #include <deal.II/fe/fe_values.h>
 
+#include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <deal.II/numerics/vector_tools_interpolate.h>
@@ -19,7 +23,7 @@ namespace ThermoContact
     template <int dim, typename Test>
     void
     add_difference(const Function<dim>     &function,
-                   const Vector            &interpolant,
+                   const SystemVector      &interpolant,
                    const FEValuesBase<dim> &values,
                    const Test              &test,
                    dealii::Vector<double>  &cell_rhs)
@@ -38,15 +42,69 @@ namespace ThermoContact
             cell_rhs(i) += difference * test(i, q) * values.JxW(q);
           }
     }
+
+
+
+    /** A product with rows and columns of the identity for fixed entries. */
+    struct FixedProduct
+    {
+      FunctionMap::Product             product;
+      const std::vector<unsigned int> &fixed;
+
+      void
+      vmult(Vector &y, const Vector &x) const
+      {
+        product(y, x);
+        for (const unsigned int entry : fixed)
+          y.local_element(entry) = x.local_element(entry);
+      }
+    };
+
+
+
+    /**
+     * Adds to @p values the solution for @p rhs, which is zero where entries are
+     * fixed, by conjugate gradients with the diagonal: once a run.
+     */
+    void
+    add_solution(const FunctionMap::Product      &product,
+                 Vector                           diagonal,
+                 const std::vector<unsigned int> &fixed,
+                 const Vector                    &rhs,
+                 Vector                          &values)
+    {
+      if (rhs.linfty_norm() == 0.)
+        return;
+      for (double &value : diagonal)
+        value = 1. / value;
+      for (const unsigned int entry : fixed)
+        diagonal.local_element(entry) = 1.;
+      const unsigned int max_iterations = 20000;
+      SolverControl      control(max_iterations,
+                            1e-13 * rhs.l2_norm(),
+                            false,
+                            false);
+      Vector             correction(rhs);
+      correction = 0.;
+      SolverCG<Vector>(control).solve(FixedProduct{product, fixed},
+                                      correction,
+                                      rhs,
+                                      DiagonalMatrix<Vector>(diagonal));
+      values += correction;
+    }
   } // namespace
 
 
 
   template <int dim>
-  H1Projection<dim>::H1Projection(const Discretization<dim> &discretization)
+  H1Projection<dim>::H1Projection(const Discretization<dim>     &discretization,
+                                  const MatrixFreeOperator<dim> *products)
     : discretization(discretization)
+    , constraints(discretization.clamped_constraints())
+    , products(products)
   {
-    assemble_laplace_matrix();
+    if (products == nullptr)
+      assemble_laplace_matrix();
   }
 
 
@@ -67,7 +125,7 @@ namespace ThermoContact
     DoFTools::make_sparsity_pattern(discretization.dof_handler(),
                                     coupling,
                                     pattern,
-                                    discretization.constraints(),
+                                    constraints,
                                     false,
                                     Utilities::MPI::this_mpi_process(
                                       discretization.communicator()));
@@ -83,9 +141,8 @@ namespace ThermoContact
   void
   H1Projection<dim>::assemble_laplace_matrix()
   {
-    const FiniteElement<dim> &fe          = discretization.finite_element();
-    const auto               &constraints = discretization.constraints();
-    SparseMatrix              matrix      = make_matrix();
+    const FiniteElement<dim> &fe     = discretization.finite_element();
+    SparseMatrix              matrix = make_matrix();
 
     FEValues<dim>      fe_values(discretization.mapping(),
                             fe,
@@ -118,9 +175,9 @@ namespace ThermoContact
 
 
   template <int dim>
-  Vector
+  SystemVector
   H1Projection<dim>::correction_rhs(const Function<dim> &function,
-                                    const Vector        &interpolant) const
+                                    const SystemVector  &interpolant) const
   {
     const FiniteElement<dim> &fe = discretization.finite_element();
     // The data are no polynomials: more points than the products need.
@@ -138,11 +195,11 @@ namespace ThermoContact
                                     update_quadrature_points |
                                     update_JxW_values);
 
-    Vector ghosted(discretization.owned(),
-                   discretization.relevant(),
-                   discretization.communicator());
-    ghosted    = interpolant;
-    Vector rhs = discretization.make_system_vector();
+    SystemVector ghosted(discretization.owned(),
+                         discretization.relevant(),
+                         discretization.communicator());
+    ghosted          = interpolant;
+    SystemVector rhs = discretization.make_system_vector();
 
     dealii::Vector<double>               cell_rhs(fe.dofs_per_cell);
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
@@ -174,9 +231,7 @@ namespace ThermoContact
                 cell_rhs);
             }
           cell->get_dof_indices(dofs);
-          discretization.constraints().distribute_local_to_global(cell_rhs,
-                                                                  dofs,
-                                                                  rhs);
+          constraints.distribute_local_to_global(cell_rhs, dofs, rhs);
         }
     rhs.compress(VectorOperation::add);
     return rhs;
@@ -190,16 +245,76 @@ namespace ThermoContact
                              Vector              &temperature,
                              Vector              &displacement)
   {
-    Vector projection = discretization.make_system_vector();
+    SystemVector projection = discretization.make_system_vector();
     VectorTools::interpolate(discretization.mapping(),
                              discretization.dof_handler(),
                              function,
                              projection);
-    const Vector rhs = correction_rhs(function, projection);
-    Vector       correction(rhs);
+    const SystemVector rhs = correction_rhs(function, projection);
+    if (products != nullptr)
+      {
+        discretization.split(projection, temperature, displacement);
+        if constexpr (dim > 1)
+          add_iteratively(rhs, temperature, displacement);
+        return;
+      }
+    SystemVector correction(rhs);
     laplace_solver->solve(correction, rhs);
     projection += correction;
     discretization.split(projection, temperature, displacement);
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  H1Projection<dim>::kept_entries(const Field::Block field) const
+  {
+    std::vector<unsigned int> entries;
+    const IndexSet           &owned = discretization.owned_by_block()[field];
+    for (const types::global_dof_index dof : owned)
+      if (constraints.is_constrained(dof + discretization.first_dof(field)))
+        entries.push_back(owned.index_within_set(dof));
+    return entries;
+  }
+
+
+
+  template <int dim>
+  void
+  H1Projection<dim>::add_iteratively(const SystemVector &rhs,
+                                     Vector             &temperature,
+                                     Vector             &displacement) const
+  {
+    if constexpr (dim > 1)
+      {
+        Vector heat     = discretization.make_vector(Field::temperature);
+        Vector momentum = discretization.make_vector(Field::displacement);
+        discretization.split(rhs, heat, momentum);
+        using HeatFactors = typename MatrixFreeOperator<dim>::HeatFactors;
+        using MomentumFactors =
+          typename MatrixFreeOperator<dim>::MomentumFactors;
+        const HeatFactors laplacian_of_heat{0., 1., true};
+        if (discretization.has_field(Field::temperature))
+          add_solution(
+            [&](Vector &y, const Vector &x) {
+              products->heat(laplacian_of_heat, y, x);
+            },
+            products->heat_diagonal(laplacian_of_heat),
+            kept_entries(Field::temperature),
+            heat,
+            temperature);
+        const MomentumFactors laplacian{0., 0., 0., 1.};
+        if (discretization.has_field(Field::displacement))
+          add_solution(
+            [&](Vector &y, const Vector &x) {
+              products->momentum(laplacian, y, x);
+            },
+            products->momentum_diagonal(laplacian),
+            kept_entries(Field::displacement),
+            momentum,
+            displacement);
+      }
   }
 
 

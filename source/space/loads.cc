@@ -33,7 +33,7 @@ namespace ThermoContact
                   discretization.finite_element(),
                   QGauss<dim - 1>(n_points(discretization)),
                   update_values | update_quadrature_points | update_JxW_values)
-    , sources(discretization.owned_by_block(), discretization.communicator())
+    , sources(discretization.make_ghosted_vector())
     , cell_load(discretization.finite_element().dofs_per_cell)
     , obstacle_heat_(discretization.make_vector(Field::temperature))
   {
@@ -43,7 +43,7 @@ namespace ThermoContact
     integrate_end_flux(
       Functions::ConstantFunction<dim>(scene.heat.obstacle_heat()));
     sources.compress(VectorOperation::add);
-    obstacle_heat_ += sources.block(Field::temperature);
+    add_sources(Field::temperature, obstacle_heat_);
   }
 
 
@@ -67,8 +67,8 @@ namespace ThermoContact
         if (data.heat_source() != nullptr || data.body_force() != nullptr)
           integrate_volume();
         sources.compress(VectorOperation::add);
-        heat += sources.block(Field::temperature);
-        momentum += sources.block(Field::displacement);
+        add_sources(Field::temperature, heat);
+        add_sources(Field::displacement, momentum);
       }
     if (data.end_traction() != nullptr)
       for (const auto &[node, entry] :
@@ -79,6 +79,19 @@ namespace ThermoContact
           momentum.begin()[entry] +=
             n.weight * data.end_traction()->value(n.position);
         }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::add_sources(const Field::Block field, Vector &load) const
+  {
+    if (!discretization.has_field(field))
+      return;
+    const Vector &part = sources.block(discretization.ghosted_block(field));
+    for (unsigned int i = 0; i < load.locally_owned_size(); ++i)
+      load.local_element(i) += part.local_element(i);
   }
 
 

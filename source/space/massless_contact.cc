@@ -81,6 +81,17 @@ namespace ThermoContact
 
 
 
+  std::vector<double>
+  extension_from_other_nodes(const unsigned int degree)
+  {
+    std::vector<double> factors;
+    for (const auto &polynomial : basis_off_contact(degree))
+      factors.push_back(polynomial.value(1.));
+    return factors;
+  }
+
+
+
   template <int dim>
   FullMatrix<double>
   extension_to_contact_nodes(const Discretization<dim> &discretization)
@@ -89,7 +100,7 @@ namespace ThermoContact
     const unsigned int        n  = fe.dofs_per_cell;
     const unsigned int        axial =
       discretization.first_component(Field::displacement);
-    const auto                  basis = basis_off_contact(fe.degree);
+    const std::vector<double>   factors = extension_from_other_nodes(fe.degree);
     const std::vector<Point<1>> nodes =
       QGaussLobatto<1>(fe.degree + 1).get_points();
     const auto is_axial = [&](const unsigned int i) {
@@ -108,9 +119,9 @@ namespace ThermoContact
               if (!is_axial(j) ||
                   shifted.distance(fe.unit_support_point(i)) > 1e-12)
                 continue;
-              for (unsigned int k = 0; k < basis.size(); ++k)
+              for (unsigned int k = 0; k < factors.size(); ++k)
                 if (std::abs(nodes[k][0] - fe.unit_support_point(j)[0]) < 1e-12)
-                  extension(i, j) = basis[k].value(1.);
+                  extension(i, j) = factors[k];
             }
         }
     return extension;

@@ -3,6 +3,7 @@
 #include <thermocontact/input/expression.h>
 #include <thermocontact/space/problem_data.h>
 
+#include <deal.II/base/function.h>
 #include <deal.II/base/numbers.h>
 
 namespace ThermoContact
@@ -54,6 +55,25 @@ namespace ThermoContact
       }
     };
   } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<const Function<dim>>
+  contact_gap(const Scene &scene)
+  {
+    const SceneContact &contact = scene.contact;
+    if (!contact.law->is_active() || contact.has_uniform_gap())
+      return std::make_unique<const Functions::ConstantFunction<dim>>(
+        contact.gap);
+    ExpressionNames names; // x is known too: it is one on the end
+    names.constants["pi"] = numbers::PI;
+    names.example         = "0.1+(y-0.05)^2/2";
+    return make_function<dim>(
+      check_expression<dim>(
+        {"Contact/Gap", scene.parameters.contact.gap_expression}, 1, names),
+      names);
+  }
 
 
 
@@ -172,6 +192,13 @@ namespace ThermoContact
   }
 
 
+
+  template std::unique_ptr<const Function<1>>
+  contact_gap(const Scene &);
+  template std::unique_ptr<const Function<2>>
+  contact_gap(const Scene &);
+  template std::unique_ptr<const Function<3>>
+  contact_gap(const Scene &);
 
   template class ProblemData<1>;
   template class ProblemData<2>;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/space/matrix_free_operator.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -59,6 +60,122 @@ namespace ThermoContact
                      false);
         }
     }
+    /** The diagonal block of the displacement. */
+    const SparseMatrix &
+    last_block(const BlockSparseMatrix &matrix)
+    {
+      return matrix.block(matrix.n_block_rows() - 1, matrix.n_block_cols() - 1);
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<const FieldMatrices<dim>>
+    make_matrices(const Scene &scene, const Discretization<dim> &discretization)
+    {
+      return scene.linear_solver.has_matrices() ?
+               std::make_unique<const FieldMatrices<dim>>(scene,
+                                                          discretization) :
+               nullptr;
+    }
+
+
+
+    template <int dim>
+    std::shared_ptr<const MatrixFreeOperator<dim>>
+    make_matrix_free(const Scene               &scene,
+                     const Discretization<dim> &discretization)
+    {
+      if constexpr (dim > 1)
+        if (!scene.linear_solver.has_matrices())
+          return std::make_shared<const MatrixFreeOperator<dim>>(
+            scene, discretization);
+      return nullptr;
+    }
+
+
+
+    std::unique_ptr<const LinearMap>
+    map(const SparseMatrix &matrix)
+    {
+      return std::make_unique<MatrixMap>(matrix);
+    }
+
+
+
+    template <int dim>
+    FieldMaps
+    make_maps(const Scene &scene, const FieldMatrices<dim> &matrices)
+    {
+      FieldMaps maps;
+      if (scene.fields.has_temperature)
+        {
+          maps.heat_mass  = map(matrices.mass.block(0, 0));
+          maps.conduction = map(matrices.stiffness.block(0, 0));
+        }
+      if (scene.fields.has_displacement)
+        {
+          maps.momentum_mass = map(last_block(matrices.mass));
+          maps.stiffness     = map(last_block(matrices.stiffness));
+        }
+      if (scene.material.has_thermal_stress())
+        {
+          maps.divergence     = map(matrices.coupling.block(0, 1));
+          maps.thermal_stress = map(matrices.coupling.block(1, 0));
+        }
+      if (scene.has_elastic_contact_nodes())
+        maps.viscous_stiffness = map(last_block(matrices.viscous_stiffness));
+      return maps;
+    }
+
+
+
+    template <int dim>
+    FieldMaps
+    make_maps(const MatrixFreeOperator<dim> &products)
+    {
+      using Operator  = MatrixFreeOperator<dim>;
+      const auto heat = [&](const typename Operator::HeatFactors &factors) {
+        return std::make_unique<FunctionMap>(
+          [&products, factors](Vector &y, const Vector &x) {
+            products.heat(factors, y, x);
+          });
+      };
+      const auto momentum =
+        [&](const typename Operator::MomentumFactors &factors) {
+          return std::make_unique<FunctionMap>(
+            [&products, factors](Vector &y, const Vector &x) {
+              products.momentum(factors, y, x);
+            });
+        };
+      FieldMaps maps;
+      maps.heat_mass         = heat({1., 0.});
+      maps.conduction        = heat({0., 1.});
+      maps.momentum_mass     = momentum({1., 0., 0.});
+      maps.stiffness         = momentum({0., 1., 0.});
+      maps.viscous_stiffness = momentum({0., 0., 1.});
+      maps.divergence        = std::make_unique<FunctionMap>(
+        [&products](Vector &y, const Vector &x) { products.divergence(y, x); });
+      maps.thermal_stress =
+        std::make_unique<FunctionMap>([&products](Vector &y, const Vector &x) {
+          products.thermal_stress(y, x);
+        });
+      return maps;
+    }
+
+
+
+    template <int dim>
+    FieldMaps
+    make_maps(const Scene                   &scene,
+              const FieldMatrices<dim>      *matrices,
+              const MatrixFreeOperator<dim> *products)
+    {
+      if constexpr (dim > 1)
+        if (products != nullptr)
+          return make_maps(*products);
+      return make_maps(scene, *matrices);
+    }
   } // namespace
 
 
@@ -70,7 +187,9 @@ namespace ThermoContact
     : discretization(discretization)
     , material(scene.material)
     , has_own_viscous_stiffness(scene.has_elastic_contact_nodes())
-    , matrices(scene, discretization)
+    , matrices(make_matrices(scene, discretization))
+    , matrix_free_(make_matrix_free(scene, discretization))
+    , maps(make_maps(scene, matrices.get(), matrix_free_.get()))
     , heat_scratch(discretization.make_vector(Field::temperature))
     , momentum_scratch(discretization.make_vector(Field::displacement))
   {}
@@ -81,7 +200,11 @@ namespace ThermoContact
   SparseMatrix
   ThermoviscoelasticOperator<dim>::heat_stage_matrix(const double tau) const
   {
-    return combine(heat_mass(), 1., conduction(), tau, Field::temperature);
+    return combine(matrices->mass.block(0, 0),
+                   1.,
+                   matrices->stiffness.block(0, 0),
+                   tau,
+                   Field::temperature);
   }
 
 
@@ -90,21 +213,21 @@ namespace ThermoContact
   SparseMatrix
   ThermoviscoelasticOperator<dim>::momentum_stage_matrix(const double tau) const
   {
+    const SparseMatrix &mass      = last_block(matrices->mass);
+    const SparseMatrix &stiffness = last_block(matrices->stiffness);
     if (!has_own_viscous_stiffness)
-      return combine(momentum_mass(),
+      return combine(mass,
                      material.inertia,
-                     stiffness(),
+                     stiffness,
                      tau * material.viscosity + tau * tau,
                      Field::displacement);
     SparseMatrix viscous_and_elastic;
-    viscous_and_elastic.copy_from(stiffness());
+    viscous_and_elastic.copy_from(stiffness);
     viscous_and_elastic *= tau * tau;
-    viscous_and_elastic.add(tau * material.viscosity, viscous_stiffness());
-    return combine(momentum_mass(),
-                   material.inertia,
-                   viscous_and_elastic,
-                   1.,
-                   Field::displacement);
+    viscous_and_elastic.add(tau * material.viscosity,
+                            last_block(matrices->viscous_stiffness));
+    return combine(
+      mass, material.inertia, viscous_and_elastic, 1., Field::displacement);
   }
 
 
@@ -153,13 +276,13 @@ namespace ThermoContact
     const IndexSet                none_of_heat(n);
     const IndexSet none_of_momentum(discretization.n_displacement_dofs());
     add_block(heat_stage_matrix(tau), 1., 0, 0, none_of_heat, matrix);
-    add_block(divergence(),
+    add_block(matrices->coupling.block(0, 1),
               tau * material.heating,
               0,
               n,
               discretization.constrained(Field::temperature),
               matrix);
-    add_block(thermal_stress(),
+    add_block(matrices->coupling.block(1, 0),
               -tau * material.thermal_stress,
               n,
               0,

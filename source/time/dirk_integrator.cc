@@ -3,8 +3,11 @@
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/time/dirk_integrator.h>
 #include <thermocontact/time/fixed_point_solver.h>
+#include <thermocontact/time/iterative_solver.h>
 #include <thermocontact/time/monolithic_solver.h>
 #include <thermocontact/time/schemes.h>
+
+#include <algorithm>
 
 namespace ThermoContact
 {
@@ -16,6 +19,9 @@ namespace ThermoContact
     {
       if (body.scene.is_fixed_point)
         return std::make_unique<FixedPointSolver<dim>>(body);
+      if constexpr (dim > 1)
+        if (!body.scene.linear_solver.has_matrices())
+          return std::make_unique<IterativeSolver<dim>>(body);
       return std::make_unique<MonolithicSolver<dim>>(body);
     }
   } // namespace
@@ -93,6 +99,78 @@ namespace ThermoContact
 
 
   template <int dim>
+  bool
+  DirkIntegrator<dim>::can_change_at_once(const ContactMode mode) const
+  {
+    const SceneContact &contact = body.scene.contact;
+    return contact.law->is_active() && !contact.has_mass() &&
+           (mode == ContactMode::unilateral || contact.is_in_equilibrium);
+  }
+
+
+
+  template <int dim>
+  bool
+  DirkIntegrator<dim>::holds_closing_nodes(const ContactMode mode) const
+  {
+    return solver->can_hold_nodes() && mode == ContactMode::unilateral &&
+           can_change_at_once(mode) && !body.scene.contact.is_in_equilibrium &&
+           !std::is_sorted(tableau.c.begin(), tableau.c.end());
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::hold_closing_nodes(const State       &state,
+                                          const unsigned int i)
+  {
+    std::vector<bool> &is_held = stages[i].is_held;
+    is_held.assign(state.contact_pressure.size(), false);
+    for (unsigned int j = 0; j < i; ++j)
+      for (unsigned int node = 0; node < is_held.size(); ++node)
+        if (state.contact_pressure[node] == 0. && stages[j].pressure[node] > 0.)
+          is_held[node] = true;
+  }
+
+
+
+  template <int dim>
+  std::vector<bool>
+  DirkIntegrator<dim>::closed_at_end(const ContactMode mode) const
+  {
+    const StageRates &last = stages.back();
+    std::vector<bool> is_closed(last.is_held);
+    is_closed.resize(last.pressure.size(), false);
+    for (unsigned int i = 0; i < is_closed.size(); ++i)
+      if (mode == ContactMode::closed || last.pressure[i] > 0.)
+        is_closed[i] = true;
+    return is_closed;
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::find_closed_nodes(const State      &state,
+                                         const ContactMode mode,
+                                         StepResult       &result) const
+  {
+    result.closed_nodes.clear();
+    if (!holds_closing_nodes(mode))
+      return;
+    const std::vector<bool> is_closed = closed_at_end(mode);
+    for (unsigned int i = 0; i < is_closed.size(); ++i)
+      if (is_closed[i] && state.contact_pressure[i] == 0.)
+        {
+          result.closed_nodes = is_closed;
+          return;
+        }
+  }
+
+
+
+  template <int dim>
   void
   DirkIntegrator<dim>::step(const State      &state,
                             const double      old_energy,
@@ -100,7 +178,8 @@ namespace ThermoContact
                             const ContactMode mode,
                             StepResult       &result)
   {
-    const double tau = tableau.gamma() * time_step.size;
+    const double tau   = tableau.gamma() * time_step.size;
+    const bool   holds = holds_closing_nodes(mode);
 
     result.work = result.dissipation = result.impulse = 0.;
     result.n_iterations                               = 0;
@@ -113,6 +192,10 @@ namespace ThermoContact
         StageRates &stage = stages[i];
 
         set_known_values(state, time_step.size, i);
+        if (holds)
+          hold_closing_nodes(state, i);
+        else
+          stage.is_held.clear();
         body.loads.assemble(time, heat_load, momentum_load);
         solver->solve(known, tau, heat_load, momentum_load, mode, stage);
         result.failure = stage.failure;
@@ -133,10 +216,11 @@ namespace ThermoContact
         known.displacement.add(tau, stage.velocity);
         book(known, tableau.b()[i] * time_step.size, result);
       }
-    result.state  = known;
+    result.state = known;
+    find_closed_nodes(state, mode, result);
     result.energy = body.energy.energy(result.state);
     if (tableau.has_error_estimate())
-      estimate_error(time_step.size, result);
+      estimate_error(time_step.size, mode, result);
     result.numerical_dissipation =
       tableau.n_stages() == 1 ?
         body.energy.numerical_dissipation(state, result.state) :
@@ -147,8 +231,9 @@ namespace ThermoContact
 
   template <int dim>
   void
-  DirkIntegrator<dim>::estimate_error(const double step_size,
-                                      StepResult  &result)
+  DirkIntegrator<dim>::estimate_error(const double      step_size,
+                                      const ContactMode mode,
+                                      StepResult       &result)
   {
     difference.temperature  = 0.;
     difference.displacement = 0.;
@@ -163,8 +248,10 @@ namespace ThermoContact
         difference.displacement.add(factor, stages[i].velocity);
         difference.velocity.add(factor, accelerations[i]);
       }
-    result.error =
-      body.energy.difference_energy(difference, result.state.contact_pressure);
+    const std::vector<double> &pressure = result.state.contact_pressure;
+    if (can_change_at_once(mode))
+      solver->keep_contact(closed_at_end(mode), pressure, difference);
+    result.error = body.energy.difference_energy(difference, pressure);
   }
 
 

@@ -75,21 +75,23 @@ namespace ThermoContact
     DirectSolver           mass_solver(body.equations.heat_stage_matrix(0.));
     ++counters_.factorizations;
     Vector unit(momentum_load), force(momentum_load), heat(heat_load);
-    stiffness.add(
-      -1., end.response_matrix([&](const unsigned int node) -> const Vector & {
-        std::vector<double> unit_value(end.n_nodes(), 0.);
-        unit_value[node] = 1.;
-        unit             = 0.;
-        end.set_values(Field::displacement, unit_value, unit);
-        heat = 0.;
-        body.equations.subtract_heating(unit, heat);
-        Vector &response = temperature_responses.emplace_back(heat);
-        mass_solver.solve(response, heat);
-        ++counters_.responses;
-        force = 0.;
-        body.equations.add_thermal_stress(response, 1., force);
-        return force;
-      }));
+    stiffness.add(-1.,
+                  end.all_response_matrix(
+                    [&](const unsigned int node) -> const Vector & {
+                      std::vector<double> unit_value(end.n_all_nodes(), 0.);
+                      unit_value[node] = 1.;
+                      unit             = 0.;
+                      end.set_all_values(Field::displacement, unit_value, unit);
+                      heat = 0.;
+                      body.equations.subtract_heating(unit, heat);
+                      Vector &response =
+                        temperature_responses.emplace_back(heat);
+                      mass_solver.solve(response, heat);
+                      ++counters_.responses;
+                      force = 0.;
+                      body.equations.add_thermal_stress(response, 1., force);
+                      return force;
+                    }));
   }
 
 
@@ -101,8 +103,10 @@ namespace ThermoContact
     FullMatrix<double> stiffness = contact_stiffness(body);
     if (body.equations.is_coupled())
       add_heating(stiffness);
-    receptance = contact_receptance(body.contact_end(), stiffness);
-    contact    = std::make_unique<ConservingContact>(body.law(), receptance);
+    stiffness.gauss_jordan(); // its inverse
+    all_receptance = contact_receptance(body.contact_end(), stiffness);
+    receptance     = between_pressures(all_receptance);
+    contact = std::make_unique<ConservingContact>(body.law(), receptance);
   }
 
 
@@ -117,15 +121,15 @@ namespace ThermoContact
       for (const double time : {begin, end})
         {
           body.loads.assemble(time, heat_load, momentum_load);
-          mean_load.resize(body.contact_end().n_nodes(), 0.);
+          mean_load.resize(body.contact_end().n_all_nodes(), 0.);
           for (const auto &[node, entry] :
-               body.contact_end().entries(Field::displacement))
+               body.contact_end().all_entries(Field::displacement))
             mean_load[node] += 0.5 * momentum_load.begin()[entry];
         }
     body.loads.assemble(0.5 * (begin + end), heat_load, momentum_load);
     if (!mean_load.empty())
       for (const auto &[node, entry] :
-           body.contact_end().entries(Field::displacement))
+           body.contact_end().all_entries(Field::displacement))
         momentum_load.begin()[entry] = mean_load[node];
   }
 
@@ -198,17 +202,24 @@ namespace ThermoContact
     contact->equilibrium(beyond_gap(free_position), pressure);
 
     std::vector<double> old_displacement, displacement;
-    body.contact_end().get_values(Field::displacement,
-                                  state.displacement,
-                                  old_displacement);
-    body.contact_end().get_values(Field::displacement,
-                                  new_state.displacement,
-                                  displacement);
+    body.contact_end().get_all_values(Field::displacement,
+                                      state.displacement,
+                                      old_displacement);
+    body.contact_end().get_all_values(Field::displacement,
+                                      new_state.displacement,
+                                      displacement);
     const std::vector<double> loss = product(receptance, pressure);
-    std::vector<double>       position(loss.size());
+
+    // nodes without pressure follow from the middle of the step to its end
+    std::vector<double> change(pressure);
+    for (unsigned int i = 0; i < change.size(); ++i)
+      change[i] =
+        2. * rates.pressure[i] - state.contact_pressure[i] - change[i];
+    std::vector<double> position = product(all_receptance, change);
     for (unsigned int i = 0; i < position.size(); ++i)
       {
-        position[i] = pressure[i] > 0. ? body.contact_end().nodes()[i].gap +
+        position[i] = i >= pressure.size() ? displacement[i] + position[i] :
+                      pressure[i] > 0.     ? body.contact_end().nodes()[i].gap +
                                            body.law().penetration(pressure[i]) :
                                          free_position[i] - loss[i];
         if (!temperature_responses.empty())
@@ -216,7 +227,7 @@ namespace ThermoContact
                                     temperature_responses[i]);
       }
     for (const auto &[node, entry] :
-         body.contact_end().entries(Field::displacement))
+         body.contact_end().all_entries(Field::displacement))
       {
         new_state.displacement.begin()[entry] = position[node];
         new_state.velocity.begin()[entry] =
@@ -234,7 +245,7 @@ namespace ThermoContact
     // contact nodes move from end to end, not along their mean velocity
     if (body.law().is_active())
       for (const auto &[node, entry] :
-           body.contact_end().entries(Field::displacement))
+           body.contact_end().all_entries(Field::displacement))
         midpoint.velocity.begin()[entry] = new_state.velocity.begin()[entry];
     return size * body.energy.work_rate(heat_load, momentum_load, midpoint);
   }

@@ -113,10 +113,10 @@ namespace ThermoContact
     // the gap may be far beyond reach; it counts only if nothing moves
     const double reach =
       known.displacement.linfty_norm() + tau * known.velocity.linfty_norm();
-    const double known_scale = reach > 0. ? reach :
-                               body.law().is_active() ?
-                                            std::abs(body.scene.contact.gap) :
-                                            0.;
+    double known_scale = reach;
+    if (reach == 0. && body.law().is_active())
+      for (const ContactNode<dim> &node : body.contact_end().nodes())
+        known_scale = std::max(known_scale, std::abs(node.gap));
 
     rates.velocity = 0.; // the paper's start: the last displacement
     rates.failure.clear();

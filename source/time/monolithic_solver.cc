@@ -11,10 +11,14 @@ namespace ThermoContact
   {
     /** As many factorisations as small scenes profit from, and large ones
      * have memory for. */
+    template <int dim>
     unsigned int
     cache_size(const types::global_dof_index n_unknowns)
     {
-      return n_unknowns < 1000 ? 64 : n_unknowns < 100000 ? 8 : 2;
+      return n_unknowns < 1000                   ? 64 :
+             n_unknowns < (dim == 2 ? 10000 : 0) ? 32 :
+             n_unknowns < 100000                 ? 8 :
+                                                   2;
     }
   } // namespace
 
@@ -24,7 +28,8 @@ namespace ThermoContact
   MonolithicSolver<dim>::MonolithicSolver(const Body<dim> &body)
     : body(body)
     , contact_solver(body.law())
-    , max_factorizations(cache_size(body.discretization.dof_handler().n_dofs()))
+    , max_factorizations(
+        cache_size<dim>(body.discretization.dof_handler().n_dofs()))
     , heat_rhs(body.discretization.make_vector(Field::temperature))
     , momentum_rhs(body.discretization.make_vector(Field::displacement))
   {}
@@ -174,7 +179,8 @@ namespace ThermoContact
     for (unsigned int i = 0; i < free_penetration.size(); ++i)
       {
         free_penetration[i] = known_penetration[i] + tau * free_penetration[i];
-        reaches_obstacle |= free_penetration[i] > 0.;
+        reaches_obstacle |= free_penetration[i] > 0. ||
+                            (!rates.is_held.empty() && rates.is_held[i]);
       }
     if (mode == ContactMode::unilateral && !reaches_obstacle)
       return; // no node is pushed back: zero pressures solve (M.18)
@@ -185,9 +191,46 @@ namespace ThermoContact
     if (mode == ContactMode::closed)
       contact_solver.solve_closed(response(), free_penetration, rates.pressure);
     else
-      rates.n_iterations =
-        contact_solver.solve(response(), free_penetration, rates.pressure);
+      rates.n_iterations = contact_solver.solve(response(),
+                                                free_penetration,
+                                                rates.pressure,
+                                                rates.is_held);
     apply_pressure(rates);
+  }
+
+
+
+  template <int dim>
+  void
+  MonolithicSolver<dim>::keep_contact(const std::vector<bool>   &is_closed,
+                                      const std::vector<double> &pressure,
+                                      State                     &difference)
+  {
+    if (std::find(is_closed.begin(), is_closed.end(), true) == is_closed.end())
+      return;
+    std::vector<double> displacement;
+    body.contact_end().get_values(Field::displacement,
+                                  difference.displacement,
+                                  displacement);
+    const std::vector<double> change = contact_solver.solve_linearized(
+      response(), pressure, is_closed, displacement);
+
+    // Viscous stress alone has carried the displacement of the nodes into the
+    // velocity of the others: elastic stress does so with higher order.
+    const Factorization &factorization = factorizations.front();
+    const double         tau           = factorization.matrix.tau();
+    const double         viscosity     = body.scene.material.viscosity;
+    for (unsigned int j = 0; j < change.size(); ++j)
+      if (const double p = change[j]; p != 0.)
+        {
+          const UnitResponse &unit_response = factorization.unit_responses[j];
+          difference.displacement.add(-p * tau, unit_response.velocity);
+          difference.velocity.add(-p * viscosity / (viscosity + tau),
+                                  unit_response.velocity);
+          if (body.equations.is_coupled())
+            difference.temperature.add(-p * tau,
+                                       unit_response.temperature_rate);
+        }
   }
 
 

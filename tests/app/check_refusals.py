@@ -18,6 +18,7 @@ ITERATION = EULER + ("Solver/Step solver=fixed point",)
 MASSLESS = ("Contact/Massless nodes=on",)
 STUDY = ("Study/Vary=Mesh/Cells = 4 | 8",)
 RIGID = ("Contact/Condition=rigid",)
+ITERATIVE = PLANE + ("Solver/Linear solver=iterative",)
 
 # entry at fault, what the scenes share, what is refused, its accepted neighbours
 SCENES = [
@@ -45,6 +46,26 @@ SCENES = [
     ("Mesh/Cells", CONSERVING + ("Mesh/Degree=1",), "Mesh/Cells=1",
      "Mesh/Cells=2", ("Mesh/Cells=1", "Contact/Condition=none"),
      ("Mesh/Cells=1", "Time/Scheme=sdirk2")),
+
+    # a round rod has points without weight; a body needs a support; the shape
+    # of an obstacle has a y, and is finite at the contact nodes
+    ("Mesh/Mass matrix", ("Dimension=2", "Mesh/Geometry=axisymmetric"),
+     "Mesh/Mass matrix=lumped", "Mesh/Mass matrix=consistent",
+     ("Mesh/Mass matrix=lumped", "Mesh/Geometry=plane strain")),
+    ("Boundary/Fixed end support", PLANE + QUASI_STATIC + (
+        "Boundary/Lateral support=free",), "Boundary/Fixed end support=sliding",
+     "Boundary/Fixed end support=clamped",
+     ("Boundary/Fixed end support=sliding", "Boundary/Lateral support=rollers"),
+     ("Boundary/Fixed end support=sliding", "Mesh/Geometry=axisymmetric"),
+     ("Boundary/Fixed end support=sliding", "Model/Inertia=1e-3")),
+    ("Mesh/Grading across", PLANE, "Mesh/Grading across=0",
+     "Mesh/Grading across=1e-3"),
+    ("Contact/Gap", (), "Contact/Gap=0.1+0.1", "Contact/Gap=0.2",
+     ("Contact/Gap=0.1+0.1", "Dimension=2", "Mesh/Cells=1")),
+    ("Contact/Gap", PLANE, "Contact/Gap=0.1+radius", "Contact/Gap=0.1+y"),
+    ("Contact/Gap", PLANE, "Contact/Gap=0.1/(y-1)", "Contact/Gap=0.1/(1.1-y)"),
+    ("Contact/Gap", PLANE + RIGID, "Contact/Gap=y-0.5", "Contact/Gap=abs(y-0.5)",
+     ("Contact/Gap=y-0.5", "Contact/Condition=normal compliance")),
 
     # steps
     ("Time/Step size", ("Time/Scheme=backward euler",), "Time/Step size=automatic",
@@ -99,6 +120,32 @@ SCENES = [
     ("Time/Locate contact events", ITERATION, "Time/Locate contact events=true",
      "Time/Locate contact events=false",
      ("Time/Locate contact events=true", "Solver/Step solver=monolithic")),
+
+    # the iterative solver: no matrix is there that others could use
+    ("Solver/Linear solver", ("Solver/Linear solver=iterative",), "Dimension=1",
+     "Dimension=2", ("Dimension=3", "Mesh/Cells=2", "Mesh/Cells across=2"),
+     ("Dimension=1", "Solver/Linear solver=automatic"),
+     ("Dimension=1", "Solver/Linear solver=direct")),
+    ("Solver/Linear solver", ITERATIVE + FIXED, "Time/Scheme=energy conserving",
+     "Time/Scheme=sdirk2",
+     ("Time/Scheme=energy conserving", "Solver/Linear solver=automatic")),
+    ("Solver/Linear solver", ITERATIVE + EULER + ("Time/Start=consistent",),
+     "Solver/Step solver=fixed point", "Solver/Step solver=monolithic",
+     ("Solver/Step solver=fixed point", "Solver/Linear solver=automatic")),
+    ("Solver/Linear solver", ITERATIVE + EULER, "Time/Start=paper",
+     "Time/Start=consistent",
+     ("Time/Start=paper", "Solver/Linear solver=automatic")),
+    ("Solver/Linear solver", ITERATIVE + RIGID, "Contact/Massless nodes=off",
+     "Contact/Massless nodes=on", "Contact/Massless nodes=automatic",
+     ("Contact/Massless nodes=off", "Model/Fields=displacement",
+      "Solver/Linear solver=direct"),
+     ("Contact/Massless nodes=off", "Contact/Condition=normal compliance")),
+    ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=0",
+     "Solver/Linear tolerance=1e-12", "Solver/Linear tolerance=automatic"),
+    ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=0.01",
+     "Solver/Linear tolerance=0.0099"),
+    ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=-1e-9",
+     "Solver/Linear tolerance=1e-9"),
 
     # probes: in the body, edges included
     ("Output/Probes", (), "Output/Probes=1.0000001", "Output/Probes=1"),

@@ -14,6 +14,7 @@ of the active set, whose value is only known to be a count.
 """
 import copy
 import math
+import re
 import sys
 
 import numpy
@@ -79,6 +80,13 @@ def check_stress(strip):
     for i, j in ((0, 0), (0, 1), (1, 0), (1, 1)):
         if abs(found - expected)[..., i, j].max() > 1e-4 * abs(expected).max():
             yield f"component {i}{j} of the stress"
+    for state, plane in zip(strip.states, expected):
+        heat = strip.a * state.fields["temperature"][..., 0] if strip.has_heat else 0.0
+        across = strip.nu * (plane[..., 0, 0] + plane[..., 1, 1] + 2 * heat) - heat
+        stress = state.fields["stress"]
+        if abs(stress[..., 2, 2] - across).max() > 1e-4 * abs(expected).max() or \
+                stress[..., 2, :2].any() or stress[..., :2, 2].any():
+            yield "stress across the plane: no strain there"
 
 
 @check()
@@ -157,6 +165,33 @@ def check_end(strip):
     steps = numpy.diff(c["contact_impulse"])
     yield differences(steps, (c["contact_force"] * c["step_size"])[1:], 1e-9)
     yield differences(c["contact_impulse"][:1], [0], 0)
+
+
+@check("contact.csv/contact_area", "contact.csv/max_pressure", "contact.csv/min_gap",
+       "contact.csv/moment_y", "contact.csv/moment_z")
+def check_face(strip):
+    """Sums over the contact nodes; y from the axis, and there is no z"""
+    c = strip.contact
+    bound = SINGLE * abs(c["displacement_end"]).max() / strip.epsilon if \
+        strip.has_obstacle else 1e-14
+    rows = []
+    for state in strip.states:
+        p, weights = pressures(strip, state)
+        y = state.contact_node_heights() - strip.width / 2
+        rows.append((p.max(), weights @ (p * y), weights @ (p > bound),
+                     weights @ (p > -bound) if p.any() else 0))
+    largest, moment, surely, perhaps = numpy.array(rows).T
+    if (abs(c["max_pressure"] - largest) > bound).any():
+        yield "max_pressure"
+    if (abs(c["moment_y"] - moment) > bound * strip.width).any():
+        yield "moment_y"
+    if (c["contact_area"] < surely - 1e-9).any() or \
+            (c["contact_area"] > perhaps + 1e-9).any() or \
+            (c["contact_area"][c["in_contact"] == 0] != 0).any() or \
+            (c["contact_area"][c["in_contact"] == 1] == 0).any():
+        yield "contact_area"
+    yield differences(c["min_gap"], c["gap"], 0)
+    yield differences(c["moment_z"], 0 * c["moment_z"], 0)
 
 
 @check("contact.csv/temperature_end", "contact.csv/temperature_mean",
@@ -323,11 +358,44 @@ def check_summary(strip):
                 "predicted_critical_step_size": None, "predicted_remark": remark,
                 "max_contact_force": max(c["contact_force"]),
                 "max_penetration": max(c["penetration"])}
-    return [f"{key} is {s[key]}" for key, value in expected.items() if s[key] != value]
+    faults = [f"{key} is {s[key]}" for key, value in expected.items() if s[key] != value]
+    return faults + check_linear_solver(strip)
+
+
+def check_linear_solver(strip):
+    """A direct solver iterates nothing. An iterative one solves one system for each set
+    of contact nodes, and that of the last set again, to the end: between one iteration
+    and the largest number for each; backward Euler has one stage in a step, whose sets
+    are in the rows. The same in the log."""
+    s, settings = strip.summary, strip.settings
+    counts = [s[key] for key in ("linear_iterations", "max_linear_iterations",
+                                 "active_set_iterations")]
+    log = [int(number) for match in re.findall(
+        r"^  linear +(\d+) Krylov iterations, at most (\d+) for a system; (\d+) sets",
+        strip.log, re.MULTILINE) for number in match]
+    if settings.get("Solver/Linear solver", "automatic") != "iterative":
+        return [] if (s["linear_solver"], counts, log) == ("direct", [0, 0, 0], []) else [
+            f"linear solver {s['linear_solver']} {counts}, log {log}"]
+    sets = int(sum(strip.contact["iterations"]))
+    systems = sets + s["solves"]
+    is_right = (s["linear_solver"] == "iterative" and log == counts and
+                counts[2] == sets and
+                max(systems, counts[1]) <= counts[0] <= systems * counts[1])
+    return [] if is_right else [f"linear solver {s['linear_solver']} {counts}, log {log}, "
+                                f"{systems} systems, {sets} sets"]
 
 
 def named_faults(strip):
-    """Stress in the snapshots with another lambda(nu)"""
+    """Stress in the snapshots with another lambda(nu), or that of the plane alone"""
+    plane = strip.copy()
+    plane.states = []
+    for state in strip.states:
+        flat = copy.copy(state)
+        flat.fields = dict(state.fields)
+        flat.fields["stress"] = state.fields["stress"].copy()
+        flat.fields["stress"][..., 2, 2] = 0
+        plane.states.append(flat)
+    yield "VTU stress of the plane", plane
     for name, wrong in (("lambda = nu", strip.nu), ("no lambda", 0.0)):
         other = strip.copy()
         other.states = []

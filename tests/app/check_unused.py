@@ -21,11 +21,14 @@ VALUES = {
     "Initial values/Velocity": "x", "Sources/Heat source": "1",
     "Sources/Body force": "1", "Sources/End traction": "1",
     "Sources/End heat flux": "1", "Mesh/Mass matrix": "lumped",
-    "Mesh/Width": "2", "Mesh/Cells across": "2", "Time/Start": "consistent",
+    "Mesh/Width": "2", "Mesh/Cells across": "2", "Mesh/Grading across": "2",
+    "Mesh/Geometry": "axisymmetric", "Boundary/Fixed end support": "sliding",
+    "Time/Start": "consistent",
     "Time/Tolerance": "1e-4", "Time/First step size": "1e-3",
     "Time/Minimum step size": "1e-6", "Time/Maximum step size": "0.1",
     "Time/Locate contact events": "true", "Solver/Fixed point tolerance": "1e-9",
-    "Solver/Fixed point iterations": "50", "Output/Land on output times": "true",
+    "Solver/Fixed point iterations": "50", "Solver/Linear tolerance": "1e-8",
+    "Output/Land on output times": "true",
     "Study/Reference": "Time/Tolerance = 1e-9", "Study/Repetitions": "2",
     "Study/Target error": "1e-3", "Study/Keep files": "true",
 }
@@ -36,8 +39,8 @@ STUDY = ("Study/Vary=Mesh/Cells = 4 | 8", "Study/Reference=Time/Tolerance = 1e-9
 PLANE = "Dimension=2"
 MECHANICAL = """Model/Inertia; Model/Viscosity; Model/Coupling;
      Model/Thermoelastic heating; Model/Poisson ratio;
-     Boundary/Lateral support; Contact/Gap; Contact/Massless nodes;
-     Initial values/Displacement; Initial values/Velocity;
+     Boundary/Lateral support; Boundary/Fixed end support; Contact/Gap;
+     Contact/Massless nodes; Initial values/Displacement; Initial values/Velocity;
      Sources/Body force; Sources/End traction; Time/Start;
      Time/Locate contact events"""
 THERMAL = """Model/Coupling; Model/Thermoelastic heating;
@@ -47,8 +50,12 @@ THERMAL = """Model/Coupling; Model/Thermoelastic heating;
 
 # reason, entries, the scenes without effect, neighbours where all have one
 SCENES = [
-    ("Dimension = 1", """Model/Poisson ratio; Boundary/Lateral support; Mesh/Width;
-     Mesh/Cells across""", (), (PLANE,), ("Dimension=3", "Mesh/Cells=1")),
+    ("Dimension = 1", """Model/Poisson ratio; Boundary/Lateral support;
+     Boundary/Fixed end support; Mesh/Width; Mesh/Cells across;
+     Mesh/Grading across""", (), (PLANE,), ("Dimension=3", "Mesh/Cells=1")),
+    ("Dimension = 1", "Mesh/Geometry", (), (PLANE,)),
+    ("Dimension = 3", "Mesh/Geometry", ("Dimension=3", "Mesh/Cells=1"),
+     (PLANE,)),
     ("Contact/Condition = rigid", "Contact/Compliance",
      ("Contact/Condition=rigid",), ("Contact/Condition=normal compliance",)),
     ("Contact/Condition = none", "Contact/Compliance",
@@ -70,6 +77,13 @@ SCENES = [
     ("Solver/Step solver = monolithic",
      "Solver/Fixed point tolerance; Solver/Fixed point iterations", (),
      ("Solver/Step solver=fixed point", "Time/Scheme=backward euler", STEPS)),
+    ("Solver/Linear solver = direct", "Solver/Linear tolerance", (),
+     (PLANE, "Solver/Linear solver=iterative"),
+     # 193 x 385 nodes with three unknowns, above the limit of 2e5
+     (PLANE, "Mesh/Cells=48", "Mesh/Cells across=96")),
+    ("Solver/Linear solver = direct", "Solver/Linear tolerance",
+     (PLANE, "Solver/Linear solver=direct"),
+     (PLANE, "Solver/Linear solver=iterative")),
     ("Model/Fields = temperature", MECHANICAL,
      ("Model/Fields=temperature", PLANE), (PLANE,)),
     ("Model/Fields = temperature", "Contact/Compliance",

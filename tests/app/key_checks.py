@@ -88,6 +88,16 @@ def check_counts(run):
             replay.has_prescribed_step and replay.rod.has_heat)})
 
 
+@key("linear_solver", "linear_iterations", "max_linear_iterations",
+     "active_set_iterations")
+def check_linear_solver(run):
+    """Factors alone: a rod has no other solver, and says nothing of iterations."""
+    yield from compare(run, {"linear_solver": "direct", "linear_iterations": 0,
+                             "max_linear_iterations": 0, "active_set_iterations": 0})
+    if "Krylov" in run.log:
+        yield "the log speaks of iterations"
+
+
 @key("contact_begins", "first_contact_time")
 def check_contacts(run):
     """Those of events.csv"""

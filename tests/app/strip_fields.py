@@ -58,6 +58,13 @@ class Snapshot:
         weights = numpy.concatenate(weights)
         return numpy.concatenate(values), weights / weights.sum()
 
+    def contact_node_heights(self):
+        """y of these nodes"""
+        at_end = numpy.flatnonzero(abs(self.corner[:, 0] + self.size[:, 0] - 1) < 1e-5)
+        nodes = lobatto_nodes(self.element.n - 1)
+        return numpy.concatenate([self.corner[cell, 1] + nodes * self.size[cell, 1]
+                                  for cell in at_end])
+
     def value_at(self, name, x, y):
         """The axial component at a place, from a cell that it lies in"""
         place = numpy.array([x, y])

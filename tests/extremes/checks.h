@@ -220,8 +220,8 @@ namespace ThermoContact
       const ContactLaw &law = simulation.body().law();
       if (!law.is_active())
         return;
-      const double        gap   = simulation.scene().contact.gap;
       const State        &state = simulation.state();
+      const auto         &nodes = simulation.body().contact_end().nodes();
       std::vector<double> penetration;
       simulation.body().contact_end().get_penetrations(state.displacement,
                                                        penetration);
@@ -236,8 +236,8 @@ namespace ThermoContact
           const double p = state.contact_pressure[i];
           const double s = law.penetration(p) - penetration[i];
           // the static displacement without contact exceeds the gap by p
-          const double scale =
-            std::max({scales.displacement, p, p > 0. ? std::abs(gap) : 0.});
+          const double scale = std::max(
+            {scales.displacement, p, p > 0. ? std::abs(nodes[i].gap) : 0.});
           require_below("pressure < 0", -p, 0.);
           require_below("gap + eps p < 0", -s, miss + 1e-12 * scale);
           if (p > 0.)

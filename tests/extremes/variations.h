@@ -125,6 +125,8 @@ namespace ThermoContact
     parameters.boundary.fixed_end_temperature *= thermal;
     parameters.boundary.obstacle_temperature *= thermal;
     parameters.contact.gap *= mechanical;
+    if (!parameters.contact.gap_expression.empty())
+      scale(mechanical, parameters.contact.gap_expression);
     return parameters;
   }
 

@@ -72,9 +72,9 @@ def rows_of(path):
 
 
 class Truth:
-    """What contact.csv, events.csv, used.prm and the snapshots say."""
+    """What contact.csv, events.csv, used.prm (or gaps) and the snapshots say."""
 
-    def __init__(self, directory):
+    def __init__(self, directory, gaps=None):
         self.rows = {float(row["time"]): row
                      for row in rows_of(directory / "contact.csv")}
         events = directory / "events.csv"
@@ -86,7 +86,8 @@ class Truth:
         self.times = list(self.snapshots)
         self.moves = "displacement" in self.field_names()
         gap = re.search(r"set Gap += (\S+)", (directory / "used.prm").read_text())
-        self.g = float(gap[1]) if self.moves else math.nan
+        self.has_shape, self.n_moved = bool(gaps), self.moves + bool(gaps)
+        self.gaps = gaps or (float(gap[1]) if self.moves else math.nan,) * 2
         column = "contact_force" if self.moves and any(
             float(row["contact_force"]) for row in self.rows.values()) else None
         peak = max(self.rows, key=lambda t: float(self.rows[t][column])) \
@@ -173,16 +174,15 @@ def faults_of_record(record, truth, field, n_frames):
             field, field, ["POINTS", field]] or record["coloured"][2:] not in (
                 [], ["X"], ["0"]):
         faults.append(f"coloured {record['coloured']}, {record['title']}")
-    if record["vectors"] != [["POINTS", "displacement"]] * truth.moves:
+    if record["vectors"] != [["POINTS", "displacement"]] * truth.n_moved:
         faults.append(f"moved by {record['vectors']}")
-    boxes = [round(x, 6) for box in record["boxes"] for x in box]
-    reach = max((1 + scale * truth.end(time)[1] for time in truth.times),
-                default=1) if truth.moves else 0
-    face = 1 + scale * truth.g
-    expected = [-0.03, 0] + ([face, max(face, reach) + 0.03]
-                             if truth.moves else [])
-    if not numpy.allclose(boxes, expected, atol=2e-6):
-        faults.append(f"boxes {boxes}, not {expected}")
+    boxes = [x for box in record["boxes"] + record["shapes"] for x in box]
+    ends = [truth.end(time)[1] for time in truth.times] if truth.moves else [0]
+    face, foot = (1 + scale * gap for gap in truth.gaps)
+    plate = [face, foot + max(0, 1 + scale * max(ends) - face) + 0.03] * truth.moves
+    if len(boxes) != 2 + len(plate) or len(record["shapes"]) != truth.has_shape \
+            or not numpy.allclose(boxes, [-0.03, 0] + plate, atol=2e-6):
+        faults.append(f"obstacle {boxes}, not {plate}")
     return faults
 
 
@@ -244,8 +244,8 @@ def record_of(settings):
     return json.loads(lines[0][len("record "):])
 
 
-def check_scene(name, directory, field, *arguments):
-    truth = Truth(Path(directory))
+def check_scene(name, directory, field, *arguments, gaps=None):
+    truth = Truth(Path(directory), gaps)
     record = record_of(settings_of(Path(directory), "--frames", "4",
                                    *arguments))
     faults = faults_of_record(record, truth, field, 4)
@@ -374,10 +374,13 @@ def main():
         "Mesh/Cells=4", "Output/Fields interval=0.002", "Contact/Gap=0.001")
     run("strip", "examples/strip.prm", "Time/End time=0.4", "Mesh/Cells=6",
         "Output/Fields interval=0.05", "Output/Space-time interval=0.05")
+    run("shape", "examples/strip.prm", "Time/End time=0.1", "Mesh/Cells=6",
+        "Output/Fields interval=0.05", "Contact/Gap=0.05+(y-0.1)^2")
     run("heat", "verification/heat-series.prm", "Time/End time=0.2",
         "Output/Fields interval=0.05")
     check_scene("rod", "rod", "temperature")
     check_scene("strip, stress", "strip", "stress", "--colour", "stress")
+    check_scene("shaped obstacle", "shape", "temperature", gaps=(0.05, 0.06))
     if not pvbatch:  # which takes seconds for each
         check_scene("fine", "fine", "temperature")
         check_scene("heat", "heat", "temperature")

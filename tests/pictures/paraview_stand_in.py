@@ -104,6 +104,13 @@ class WarpByVector(Proxy):
         return Grid(grid.points + self.ScaleFactor * vectors, grid.arrays)
 
 
+class LinearExtrusion(Proxy):
+    def output(self):
+        grid = self.Input.output()
+        shift = self.ScaleFactor * numpy.array(self.Vector)
+        return Grid(numpy.concatenate([grid.points, grid.points + shift]), {})
+
+
 class Box(Proxy):
     def output(self):
         half = numpy.array([self.XLength, self.YLength, self.ZLength]) / 2
@@ -134,6 +141,7 @@ def install():
     proxies = {name: Proxy for name in ("ExtractSurface", "Text", "Tube")}
     modules["paraview.simple"].__dict__.update(
         proxies, Box=Box, WarpByVector=WarpByVector, PVDReader=Reader,
+        LinearExtrusion=LinearExtrusion,
         XMLUnstructuredGridReader=GridReader, Render=None, SaveScreenshot=None,
         ColorBy=lambda shown, field: None, CreateView=lambda kind: Proxy(),
         Show=lambda source, view: Proxy(),

@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 KINDS = ["WarpByVector", "Text", "Box", "ColorBy", "GetColorTransferFunction",
-         "GetScalarBar", "CreateView"]
+         "GetScalarBar", "CreateView", "LinearExtrusion"]
 
 
 def bounds_of(servermanager, source, time):
@@ -60,7 +60,9 @@ def record(scene, settings):
             "title": made["GetScalarBar"][0][1].Title,
             "coloured": list(made["ColorBy"][0][0][1]),
             "boxes": [bounds_of(servermanager, box, 0.)
-                      for _, box in made["Box"]]}
+                      for _, box in made["Box"]],
+            "shapes": [bounds_of(servermanager, shape, 0.)
+                       for _, shape in made["LinearExtrusion"]]}
 
 
 def main():

@@ -28,6 +28,12 @@
 // 7. A law that is not linear, s = p^3, with W of 2. By hand:
 //      free (4, 4): 1 + 2 + 1 = 4, p = (1, 1); closed, free (-4, -4): (-1, -1)
 //      free (3, 0.5): 1 + 2 = 3, node 2 at 0.5 - 1 < 0: p = (1, 0)
+// 8. Held nodes, W of 2, rigid, free (1, -3). By hand:
+//      none held: node 1 alone, p = (1/2, 0), node 2 at -3.5
+//      node 2 held: W p = (1, -3), p = (5/3, -7/3), whatever the start
+//      one node alone, W = 2, free -3: p = 0, and -3/2 if it is held
+// 9. Small changes, (W + 1) dp = (3, 5) on a set, eps = 1. By hand:
+//      node 1: 3 dp = 3, dp = (1, 0); both: dp = (4, 12)/8; none: dp = 0
 
 #include <thermocontact/method/contact_solver.h>
 
@@ -262,6 +268,56 @@ namespace
     deallog << "cubic law, closed: p " << pressure[0] << ' ' << pressure[1]
             << std::endl;
   }
+
+
+
+  void
+  test_held_nodes()
+  {
+    FullMatrix<double> response(2, 2), single(1, 1);
+    response(0, 0) = response(1, 1) = 2.;
+    response(0, 1) = response(1, 0) = 1.;
+    single(0, 0)                    = 2.;
+    const auto          law         = make_law(0.);
+    const ContactSolver solver(*law);
+    for (const std::vector<bool> &is_held :
+         {std::vector<bool>(), std::vector<bool>{false, true}})
+      for (const double start : {0., 1.})
+        {
+          std::vector<double> pressure(2, start);
+          solver.solve(response, {1., -3.}, pressure, is_held);
+          deallog << "held " << is_held.size() << ": p " << pressure[0] << ' '
+                  << pressure[1] << std::endl;
+        }
+    for (const bool is_held : {false, true})
+      {
+        std::vector<double> pressure(1, 0.);
+        solver.solve(single, {-3.}, pressure, {is_held});
+        deallog << "alone, held " << is_held << ": p " << pressure[0]
+                << std::endl;
+      }
+  }
+
+
+
+  void
+  test_small_changes()
+  {
+    FullMatrix<double> response(2, 2);
+    response(0, 0) = response(1, 1) = 2.;
+    response(0, 1) = response(1, 0) = 1.;
+    const auto          law         = make_law(1.);
+    const ContactSolver solver(*law);
+    for (const std::vector<bool> &is_active : {std::vector<bool>{true, false},
+                                               std::vector<bool>{true, true},
+                                               std::vector<bool>{false, false}})
+      {
+        const std::vector<double> change =
+          solver.solve_linearized(response, {7., 7.}, is_active, {3., 5.});
+        deallog << "small change: dp " << change[0] << ' ' << change[1]
+                << std::endl;
+      }
+  }
 } // namespace
 
 
@@ -277,4 +333,6 @@ main()
   test_ties();
   test_laws();
   test_nonlinear_law();
+  test_held_nodes();
+  test_small_changes();
 }

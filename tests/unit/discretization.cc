@@ -35,7 +35,7 @@ using namespace ThermoContact;
 namespace
 {
   // not dealii's templates of that name
-  using ThermoContact::SparseMatrix;
+  using ThermoContact::LinearMap;
   using ThermoContact::Vector;
 
   /** 1 + dim components, each a given function of the point. */
@@ -120,7 +120,7 @@ namespace
     projection.project(Fields<1>(w, polynomial),
                        state.temperature,
                        state.displacement);
-    Vector system = space.make_system_vector();
+    auto system = space.make_system_vector();
     space.join(state.temperature, state.displacement, system);
 
     // values at the vertices, and the error of the derivative against the
@@ -173,7 +173,7 @@ namespace
 
   template <int dim>
   double
-  form(const SparseMatrix &matrix, const Vector &left, const Vector &right)
+  form(const LinearMap &matrix, const Vector &left, const Vector &right)
   {
     Vector product(left);
     matrix.vmult(product, right);
@@ -191,8 +191,8 @@ namespace
     const Discretization<dim>             space(scene, MPI_COMM_SELF);
     const ThermoviscoelasticOperator<dim> op(scene, space);
     const auto interpolate = [&](const Fields<dim> &fields) {
-      State  state  = space.make_state();
-      Vector system = space.make_system_vector();
+      State state  = space.make_state();
+      auto  system = space.make_system_vector();
       VectorTools::interpolate(space.mapping(),
                                space.dof_handler(),
                                fields,
@@ -269,7 +269,7 @@ namespace
     op.zero_constrained(Field::temperature, rates.temperature);
     op.zero_constrained(Field::displacement, rates.displacement);
 
-    Vector system = space.make_system_vector(), product(system);
+    auto system = space.make_system_vector(), product(system);
     space.join(rates.temperature, rates.displacement, system);
     op.stage_matrix(tau).vmult(product, system);
     State result = space.make_state();
@@ -277,10 +277,10 @@ namespace
 
     Vector heat         = space.make_vector(Field::temperature),
            momentum     = space.make_vector(Field::displacement);
-    const auto subtract = [](const SparseMatrix &matrix,
-                             const double        factor,
-                             const Vector       &source,
-                             Vector             &target) {
+    const auto subtract = [](const LinearMap &matrix,
+                             const double     factor,
+                             const Vector    &source,
+                             Vector          &target) {
       Vector scratch(target);
       matrix.vmult(scratch, source);
       target.add(-factor, scratch);

@@ -70,7 +70,7 @@ namespace
              Vector                             &displacement)
   {
     const unsigned int skip   = space.has_field(Field::temperature) ? 0 : 1;
-    Vector             system = space.make_system_vector();
+    auto               system = space.make_system_vector();
     VectorTools::interpolate(space.mapping(),
                              space.dof_handler(),
                              Fields<dim>(space.n_components(),

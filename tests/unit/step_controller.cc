@@ -11,7 +11,12 @@
 // Steps of at most 0.25 to T = 0.7, landing on multiples of 0.4 and of 0.6.
 // Smallest step 0.001: a quarter of 2^-8 is below it, so that 0.001 is tried,
 // and nothing after it. First step 0.05 tol^(1/4) = 0.005 with tolerance 1e-4:
-// -31. At most the largest size, whether it is chosen or given: 0.001, 0.1.
+// -31. On a ladder of powers of two the next size is 0.75 e^(-1/4) times the
+// last, but not less than it for e <= 0.8, times 1.1, rounded down; from -32:
+//   e = 0.03: 1.98: -32;             e = 0.025: 2.07: -28;
+//   e = 0.8: 1.1: -32;               e = 0.9: 0.85: -36;
+//   e = 0: 4 (clipped): -24;         rejected, e = 16: 0.495: -40.
+// At most the largest size, whether it is chosen or given: 0.001, 0.1.
 // A time is on a multiple of an interval if it is less than 1e-6 intervals
 // away: 1 - 1e-7 is on 1 (of intervals of 1), 1 - 1e-5 is not, and 1 + 1e-5 has
 // begun the second; 0.3/0.1 < 3 in doubles. Steps of 0.25 (1 - 1e-7) to T = 1,
@@ -78,6 +83,17 @@ namespace
                 << ", rejected: " << rung(controller);
         controller.accept(controller.propose(0.), 0.);
         deallog << ", then accepted: " << rung(controller) << std::endl;
+      }
+    for (const double error : {0.03, 0.025, 0.8, 0.9, 0., 16.})
+      {
+        const Parameters parameters = from_rung();
+        StepController   controller(parameters.time, parameters.output, 4, 1);
+        if (controller.is_accurate(error))
+          controller.accept(controller.propose(0.), error);
+        else
+          controller.reject(controller.propose(0.), error);
+        deallog << "powers of two, error " << error << ": " << rung(controller)
+                << std::endl;
       }
     Parameters parameters     = read_parameters("");
     parameters.time.tolerance = 1e-4;

@@ -249,7 +249,7 @@ namespace
     const Discretization<dim> &discretization = simulation.discretization();
     const State               &state          = simulation.state();
     const Parameters          &parameters     = simulation.parameters();
-    ThermoContact::Vector      solution = discretization.make_system_vector();
+    auto                       solution = discretization.make_system_vector();
     discretization.join(state.temperature, state.displacement, solution);
     const ExactSolution<dim> exact(amplitudes,
                                    parameters.boundary.fixed_end_temperature,

@@ -33,7 +33,8 @@ using numbers::PI;
 
 namespace
 {
-  using FieldVector = ThermoContact::Vector;
+  using FieldVector  = ThermoContact::Vector;
+  using SystemVector = ThermoContact::SystemVector;
 
   /** Zero number n = 1, 2, ... of mu cos(mu) + k sin(mu), by bisection. */
   double
@@ -231,11 +232,11 @@ namespace
     DirectSolver                         solver;
     FieldVector                          heat, momentum;
     const FieldVector                    heat_load, momentum_load;
-    FieldVector                          system, rates, response;
+    SystemVector                         system, rates, response;
     double                               receptance;
 
     double
-    end_value(const FieldVector &of_system)
+    end_value(const SystemVector &of_system)
     {
       std::vector<double> value(1);
       discretization.split(of_system, heat, momentum);

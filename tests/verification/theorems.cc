@@ -52,7 +52,7 @@ using namespace ThermoContact;
 namespace
 {
   using FieldVector = ThermoContact::Vector;
-  using Matrix      = ThermoContact::SparseMatrix;
+  using Matrix      = ThermoContact::LinearMap;
 
   /** Left-hand side of an estimate: a sum over the steps and other terms. */
   struct LeftHandSide
@@ -88,6 +88,17 @@ namespace
     FieldVector result(a);
     result.sadd(factor, -factor, b);
     return result;
+  }
+
+
+
+  /** $x^TAx$. */
+  double
+  form(const Matrix &matrix, const FieldVector &x)
+  {
+    FieldVector product(x);
+    matrix.vmult(product, x);
+    return x * product;
   }
 
 
@@ -161,24 +172,21 @@ namespace
                     const FieldVector &gamma)
     {
       const double p         = state.contact_pressure[0];
-      const double delta_ux2 = stiffness.matrix_norm_square(state.velocity);
+      const double delta_ux2 = form(stiffness, state.velocity);
       estimates.theorem_4_1.add(
-        dt * dt * heat_mass.matrix_norm_square(delta_theta) +
-          dt * conduction.matrix_norm_square(theta) +
-          dt * dt * momentum_mass.matrix_norm_square(gamma) +
-          dt * zeta * delta_ux2 + dt * dt * delta_ux2,
-        heat_mass.matrix_norm_square(theta) +
-          momentum_mass.matrix_norm_square(state.velocity) +
-          stiffness.matrix_norm_square(state.displacement) + epsilon * p * p);
+        dt * dt * form(heat_mass, delta_theta) + dt * form(conduction, theta) +
+          dt * dt * form(momentum_mass, gamma) + dt * zeta * delta_ux2 +
+          dt * dt * delta_ux2,
+        form(heat_mass, theta) + form(momentum_mass, state.velocity) +
+          form(stiffness, state.displacement) + epsilon * p * p);
     }
 
     void
     add_corollary_4_2(const FieldVector &theta, const FieldVector &delta_theta)
     {
-      estimates.corollary_4_2.add(
-        dt * heat_mass.matrix_norm_square(delta_theta) +
-          dt * dt * conduction.matrix_norm_square(delta_theta),
-        conduction.matrix_norm_square(theta));
+      estimates.corollary_4_2.add(dt * form(heat_mass, delta_theta) +
+                                    dt * dt * form(conduction, delta_theta),
+                                  form(conduction, theta));
     }
 
     /** The number of the present step is the n + 1 of the theorem. */
@@ -187,16 +195,16 @@ namespace
                     const FieldVector &delta_theta,
                     const FieldVector &gamma)
     {
-      const double gamma_x2 = stiffness.matrix_norm_square(gamma);
+      const double gamma_x2 = form(stiffness, gamma);
       const double heat_sum =
-        heat_mass.matrix_norm_square(difference(delta_theta, old_delta_theta)) +
-        dt * conduction.matrix_norm_square(delta_theta);
-      const double heat = heat_mass.matrix_norm_square(delta_theta);
+        form(heat_mass, difference(delta_theta, old_delta_theta)) +
+        dt * form(conduction, delta_theta);
+      const double heat = form(heat_mass, delta_theta);
       const double displacement_sum =
-        momentum_mass.matrix_norm_square(difference(gamma, old_gamma)) +
-        dt * dt * gamma_x2 + zeta * dt * gamma_x2;
-      const double displacement = momentum_mass.matrix_norm_square(gamma) +
-                                  stiffness.matrix_norm_square(state.velocity);
+        form(momentum_mass, difference(gamma, old_gamma)) + dt * dt * gamma_x2 +
+        zeta * dt * gamma_x2;
+      const double displacement =
+        form(momentum_mass, gamma) + form(stiffness, state.velocity);
       estimates.theorem_4_3.add(heat_sum + displacement_sum,
                                 heat + displacement);
       estimates.theorem_4_3_displacement.add(displacement_sum, displacement);

@@ -11,15 +11,16 @@
 
 namespace ThermoContact
 {
-  /** As many significant digits as give every double back when it is read. */
-  constexpr unsigned int all_digits = 17;
+  /** As many significant digits as give a double back when it is read, not
+   * one more: 0.1, not 0.10000000000000001. */
+  constexpr unsigned int all_digits = 0;
 
   /** Digits of numbers in sentences, those of C++ streams. */
   constexpr unsigned int few_digits = 6;
 
   /**
-   * Appends @p value with @p digits significant ones, at least one of them, as
-   * "%.{digits}g" of printf does: 0.1, 1e-05, inf, nan. The decimal point is
+   * Appends @p value with @p digits significant ones, as "%.{digits}g" of
+   * printf does: 0.1, 1e-05, inf, nan; or with all_digits. The decimal point is
    * one in every locale, and nothing is allocated but by @p line.
    */
   void

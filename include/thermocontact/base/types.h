@@ -9,6 +9,8 @@
 #include <deal.II/distributed/shared_tria.h>
 #include <deal.II/distributed/tria.h>
 
+#include <deal.II/lac/la_parallel_block_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_block_sparse_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
@@ -24,7 +26,17 @@ namespace ThermoContact
   using namespace dealii;
 
   /** Values of one field (temperature or displacement), without ghosts. */
-  using Vector            = TrilinosWrappers::MPI::Vector;
+  using Vector = LinearAlgebra::distributed::Vector<double>;
+
+  /** Both fields, where something needs values of cells: with ghosts. */
+  using BlockVector = LinearAlgebra::distributed::BlockVector<double>;
+
+  /**
+   * Both fields in the numbering of the whole system, in which a rank owns two
+   * ranges: for matrices of the whole system.
+   */
+  using SystemVector = TrilinosWrappers::MPI::Vector;
+
   using SparseMatrix      = TrilinosWrappers::SparseMatrix;
   using BlockSparseMatrix = TrilinosWrappers::BlockSparseMatrix;
 

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -25,11 +26,16 @@ namespace ThermoContact
 
 
 
-  /** The names that expressions of a scene may use, besides the coordinates. */
+  /** The names that an expression of a scene may use. */
   struct ExpressionNames
   {
     std::map<std::string, double> constants;
     bool                          has_time = false; ///< t is known
+
+    /** In place of x, y, z, as many as there are. */
+    std::vector<std::string> variables;
+
+    std::string example = "20*x*(x-1)^2"; ///< for messages
   };
 
 
@@ -44,7 +50,7 @@ namespace ThermoContact
 
   /**
    * Checks an expression: parses it and evaluates each component at 17 points
-   * of the axis, at $t=0$.
+   * of the axis, the first variable from 0 to 1, at $t=0$.
    *
    * @param n_components largest number of components
    * @return its text, filled up with zeros to @p n_components: one component

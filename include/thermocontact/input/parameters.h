@@ -4,6 +4,7 @@
 #define thermocontact_input_parameters_h
 
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/scheme.h>
 
@@ -43,6 +44,7 @@ namespace ThermoContact
     double      heat_exchange         = 1.;  ///< $k\ge0$
     double      obstacle_temperature  = 0.;  ///< $\theta_{obs}$
     std::string lateral_support       = "rollers";
+    std::string fixed_end_support     = "clamped";
 
     void
     add_parameters(ParameterHandler &prm);
@@ -53,8 +55,9 @@ namespace ThermoContact
   /** Section Contact: doc/model.md (M.4), (M.5). */
   struct ContactParameters : ContactLawParameters
   {
-    std::string condition      = contact_laws().front().name;
-    double      gap            = 0.1; ///< $g$
+    std::string condition = contact_laws().front().name;
+    double      gap       = 0.1; ///< $g$ if it is a number,
+    std::string gap_expression;  ///< or else in y, z
     std::string massless_nodes = "automatic";
 
     void
@@ -93,16 +96,29 @@ namespace ThermoContact
   /** Section Mesh. */
   struct MeshParameters
   {
-    unsigned int cells        = 8;
-    unsigned int degree       = 4;
-    unsigned int refinements  = 0;
-    double       grading      = 1.;
-    std::string  mass_matrix  = "consistent";
-    double       width        = 0.1;
-    unsigned int cells_across = 4;
+    unsigned int cells          = 8;
+    unsigned int degree         = 4;
+    unsigned int refinements    = 0;
+    double       grading        = 1.;
+    std::string  mass_matrix    = "consistent";
+    std::string  geometry       = geometries().front().name;
+    double       width          = 0.1;
+    unsigned int cells_across   = 4;
+    double       grading_across = 1.;
 
     void
     add_parameters(ParameterHandler &prm);
+
+    /**
+     * How often the cells of a body in 2-D or 3-D can be joined by two in every
+     * direction; 0 if they are graded.
+     */
+    unsigned int
+    n_halvings() const;
+
+    /** Number of nodes of a field in a body of this dimension. */
+    double
+    n_nodes(const unsigned int dim) const;
 
     /**
      * Lengths of the cells along the rod before the refinements, in geometric
@@ -110,6 +126,10 @@ namespace ThermoContact
      */
     std::vector<double>
     cell_sizes() const;
+
+    /** The same across the body. */
+    std::vector<double>
+    cell_sizes_across() const;
 
     /** Mean distance of nodes in the cells of the contact end. */
     double
@@ -168,6 +188,10 @@ namespace ThermoContact
     std::string  step_solver            = "monolithic";
     double       fixed_point_tolerance  = 1e-12;
     unsigned int fixed_point_iterations = 100;
+    std::string  linear_solver          = "automatic";
+
+    /** Relative residual of a stage; none: automatic. */
+    std::optional<double> linear_tolerance;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -39,13 +39,16 @@ namespace ThermoContact
      * @param free_penetration $s^{free}$ of the nodes, without contact
      * @param pressure in: of a nearby problem, which starts the search; out:
      *   the solution, one value per node
+     * @param is_held nodes that stay closed, with pressures of either sign;
+     *   empty: none
      * @return number of linear problems solved on active sets
      * @throw ComputationError if no active set solves the problem
      */
     unsigned int
     solve(const dealii::FullMatrix<double> &response,
           const std::vector<double>        &free_penetration,
-          std::vector<double>              &pressure) const;
+          std::vector<double>              &pressure,
+          const std::vector<bool>          &is_held = {}) const;
 
     /**
      * Contact that cannot open: pressures of either sign with $r=0$ at all
@@ -58,6 +61,22 @@ namespace ThermoContact
     solve_closed(const dealii::FullMatrix<double> &response,
                  const std::vector<double>        &free_penetration,
                  std::vector<double>              &pressure) const;
+
+    /**
+     * A small change about a solution, with the set of nodes in contact held:
+     * $(W+s'(p))\,\delta p=\delta s^{free}$ there, $\delta p=0$ elsewhere.
+     *
+     * @param response as for solve()
+     * @param pressure of the solution
+     * @param is_active the set
+     * @param free_change $\delta s^{free}$
+     * @return $\delta p$
+     */
+    std::vector<double>
+    solve_linearized(const dealii::FullMatrix<double> &response,
+                     const std::vector<double>        &pressure,
+                     const std::vector<bool>          &is_active,
+                     const std::vector<double>        &free_change) const;
 
   private:
     const ContactLaw &law;
@@ -73,6 +92,7 @@ namespace ThermoContact
      * Moves nodes between the sets where their pressure or penetration has the
      * wrong sign.
      *
+     * @param is_held nodes that stay in the set of those in contact
      * @param only_the_first change one node
      * @return true if @p pressure is not a solution yet
      */
@@ -80,6 +100,7 @@ namespace ThermoContact
     update_active_set(const dealii::FullMatrix<double> &response,
                       const std::vector<double>        &free_penetration,
                       const std::vector<double>        &pressure,
+                      const std::vector<bool>          &is_held,
                       const bool                        only_the_first,
                       std::vector<bool>                &is_active) const;
   };

@@ -11,34 +11,27 @@
 
 namespace ThermoContact
 {
-  /**
-   * The columns of the table that has a row for each Record: contact.csv
-   * (StepRecord), events.csv (ContactEvent), steps.csv (StepAttempt).
-   */
-  template <typename Record>
-  const CsvColumns<Record> &
-  columns_of();
-
-  template <>
+  /** The columns of contact.csv; a body in 2-D or 3-D has some more. */
   const CsvColumns<StepRecord> &
-  columns_of<StepRecord>();
+  contact_columns(const unsigned int dim);
 
-  template <>
+  /** The columns of events.csv. */
   const CsvColumns<ContactEvent> &
-  columns_of<ContactEvent>();
+  event_columns();
 
-  template <>
+  /** The columns of steps.csv. */
   const CsvColumns<StepAttempt> &
-  columns_of<StepAttempt>();
+  attempt_columns();
 
   /** Adds a row to the table of @p record; nothing if it is not open. */
   template <typename Record>
   void
-  add_row(const Record &record, TableFile &file)
+  add_row(const CsvColumns<Record> &columns,
+          const Record             &record,
+          TableFile                &file)
   {
-    file.append_row([&record](std::string &rows) {
-      append_csv_row(columns_of<Record>(), record, rows);
-    });
+    file.append_row(
+      [&](std::string &rows) { append_csv_row(columns, record, rows); });
   }
 } // namespace ThermoContact
 

@@ -23,8 +23,9 @@ namespace ThermoContact
    * the run goes on.
    *
    * Cells of degree p are cut into p parts along each direction. The stress is
-   * $C\varepsilon(u+\zeta v)-a\theta I$, a tensor if dim > 1. Fields that the
-   * scene does not have are absent.
+   * $C\varepsilon(u+\zeta v)-a\theta I$, if dim > 1 a tensor in space. Fields
+   * that the scene does not have are absent. An obstacle with a shape is beside
+   * them, obstacle.vtu, written with the first snapshot.
    */
   template <int dim>
   class FieldOutput
@@ -72,7 +73,7 @@ namespace ThermoContact
      * Both fields in one vector. By blocks: DataOut takes other vectors only if
      * the owned indices are contiguous.
      */
-    TrilinosWrappers::MPI::BlockVector
+    BlockVector
     joined(const Vector &temperature, const Vector &displacement) const;
 
     /**

@@ -137,10 +137,11 @@ namespace ThermoContact
      */
     template <typename Record>
     void
-    open(TableFile          &file,
-         const std::string  &name,
-         const std::string  &title,
-         const std::uint64_t size);
+    open(const CsvColumns<Record> &columns,
+         TableFile                &file,
+         const std::string        &name,
+         const std::string        &title,
+         const std::uint64_t       size);
 
     void
     restore(const OutputProgress &progress, const Simulation<dim> &simulation);

@@ -4,9 +4,11 @@
 #define thermocontact_scene_scene_h
 
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/scheme.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -126,7 +128,9 @@ namespace ThermoContact
   struct SceneContact
   {
     std::unique_ptr<const ContactLaw> law;
-    double                            gap; ///< $g$, of the undeformed body
+
+    /** $g$ of the undeformed body; NaN if it is not the same everywhere. */
+    double gap;
 
     /** How the contact nodes move; meaningless without obstacle. */
     ContactNodes nodes;
@@ -144,6 +148,12 @@ namespace ThermoContact
     bool locates_events;
 
     bool
+    has_uniform_gap() const
+    {
+      return !std::isnan(gap);
+    }
+
+    bool
     has_mass() const
     {
       return nodes == ContactNodes::with_mass;
@@ -154,6 +164,29 @@ namespace ThermoContact
     has_impacts() const
     {
       return law->is_rigid() && has_mass();
+    }
+  };
+
+
+
+  /** How the linear systems of stages are solved. */
+  struct LinearSolver
+  {
+    bool        is_iterative;
+    double      tolerance; ///< relative residual; of the iterative one
+    std::string reason;    ///< of the choice
+
+    std::string
+    name() const
+    {
+      return is_iterative ? "iterative" : "direct";
+    }
+
+    /** The field matrices are there, and what is solved is factorised. */
+    bool
+    has_matrices() const
+    {
+      return !is_iterative;
     }
   };
 
@@ -187,12 +220,13 @@ namespace ThermoContact
     /** @param parameters may be ones that check_scene() refuses */
     explicit Scene(const Parameters &parameters);
 
-    const Parameters   parameters; ///< as written: for files and words
-    const SceneFields  fields;
-    const Material     material;
-    const HeatExchange heat;
-    const SceneSources sources;
-    const Scheme      &scheme;
+    const Parameters  parameters; ///< as written: for files and words
+    const SceneFields fields;
+    const std::unique_ptr<const BodyGeometry> geometry;
+    const Material                            material;
+    const HeatExchange                        heat;
+    const SceneSources                        sources;
+    const Scheme                             &scheme;
 
     /** The first step has the prescribed velocity of the paper, (M.26). */
     const bool has_prescribed_start;
@@ -202,10 +236,15 @@ namespace ThermoContact
     /** Lateral faces have no normal displacement; dim > 1. */
     const bool has_rollers;
 
+    /** The fixed end may move across the axis; dim > 1. */
+    const bool has_sliding_end;
+
     const bool has_lumped_mass;
 
     /** Stages are solved by the iteration of the paper. */
     const bool is_fixed_point;
+
+    const LinearSolver linear_solver;
 
     /** True if anything does work: sources, or heat that drives the body. */
     bool

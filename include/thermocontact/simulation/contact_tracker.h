@@ -44,7 +44,7 @@ namespace ThermoContact
   {
   public:
     /** @param body borrowed */
-    explicit ContactTracker(const Body<dim> &body);
+    explicit ContactTracker(Body<dim> &body);
 
     /** Forgets all and takes the initial state. */
     void

@@ -24,7 +24,15 @@ namespace ThermoContact
   {
   public:
     /** @param body borrowed */
-    explicit ContactTransition(const Body<dim> &body);
+    explicit ContactTransition(Body<dim> &body);
+
+    /**
+     * Pressures and velocities at the end of a step within which nodes without
+     * mass closed at a rigid obstacle: those of the stages stand for the jump
+     * of the velocity there and have its impulse, (M.49).
+     */
+    void
+    settle_closed_nodes(StepResult &result);
 
     /**
      * Impact of all contact nodes on a rigid obstacle: they are put on it, and
@@ -63,11 +71,12 @@ namespace ThermoContact
     restore(const SolverCounters &counters);
 
   private:
-    const Body<dim>              &body;
+    Body<dim>                    &body;
     SolverCounters                counters_;
     std::unique_ptr<DirectSolver> mass_solver;
     std::vector<Vector>           impulse_responses;
     FullMatrix<double>            inverse_receptance;
+    FullMatrix<double>            contact_stiffness_; ///< computed when needed
 
     /** Velocities, and those of the contact nodes, per unit impulse. */
     void

@@ -11,6 +11,28 @@
 
 namespace ThermoContact
 {
+  /** What a contact end that is a face, not a point, shows beside its means. */
+  struct FaceRecord
+  {
+    double contact_area = 0.; ///< part of the face with $p>0$
+    double max_pressure = 0.;
+    double min_gap      = 0.; ///< $g-u$
+
+    /** Means of $p$ times $y$, $z$ from the axis; 0 where the axis is a side.
+     */
+    double moment_y = 0.;
+    double moment_z = 0.;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &contact_area &max_pressure &min_gap &moment_y &moment_z;
+    }
+  };
+
+
+
   /**
    * One row of contact.csv. Extensive quantities are per unit cross-section;
    * values at the contact end are means over it. Values of a field that the
@@ -38,6 +60,7 @@ namespace ThermoContact
     unsigned int iterations            = 0;
     double       work                  = 0.; ///< sum of (M.25)
     double       temperature_mean      = 0.;
+    FaceRecord   face;         ///< of a body in 2-D or 3-D
     EnergyTerms  energy_terms; ///< the terms of energy; not in the file
 
     template <class Archive>
@@ -48,7 +71,7 @@ namespace ThermoContact
         &velocity_end &stress_end &gap &penetration &contact_force
           &contact_impulse &temperature_end &heat_flux_end &energy &dissipation
             &numerical_dissipation &in_contact &iterations &work
-              &temperature_mean &energy_terms;
+              &temperature_mean &face &energy_terms;
     }
   };
 
@@ -91,6 +114,9 @@ namespace ThermoContact
 
     void
     measure_displacement(const State &state, StepRecord &record);
+
+    void
+    measure_face(const State &state, FaceRecord &face);
 
     /** Mean traction on the contact end; 0 if there is none. */
     double

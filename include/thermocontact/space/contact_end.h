@@ -5,6 +5,8 @@
 
 #include <thermocontact/base/types.h>
 
+#include <deal.II/base/function.h>
+
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -20,7 +22,7 @@ namespace ThermoContact
 
 
 
-  /** A node of the contact end, which can meet the obstacle. */
+  /** A node of the contact end. */
   template <int dim>
   struct ContactNode
   {
@@ -52,11 +54,16 @@ namespace ThermoContact
   public:
     /**
      * @param discretization borrowed; its degrees of freedom are distributed
-     * @param gap $g$
+     * @param gap $g$ at the places of the end
+     * @throw InputError if it is not finite at a node
      */
-    ContactEnd(const Discretization<dim> &discretization, const double gap);
+    ContactEnd(const Discretization<dim> &discretization,
+               const Function<dim>       &gap);
 
-    /** In order of their position; on all ranks. */
+    /**
+     * Those that can meet the obstacle, in order of their position; on all
+     * ranks.
+     */
     const std::vector<ContactNode<dim>> &
     nodes() const
     {
@@ -69,6 +76,21 @@ namespace ThermoContact
       return nodes_.size();
     }
 
+    /** The smallest gap of nodes(), and the largest. */
+    std::pair<double, double>
+    range_of_gap() const;
+
+    /**
+     * Number of all nodes of the end. Behind those of nodes() come those whose
+     * weight vanishes, as on an axis of symmetry: a pressure on them does
+     * nothing, so that they have none.
+     */
+    unsigned int
+    n_all_nodes() const
+    {
+      return n_all_nodes_;
+    }
+
     /**
      * Locally owned nodes: index of the node, position of its value (for the
      * displacement: of the normal one) in the local part of a vector of
@@ -78,6 +100,13 @@ namespace ThermoContact
     entries(const Field::Block field) const
     {
       return entries_[field];
+    }
+
+    /** The same for all nodes of the end. */
+    const std::vector<std::pair<unsigned int, unsigned int>> &
+    all_entries(const Field::Block field) const
+    {
+      return all_entries_[field];
     }
 
     /**
@@ -92,16 +121,22 @@ namespace ThermoContact
                const Vector        &vector,
                std::vector<double> &values) const;
 
-    /** Penetrations $u_n-g$ of a displacement, likewise. */
+    /** The same for all nodes of the end. */
+    void
+    get_all_values(const Field::Block   field,
+                   const Vector        &vector,
+                   std::vector<double> &values) const;
+
+    /** Penetrations $u_n-g$ of a displacement at nodes(). */
     void
     get_penetrations(const Vector        &displacement,
                      std::vector<double> &penetrations) const;
 
-    /** Sets the locally owned values of a vector. */
+    /** Sets the locally owned values of a vector, one for each of all nodes. */
     void
-    set_values(const Field::Block         field,
-               const std::vector<double> &values,
-               Vector                    &vector) const;
+    set_all_values(const Field::Block         field,
+                   const std::vector<double> &values,
+                   Vector                    &vector) const;
 
     /** Mean over the contact end of a field with these nodal values. */
     double
@@ -136,14 +171,43 @@ namespace ThermoContact
       return matrix;
     }
 
+    /** The same for all nodes of the end. */
+    template <typename Respond>
+    FullMatrix<double>
+    all_response_matrix(const Respond &respond) const
+    {
+      FullMatrix<double>  matrix(n_all_nodes(), n_all_nodes());
+      std::vector<double> column;
+      for (unsigned int j = 0; j < n_all_nodes(); ++j)
+        {
+          get_all_values(Field::displacement, respond(j), column);
+          for (unsigned int i = 0; i < n_all_nodes(); ++i)
+            matrix(i, j) = column[i];
+        }
+      return matrix;
+    }
+
   private:
+    /** Index of a node, local position of its value in a vector. */
+    using Entries = std::vector<std::pair<unsigned int, unsigned int>>;
+
     const MPI_Comm                communicator;
     const double                  cross_section;
     std::vector<ContactNode<dim>> nodes_;
-    std::array<std::vector<std::pair<unsigned int, unsigned int>>, 2> entries_;
+    unsigned int                  n_all_nodes_;
+    std::array<Entries, 2>        entries_;
+    std::array<Entries, 2>        all_entries_;
 
+    /** All nodes of the end; those without weight last. */
+    std::vector<ContactNode<dim>>
+    find_nodes(const Discretization<dim> &discretization,
+               const Function<dim>       &gap) const;
+
+    /** Values at the nodes of @p entries, gathered on all ranks. */
     void
-    find_nodes(const Discretization<dim> &discretization, const double gap);
+    gather(const Entries       &entries,
+           const Vector        &vector,
+           std::vector<double> &values) const;
   };
 
 

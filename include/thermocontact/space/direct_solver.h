@@ -25,8 +25,9 @@ namespace ThermoContact
      *
      * @throw ComputationError if it fails
      */
+    template <typename VectorType>
     void
-    solve(Vector &x, const Vector &b);
+    solve(VectorType &x, const VectorType &b);
 
   private:
     const SparseMatrix             matrix;

@@ -24,6 +24,11 @@
 
 namespace ThermoContact
 {
+  template <int dim>
+  class MatrixFreeSpaces;
+
+
+
   /**
    * Mesh, finite element space and constraints of the body
    * $(0,1)\times(0,\text{width})^{dim-1}$.
@@ -32,7 +37,8 @@ namespace ThermoContact
    * by field, the temperature first. A field
    * that the scene does not have is absent from the FESystem, and its block is
    * empty. The constraints are those of rates: homogeneous, temperature and
-   * displacement at the fixed end, normal displacement at rollers.
+   * displacement (its axial component, if the end slides) at the fixed end,
+   * normal displacement at lateral faces that the geometry holds.
    */
   template <int dim>
   class Discretization
@@ -124,6 +130,15 @@ namespace ThermoContact
       return constraints_;
     }
 
+    /**
+     * Those of a fixed end that does not slide, which leave no rigid motion.
+     */
+    AffineConstraints<double>
+    clamped_constraints() const
+    {
+      return make_constraints(false);
+    }
+
     /** Locally owned indices of the whole system. */
     const IndexSet &
     owned() const
@@ -169,6 +184,13 @@ namespace ThermoContact
       return triangulation->n_global_active_cells();
     }
 
+    /** Spaces for products without matrices; of scenes that have none. */
+    const MatrixFreeSpaces<dim> &
+    matrix_free() const
+    {
+      return *matrix_free_;
+    }
+
     /** Its end at the obstacle. */
     const ContactEnd<dim> &
     contact_end() const
@@ -200,10 +222,25 @@ namespace ThermoContact
       return prototypes[field];
     }
 
-    Vector
+    SystemVector
     make_system_vector() const
     {
       return system_prototype;
+    }
+
+    /**
+     * A vector of zeros of the fields that the scene has, with the ghosts that
+     * cells need: several ranks cannot exchange those of an empty block.
+     */
+    BlockVector
+    make_ghosted_vector() const;
+
+    /** The block of a field that the scene has in a ghosted vector. */
+    unsigned int
+    ghosted_block(const Field::Block field) const
+    {
+      return has_field(Field::temperature) ? static_cast<unsigned int>(field) :
+                                             0;
     }
 
     /** A state of zeros. */
@@ -217,41 +254,46 @@ namespace ThermoContact
     void
     join(const Vector &temperature,
          const Vector &displacement,
-         Vector       &system) const;
+         SystemVector &system) const;
 
     /** The reverse of join(). */
     void
-    split(const Vector &system,
-          Vector       &temperature,
-          Vector       &displacement) const;
+    split(const SystemVector &system,
+          Vector             &temperature,
+          Vector             &displacement) const;
 
   private:
     const MPI_Comm      communicator_;
     const Geometry<dim> geometry_;
     const std::unique_ptr<typename DimensionTraits<dim>::Triangulation>
-                                           triangulation;
-    const FESystem<dim>                    finite_element_;
-    const MappingQ<dim>                    mapping_;
-    DoFHandler<dim>                        dof_handler_;
-    AffineConstraints<double>              constraints_;
-    IndexSet                               owned_;
-    IndexSet                               relevant_;
-    std::vector<IndexSet>                  owned_by_block_;
-    std::vector<IndexSet>                  relevant_by_block_;
-    std::vector<Vector>                    prototypes;
-    Vector                                 system_prototype;
-    std::unique_ptr<const ContactEnd<dim>> contact_end_;
-    std::vector<IndexSet>                  constrained_;
-    std::vector<std::vector<unsigned int>> constrained_entries_;
+                                                 triangulation;
+    const FESystem<dim>                          finite_element_;
+    const MappingQ<dim>                          mapping_;
+    DoFHandler<dim>                              dof_handler_;
+    AffineConstraints<double>                    constraints_;
+    IndexSet                                     owned_;
+    IndexSet                                     relevant_;
+    std::vector<IndexSet>                        owned_by_block_;
+    std::vector<IndexSet>                        relevant_by_block_;
+    std::vector<Vector>                          prototypes;
+    SystemVector                                 system_prototype;
+    std::unique_ptr<const ContactEnd<dim>>       contact_end_;
+    std::shared_ptr<const MatrixFreeSpaces<dim>> matrix_free_;
+    std::vector<IndexSet>                        constrained_;
+    std::vector<std::vector<unsigned int>>       constrained_entries_;
 
+    /**
+     * @param n_halvings how many of the refinements make the cells of the scene
+     *   from larger ones, which multigrid comes back to
+     */
     void
-    make_grid(const MeshParameters &mesh);
+    make_grid(const MeshParameters &mesh, const unsigned int n_halvings);
 
     void
     distribute_dofs(const SceneFields &fields);
 
-    void
-    make_constraints(const bool has_rollers);
+    AffineConstraints<double>
+    make_constraints(const bool has_sliding_end) const;
 
     /** Finds the constrained degrees of freedom of each field. */
     void

@@ -141,10 +141,10 @@ namespace ThermoContact
     kinetic_energy(const Vector &velocity) const;
 
     double
-    heat_form(const SparseMatrix &matrix, const Vector &vector) const;
+    heat_form(const LinearMap &map, const Vector &vector) const;
 
     double
-    momentum_form(const SparseMatrix &matrix, const Vector &vector) const;
+    momentum_form(const LinearMap &map, const Vector &vector) const;
 
     double
     contact_dissipation(const State &old_state, const State &state) const;

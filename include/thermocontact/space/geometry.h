@@ -6,35 +6,36 @@
 #include <thermocontact/scene/scene.h>
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/quadrature.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
+#include <deal.II/base/types.h>
 
 #include <deal.II/fe/fe_values.h>
 
 namespace ThermoContact
 {
-  /** Strain of a displacement at a point. */
-  template <int dim>
+  /** Strain of a displacement at a point, in space whatever the mesh. */
   struct Strain
   {
-    dealii::SymmetricTensor<2, dim> tensor;
-    double                          trace = 0.; ///< divergence
+    dealii::SymmetricTensor<2, 3> tensor;
+    double                        trace = 0.; ///< divergence
   };
 
 
 
   /**
-   * How the mesh $(0,1)\times(0,\text{width})^{dim-1}$ stands for a body in
-   * space: what its points weigh in an integral, and which strains a
-   * displacement makes. All integrals of the
-   * equations and all stresses come from here.
-   * Nondimensional.
+   * The geometry of a body on its mesh: what quadrature points weigh in an
+   * integral, which strains a displacement makes, which lateral faces are held
+   * and where contact nodes get their weights. All integrals of the equations
+   * and all stresses come from here.
    */
   template <int dim>
   class Geometry
   {
   public:
-    explicit Geometry(const MeshParameters &mesh);
+    /** @param scene borrowed */
+    explicit Geometry(const Scene &scene);
 
     /** Area of the contact end (1 in 1-D), by which results are scaled. */
     double
@@ -55,33 +56,76 @@ namespace ThermoContact
     double
     weight(const dealii::FEValuesBase<dim> &values, const unsigned int q) const
     {
+      if constexpr (dim > 1)
+        if (!body.has_uniform_weight())
+          return values.JxW(q) * body.weight(values.quadrature_point(q)[1]);
       return values.JxW(q);
     }
 
-    /** The strain of a displacement with this gradient and value at a point. */
-    Strain<dim>
-    strain(const dealii::Tensor<2, dim> &gradient,
-           const dealii::Tensor<1, dim> &,
-           const dealii::Point<dim> &) const
+    /** True if quadrature points weigh what they do on the mesh. */
+    bool
+    has_uniform_weight() const
     {
-      const dealii::SymmetricTensor<2, dim> tensor =
-        dealii::symmetrize(gradient);
-      return {tensor, dealii::trace(tensor)};
+      return body.has_uniform_weight();
+    }
+
+    /** What an area or length of the mesh at a point stands for. */
+    double
+    weight_at(const dealii::Point<dim> &point) const
+    {
+      return dim > 1 ? body.weight(point[dim > 1 ? 1 : 0]) : 1.;
+    }
+
+    /** Strain across a mesh of two dimensions per unit displacement along y. */
+    double
+    strain_per_displacement(const dealii::Point<dim> &point) const
+    {
+      return dim == 2 ? body.strain_across(0., 1., point[dim - 1]) : 0.;
+    }
+
+    /**
+     * The rule by which the contact nodes of a face get their weights, exact
+     * for one basis function.
+     */
+    dealii::Quadrature<dim - 1>
+    node_weight_quadrature(const unsigned int degree) const;
+
+    /** True if the normal displacement of a lateral face vanishes. */
+    bool
+    is_held(const dealii::types::boundary_id lateral_face) const;
+
+    /** The strain of a displacement with this gradient and value at a point. */
+    Strain
+    strain(const dealii::Tensor<2, dim> &gradient,
+           const dealii::Tensor<1, dim> &value,
+           const dealii::Point<dim>     &point) const
+    {
+      Strain strain;
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int e = d; e < dim; ++e)
+          strain.tensor[d][e] =
+            d == e ? gradient[d][d] : 0.5 * (gradient[d][e] + gradient[e][d]);
+      if constexpr (dim == 2)
+        strain.tensor[2][2] =
+          body.strain_across(gradient[1][1], value[1], point[1]);
+      strain.trace = dealii::trace(strain.tensor);
+      return strain;
     }
 
   private:
-    const double width;
-    const double cross_section_;
+    const BodyGeometry &body;
+    const bool          has_rollers;
+    const double        width;
+    const double        cross_section_;
   };
 
 
 
   /** $C\varepsilon:\varepsilon'$ of the elasticity (M.6). */
-  template <int dim>
-  double
-  elastic_product(const Material    &material,
-                  const Strain<dim> &first,
-                  const Strain<dim> &second)
+  inline double
+  elastic_product(const Material &material,
+                  const Strain   &first,
+                  const Strain   &second)
   {
     return material.lambda * first.trace * second.trace +
            material.two_mu * (first.tensor * second.tensor);
@@ -90,10 +134,9 @@ namespace ThermoContact
 
 
   /** Component of the elastic stress $C\varepsilon$. */
-  template <int dim>
-  double
+  inline double
   elastic_stress(const Material    &material,
-                 const Strain<dim> &strain,
+                 const Strain      &strain,
                  const unsigned int d,
                  const unsigned int e)
   {

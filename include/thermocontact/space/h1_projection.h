@@ -12,11 +12,16 @@
 
 namespace ThermoContact
 {
+  template <int dim>
+  class MatrixFreeOperator;
+
+
+
   /**
    * The projection $P_E$ of initial data, doc/model.md (M.13):
    * $(\nabla(P_E w-w),\nabla\eta)=0$ for all $\eta$ that vanish on the fixed
-   * end, with $P_E w=w$ there; at rollers the normal component keeps the
-   * value of $w$ too.
+   * end, with $P_E w=w$ there, also if it slides; at rollers the normal
+   * component keeps the value of $w$ too.
    *
    * Computed as the nodal interpolant plus a correction, integrated by parts
    * cell by cell, so that only values of $w$ are needed and, in 1-D, the
@@ -26,8 +31,14 @@ namespace ThermoContact
   class H1Projection
   {
   public:
-    /** Assembles and factorises the Laplace matrix of all components. */
-    explicit H1Projection(const Discretization<dim> &discretization);
+    /**
+     * Assembles and factorises the Laplace matrix of all components.
+     *
+     * @param products null; else the correction is computed with them, by
+     *   conjugate gradients and without matrix; borrowed
+     */
+    explicit H1Projection(const Discretization<dim>     &discretization,
+                          const MatrixFreeOperator<dim> *products = nullptr);
 
     /**
      * Projects @p function, with the components of the FESystem.
@@ -40,19 +51,31 @@ namespace ThermoContact
             Vector              &displacement);
 
   private:
-    const Discretization<dim>    &discretization;
-    std::unique_ptr<DirectSolver> laplace_solver;
+    const Discretization<dim>           &discretization;
+    const AffineConstraints<double>      constraints;
+    const MatrixFreeOperator<dim> *const products;
+    std::unique_ptr<DirectSolver>        laplace_solver;
 
     /** Without entries; components do not act on each other. */
     SparseMatrix
     make_matrix() const;
 
+    /** Positions of the values of a field that are kept, in its local part. */
+    std::vector<unsigned int>
+    kept_entries(const Field::Block field) const;
+
     void
     assemble_laplace_matrix();
 
-    Vector
+    SystemVector
     correction_rhs(const Function<dim> &function,
-                   const Vector        &interpolant) const;
+                   const SystemVector  &interpolant) const;
+
+    /** Adds the correction, without a matrix. */
+    void
+    add_iteratively(const SystemVector &rhs,
+                    Vector             &temperature,
+                    Vector             &displacement) const;
   };
 } // namespace ThermoContact
 

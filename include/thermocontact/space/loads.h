@@ -9,8 +9,6 @@
 
 #include <deal.II/fe/fe_values.h>
 
-#include <deal.II/lac/trilinos_parallel_block_vector.h>
-
 namespace ThermoContact
 {
   /**
@@ -52,14 +50,14 @@ namespace ThermoContact
     assemble(const double time, Vector &heat, Vector &momentum);
 
   private:
-    const Discretization<dim>         &discretization;
-    ProblemData<dim>                  &data;
-    FEValues<dim>                      fe_values;
-    FEFaceValues<dim>                  face_values;
-    AffineConstraints<double>          unconstrained;
-    TrilinosWrappers::MPI::BlockVector sources;
-    dealii::Vector<double>             cell_load;
-    Vector                             obstacle_heat_;
+    const Discretization<dim> &discretization;
+    ProblemData<dim>          &data;
+    FEValues<dim>              fe_values;
+    FEFaceValues<dim>          face_values;
+    AffineConstraints<double>  unconstrained;
+    BlockVector                sources;
+    dealii::Vector<double>     cell_load;
+    Vector                     obstacle_heat_;
 
     void
     add_scalar(const FEValuesBase<dim> &values, const Function<dim> &function);
@@ -74,6 +72,10 @@ namespace ThermoContact
     /** Adds heat source and body force. */
     void
     integrate_volume();
+
+    /** Adds the part of the sources that acts on a field. */
+    void
+    add_sources(const Field::Block field, Vector &load) const;
 
     void
     distribute(const typename DoFHandler<dim>::active_cell_iterator &cell);

@@ -12,6 +12,8 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <vector>
+
 namespace ThermoContact
 {
   /** Rule for mass matrices; lumped: the nodes of FE_Q, a diagonal matrix. */
@@ -28,6 +30,13 @@ namespace ThermoContact
   template <int dim>
   Quadrature<dim>
   massless_quadrature(const unsigned int degree, const bool is_lumped);
+
+  /**
+   * Value at the contact end of the polynomial of degree p - 1 through the
+   * other nodes of a line along the body, as factors of their values.
+   */
+  std::vector<double>
+  extension_from_other_nodes(const unsigned int degree);
 
   /**
    * Matrix that gives the nodes on the contact end of a cell the axial

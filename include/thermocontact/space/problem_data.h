@@ -14,6 +14,18 @@
 namespace ThermoContact
 {
   /**
+   * $g$ of the undeformed body at the places of its contact end, doc/model.md
+   * (M.4).
+   *
+   * @throw InputError naming the expression, if it cannot be parsed
+   */
+  template <int dim>
+  std::unique_ptr<const Function<dim>>
+  contact_gap(const Scene &scene);
+
+
+
+  /**
    * The functions of a scene, parsed from its expressions: initial values and
    * sources. A source whose expression is 0 is absent, so that nothing is
    * integrated for it.

@@ -7,10 +7,25 @@
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/discretization.h>
 #include <thermocontact/space/field_matrices.h>
+#include <thermocontact/space/linear_map.h>
 #include <thermocontact/space/state.h>
 
 namespace ThermoContact
 {
+  template <int dim>
+  class MatrixFreeOperator;
+
+
+
+  /** Products with the field matrices; those of absent fields are null. */
+  struct FieldMaps
+  {
+    std::unique_ptr<const LinearMap> heat_mass, conduction, divergence,
+      thermal_stress, momentum_mass, stiffness, viscous_stiffness;
+  };
+
+
+
   /**
    * The semidiscrete equations, doc/model.md (M.11), (M.12):
    * @f[
@@ -21,9 +36,10 @@ namespace ThermoContact
    * A field that the scene does not have has no matrices, and $a$ is zero then;
    * $a$ of the first equation is zero if thermoelastic heating is off.
    *
-   * Field matrices are assembled once, without constraints; the constrained
-   * rows of stage matrices and right-hand sides say that rates vanish. Vectors
-   * have the layout of their block, without ghosts.
+   * Field matrices are assembled once, without constraints, or not at all if
+   * the scene has an iterative solver; the constrained rows of stage matrices
+   * and right-hand sides say that rates vanish. Vectors have the layout of
+   * their block, without ghosts.
    */
   template <int dim>
   class ThermoviscoelasticOperator
@@ -34,59 +50,64 @@ namespace ThermoContact
                                const Discretization<dim> &discretization);
 
     /** $M$, $\int\eta_i\eta_j$. */
-    const SparseMatrix &
+    const LinearMap &
     heat_mass() const
     {
-      return matrices.mass.block(0, 0);
+      return *maps.heat_mass;
     }
 
     /** $K+kB$, $\int\nabla\eta_i\cdot\nabla\eta_j + k\int_{\Gamma_C}\eta_i
      * \eta_j$. */
-    const SparseMatrix &
+    const LinearMap &
     conduction() const
     {
-      return matrices.stiffness.block(0, 0);
+      return *maps.conduction;
     }
 
     /** $D$, $\int\eta_i\,\mathrm{div}\,\varphi_j$; temperature rows,
      * displacement columns. */
-    const SparseMatrix &
+    const LinearMap &
     divergence() const
     {
-      return matrices.coupling.block(0, 1);
+      return *maps.divergence;
     }
 
     /** $D^T$; displacement rows, temperature columns. */
-    const SparseMatrix &
+    const LinearMap &
     thermal_stress() const
     {
-      return matrices.coupling.block(1, 0);
+      return *maps.thermal_stress;
     }
 
     /** $M_u$, without the inertia coefficient $b$. */
-    const SparseMatrix &
+    const LinearMap &
     momentum_mass() const
     {
-      return last_block(matrices.mass);
+      return *maps.momentum_mass;
     }
 
     /** $S$, $\int C{:}\varepsilon(\varphi_i){:}\varepsilon(\varphi_j)$. */
-    const SparseMatrix &
+    const LinearMap &
     stiffness() const
     {
-      return last_block(matrices.stiffness);
+      return *maps.stiffness;
     }
 
     /**
      * $S_\zeta$, without the viscosity $\zeta$: $S$, but where the contact
      * nodes have no viscous stress (M.37).
      */
-    const SparseMatrix &
+    const LinearMap &
     viscous_stiffness() const
     {
-      return has_own_viscous_stiffness ?
-               last_block(matrices.viscous_stiffness) :
-               stiffness();
+      return has_own_viscous_stiffness ? *maps.viscous_stiffness : stiffness();
+    }
+
+    /** Products without matrices; null for scenes that have matrices. */
+    const MatrixFreeOperator<dim> *
+    matrix_free() const
+    {
+      return matrix_free_.get();
     }
 
     /** True if the motion heats the body: one stage matrix for both fields. */
@@ -154,16 +175,12 @@ namespace ThermoContact
     const Discretization<dim> &discretization;
     const Material            &material;
     const bool                 has_own_viscous_stiffness;
-    const FieldMatrices<dim>   matrices;
-    mutable Vector             heat_scratch;
-    mutable Vector             momentum_scratch;
-
-    /** The diagonal block of the displacement. */
-    static const SparseMatrix &
-    last_block(const BlockSparseMatrix &matrix)
-    {
-      return matrix.block(matrix.n_block_rows() - 1, matrix.n_block_cols() - 1);
-    }
+    /** One of the two is there. */
+    const std::unique_ptr<const FieldMatrices<dim>>      matrices;
+    const std::shared_ptr<const MatrixFreeOperator<dim>> matrix_free_;
+    const FieldMaps                                      maps;
+    mutable Vector                                       heat_scratch;
+    mutable Vector                                       momentum_scratch;
 
     /** Weighted sum of two matrices of a block, with constrained rows. */
     SparseMatrix

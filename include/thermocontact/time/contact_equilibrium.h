@@ -10,19 +10,25 @@
 
 namespace ThermoContact
 {
-  /** $S_{NN}$, the stiffness between the contact nodes. */
+  /** $S_{NN}$, the stiffness between all nodes of the contact end. */
   template <int dim>
   FullMatrix<double>
   contact_stiffness(const Body<dim> &body);
 
   /**
-   * $X=K^{-1}\mathrm{diag}(w)$ of (M.39), displacements of the contact nodes
-   * per unit pressure, from a stiffness $K$ between them.
+   * $X=K^{-1}\mathrm{diag}(w)$ of (M.39), displacements of all nodes of the
+   * contact end per unit pressure at those that have pressures.
+   *
+   * @param flexibility $K^{-1}$, the inverse of a stiffness between all nodes
    */
   template <int dim>
   FullMatrix<double>
   contact_receptance(const ContactEnd<dim>    &end,
-                     const FullMatrix<double> &stiffness);
+                     const FullMatrix<double> &flexibility);
+
+  /** The rows of a receptance of the nodes that have pressures. */
+  FullMatrix<double>
+  between_pressures(const FullMatrix<double> &receptance);
 
   /**
    * Puts contact nodes without mass and viscosity into equilibrium with the
@@ -33,6 +39,22 @@ namespace ThermoContact
   template <int dim>
   void
   settle_contact_nodes(Body<dim> &body, State &state);
+
+  /**
+   * Velocities and pressures of contact nodes without mass, with viscosity, at
+   * a rigid obstacle, that go with displacements, temperatures and the
+   * velocities of all other nodes, doc/model.md (M.49): no node in contact
+   * moves into the obstacle, and those with pressure rest.
+   *
+   * @param stiffness of contact_stiffness()
+   * @param is_closed nodes in contact; others have no pressure
+   */
+  template <int dim>
+  void
+  settle_contact_velocities(Body<dim>                &body,
+                            const FullMatrix<double> &stiffness,
+                            const std::vector<bool>  &is_closed,
+                            State                    &state);
 } // namespace ThermoContact
 
 #endif

@@ -73,9 +73,41 @@ namespace ThermoContact
                      const double       step_size,
                      const unsigned int i);
 
-    /** The difference to the embedded scheme, (M.29). */
+    /**
+     * True if the velocity or the position of a contact node can change at once
+     * within a step: it has no mass, and the law decides in every stage or
+     * equilibrium at all times.
+     */
+    bool
+    can_change_at_once(const ContactMode mode) const;
+
+    /** True if nodes that close in a step are held, doc/model.md (M.48). */
+    bool
+    holds_closing_nodes(const ContactMode mode) const;
+
+    /**
+     * Nodes that closed in an earlier stage of the step stay closed in stage
+     * @p i: where the stages are not in the order of time some would leave them
+     * open again, and the step would end short of the obstacle.
+     */
     void
-    estimate_error(const double step_size, StepResult &result);
+    hold_closing_nodes(const State &state, const unsigned int i);
+
+    /** The nodes in contact at the end of the step. */
+    std::vector<bool>
+    closed_at_end(const ContactMode mode) const;
+
+    /** Sets StepResult::closed_nodes of a step from @p state. */
+    void
+    find_closed_nodes(const State      &state,
+                      const ContactMode mode,
+                      StepResult       &result) const;
+
+    /** The difference to the embedded scheme, (M.29), (M.47). */
+    void
+    estimate_error(const double      step_size,
+                   const ContactMode mode,
+                   StepResult       &result);
 
     /** The temperature rate of the paper's first step. */
     void

@@ -60,6 +60,9 @@ namespace ThermoContact
     Vector             momentum_load;
     FullMatrix<double> receptance; ///< $X$ of (M.39)
 
+    /** $X$ with rows for nodes that have no pressure. */
+    FullMatrix<double> all_receptance;
+
     /** Temperature per unit displacement of a node at fixed entropy. */
     std::vector<Vector>                temperature_responses;
     std::unique_ptr<ConservingContact> contact;

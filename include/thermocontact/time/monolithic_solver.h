@@ -35,6 +35,17 @@ namespace ThermoContact
           ContactMode   mode,
           StageRates   &rates) override;
 
+    bool
+    can_hold_nodes() const override
+    {
+      return true;
+    }
+
+    void
+    keep_contact(const std::vector<bool>   &is_closed,
+                 const std::vector<double> &pressure,
+                 State                     &difference) override;
+
     types::global_dof_index
     n_factorized_unknowns() const override;
 

@@ -62,8 +62,8 @@ namespace ThermoContact
     std::unique_ptr<DirectSolver>          whole;
     std::unique_ptr<DirectSolver>          heat;
     std::unique_ptr<DirectSolver>          momentum;
-    Vector                                 system_rhs;
-    Vector                                 system_rates;
+    SystemVector                           system_rhs;
+    SystemVector                           system_rates;
   };
 } // namespace ThermoContact
 

@@ -7,6 +7,7 @@
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/space/state.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace ThermoContact
     Vector              temperature_rate; ///< $\theta'$
     Vector              velocity;         ///< $v=u'$
     std::vector<double> pressure;         ///< $p_i$ at the contact nodes
+    std::vector<bool>   is_held; ///< in: nodes that stay closed; empty: none
     unsigned int        n_iterations = 0; ///< active sets or fixed point
     std::string         failure;          ///< empty: solved
   };
@@ -31,6 +33,10 @@ namespace ThermoContact
     unsigned int solves         = 0; ///< back-substitutions of stages
     unsigned int responses      = 0; ///< back-substitutions for $W$
 
+    unsigned int linear_iterations     = 0; ///< of Krylov, added up
+    unsigned int max_linear_iterations = 0; ///< of one linear system
+    unsigned int active_set_iterations = 0; ///< sets, added up
+
     double factorization_seconds = 0.; ///< assembly of stage matrices, too
     double solve_seconds         = 0.; ///< with factorisations
     double contact_seconds       = 0.; ///< pressures and responses
@@ -41,6 +47,10 @@ namespace ThermoContact
       factorizations += other.factorizations;
       solves += other.solves;
       responses += other.responses;
+      linear_iterations += other.linear_iterations;
+      max_linear_iterations =
+        std::max(max_linear_iterations, other.max_linear_iterations);
+      active_set_iterations += other.active_set_iterations;
       factorization_seconds += other.factorization_seconds;
       solve_seconds += other.solve_seconds;
       contact_seconds += other.contact_seconds;
@@ -51,7 +61,8 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &factorizations &solves &responses;
+      archive &factorizations &solves &responses &linear_iterations
+        &max_linear_iterations &active_set_iterations;
     }
   };
 
@@ -108,6 +119,29 @@ namespace ThermoContact
           const Vector &momentum_load,
           ContactMode   mode,
           StageRates   &rates) = 0;
+
+    /** True if solve() heeds StageRates::is_held. */
+    virtual bool
+    can_hold_nodes() const
+    {
+      return false;
+    }
+
+    /**
+     * Takes out of the difference between two results of a step what the
+     * contact condition forbids, doc/model.md (M.47): nodes in contact stay
+     * with the obstacle, by pressures in the stage that was solved last. A
+     * solver without responses to pressures leaves the difference as it is.
+     *
+     * @param is_closed nodes in contact at the end of the step
+     * @param pressure there
+     * @param difference in, out: $e_\theta$, $e_u$, $e_v$
+     */
+    virtual void
+    keep_contact(const std::vector<bool> & /*is_closed*/,
+                 const std::vector<double> & /*pressure*/,
+                 State & /*difference*/)
+    {}
 
     /** Number of unknowns of the largest matrix that is factorised. */
     virtual types::global_dof_index

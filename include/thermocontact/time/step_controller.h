@@ -66,7 +66,7 @@ namespace ThermoContact
    * Fixed steps end at the multiples of $\Delta t$, so that rounding does not
    * accumulate. Error-controlled steps are accepted if their error is not
    * above the tolerance; the next size follows from the last two errors
-   * (Gustafsson's PI controller), rounded down to a power of $2^{1/4}$ so that
+   * (Gustafsson's PI controller), rounded down to a power of $2^{1/n}$ so that
    * sizes, and their factorisations, come back. Steps of both kinds are
    * shortened to end at $T$, at a contact event, at output times if these are
    * to be hit; the size from which the next step is derived is not affected.
@@ -77,10 +77,13 @@ namespace ThermoContact
     /**
      * @param output whose intervals steps may have to end on
      * @param order of the scheme, for error-controlled steps
+     * @param rungs_per_octave n: four where a factorisation costs as much as
+     *   a step or less, fewer where it costs more
      */
     StepController(const TimeParameters   &time,
                    const OutputParameters &output,
-                   const unsigned int      order);
+                   const unsigned int      order,
+                   const unsigned int      rungs_per_octave = 4);
 
     /** The step to be tried from @p time on; @p time < $T$. */
     TimeStep
@@ -157,6 +160,7 @@ namespace ThermoContact
     const double        minimum_size;
     const double        maximum_size;
     const unsigned int  order;
+    const unsigned int  rungs_per_octave;
     std::vector<double> landing_intervals;
 
     double                size; ///< of the next step if nothing shortens it
@@ -171,9 +175,18 @@ namespace ThermoContact
       return is_restarting ? 0.2 : 1.;
     }
 
-    /** The largest power of $2^{1/4}$ that is not above @p value. */
-    static double
-    rung_below(const double value);
+    /** The largest power of $2^{1/n}$ that is not above @p value. */
+    double
+    rung_below(const double value) const;
+
+    /**
+     * Ratio of sizes after a step with this error on a ladder of powers of
+     * two. A size stays for many steps there, so that the last error but one
+     * says nothing: a size is doubled if the error leaves room for it, kept as
+     * long as steps are accepted with some margin.
+     */
+    double
+    coarse_factor(const double error) const;
 
     void
     set_size(const double value);

@@ -27,7 +27,14 @@ namespace ThermoContact
     double       impulse               = 0.; ///< of the contact force
     unsigned int n_iterations          = 0;  ///< of the stages, added up
     bool         is_prescribed = false;      ///< the paper's first step, (M.26)
-    std::string  failure;                    ///< empty: the step is solved
+
+    /**
+     * Nodes in contact at the end of a step within which nodes without mass
+     * have closed: no stage has seen their pressure there. Else empty.
+     */
+    std::vector<bool> closed_nodes;
+
+    std::string failure; ///< empty: the step is solved
 
     /**
      * All ranks take work, dissipation and impulse of rank 0, as energies are,

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_method_body_geometry_h
+#define thermocontact_method_body_geometry_h
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * The body for which the box $(0,1)\times(0,\text{width})^{dim-1}$ of the
+   * mesh stands: what its points weigh in integrals, the strain that is not in
+   * the plane of the mesh, its axis and what holds it there. No mesh, no
+   * matrix. Nondimensional.
+   *
+   * This class is the box itself: a rod, a strip in plane strain, a block.
+   */
+  class BodyGeometry
+  {
+  public:
+    BodyGeometry(const unsigned int dim, const double width)
+      : dim(dim)
+      , width(width)
+    {}
+
+    virtual ~BodyGeometry() = default;
+
+    /** The body with its numbers, for the screen. */
+    virtual std::string
+    description() const;
+
+    /** Area of the contact end (1 in 1-D), by which results are scaled. */
+    virtual double
+    cross_section() const;
+
+    /** Coordinates y and z of the axis of the body. */
+    virtual double
+    axis() const
+    {
+      return 0.5 * width;
+    }
+
+    /**
+     * True if the side y = 0 of the mesh is an axis of symmetry, across which
+     * nothing moves.
+     */
+    virtual bool
+    has_axis_at_side() const
+    {
+      return false;
+    }
+
+    /** True if weight() is one everywhere. */
+    virtual bool
+    has_uniform_weight() const
+    {
+      return true;
+    }
+
+    /** What an area or length of the mesh at @p y stands for. */
+    virtual double
+    weight(const double y) const
+    {
+      (void)y;
+      return 1.;
+    }
+
+    /**
+     * The normal strain across a mesh of two dimensions.
+     *
+     * @param derivative of the displacement along y in this direction
+     * @param displacement along y
+     */
+    virtual double
+    strain_across(const double derivative,
+                  const double displacement,
+                  const double y) const
+    {
+      (void)derivative;
+      (void)displacement;
+      (void)y;
+      return 0.;
+    }
+
+  protected:
+    const unsigned int dim;
+    const double       width;
+  };
+
+
+
+  /** A kind of geometry: what it is called and how it is made. */
+  struct GeometryKind
+  {
+    std::string name; ///< as the user gives it
+    std::string text; ///< what it is, for the parameter reference
+
+    /** @param dim dimension of the mesh, and its width */
+    std::function<std::unique_ptr<const BodyGeometry>(const unsigned int dim,
+                                                      const double       width)>
+      make;
+  };
+
+
+
+  /**
+   * What a mesh of two dimensions may stand for, the default first; it is also
+   * that of other dimensions. To add one: a file that defines its kind, and its
+   * name in the list.
+   */
+  const std::vector<GeometryKind> &
+  geometries();
+
+  /** The kind of that name, which exists. */
+  const GeometryKind &
+  geometry(const std::string &name);
+
+  // the kinds that have files of their own
+  GeometryKind
+  axisymmetric();
+} // namespace ThermoContact
+
+#endif

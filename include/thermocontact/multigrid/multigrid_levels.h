@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_multigrid_multigrid_levels_h
+#define thermocontact_multigrid_multigrid_levels_h
+
+#include <thermocontact/space/body.h>
+#include <thermocontact/space/matrix_free_operator.h>
+
+#include <deal.II/multigrid/mg_transfer_global_coarsening.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** What a level knows of one field whatever the length of a stage. */
+  template <int dim>
+  struct LevelField
+  {
+    /** From the next coarser level; of all but the coarsest. */
+    MGTwoLevelTransfer<dim, Vector> transfer;
+
+    /** Diagonals of mass, stiffness (conduction) and viscous stiffness. */
+    Vector mass;
+    Vector stiffness;
+    Vector viscous_stiffness;
+  };
+
+
+
+  /**
+   * The body on coarser spaces: half the degree as long as there is one, then
+   * half the cells, until the number of cells in some direction is odd. Each
+   * level but the coarsest computes its products without matrices; the coarsest
+   * has matrices.
+   */
+  template <int dim>
+  class MultigridLevels
+  {
+  public:
+    /** @param body borrowed; it is the finest level */
+    explicit MultigridLevels(const Body<dim> &body);
+
+    /** The coarsest one is 0. */
+    unsigned int
+    n_levels() const
+    {
+      return levels.size();
+    }
+
+    const Discretization<dim> &
+    discretization(const unsigned int level) const
+    {
+      return *levels[level].discretization;
+    }
+
+    /** Not of the coarsest level. */
+    const MatrixFreeOperator<dim> &
+    products(const unsigned int level) const
+    {
+      return *levels[level].products;
+    }
+
+    const MatrixFreeSpaces<dim> &
+    spaces(const unsigned int level) const
+    {
+      return *levels[level].spaces;
+    }
+
+    const LevelField<dim> &
+    field(const unsigned int level, const Field::Block field) const
+    {
+      return levels[level].fields[field];
+    }
+
+    const Scene &
+    scene() const
+    {
+      return body.scene;
+    }
+
+    /** The matrices of the coarsest level. */
+    const ThermoviscoelasticOperator<dim> &
+    coarse_operator() const
+    {
+      return *coarse_operator_;
+    }
+
+  private:
+    struct Level
+    {
+      std::unique_ptr<const Scene>                   own_scene;
+      std::unique_ptr<const Discretization<dim>>     own_discretization;
+      std::unique_ptr<const MatrixFreeOperator<dim>> own_products;
+
+      std::unique_ptr<const MatrixFreeSpaces<dim>> own_spaces;
+
+      const Discretization<dim>     *discretization = nullptr;
+      const MatrixFreeSpaces<dim>   *spaces         = nullptr;
+      const MatrixFreeOperator<dim> *products       = nullptr;
+      std::array<LevelField<dim>, 2> fields;
+    };
+
+    const Body<dim>                                       &body;
+    std::vector<Level>                                     levels;
+    std::unique_ptr<const ThermoviscoelasticOperator<dim>> coarse_operator_;
+
+    void
+    make_level(const Parameters &parameters, Level &level) const;
+
+    void
+    compute_diagonals(Level &level) const;
+
+    void
+    connect(const Level &coarse, Level &fine) const;
+  };
+} // namespace ThermoContact
+
+#endif

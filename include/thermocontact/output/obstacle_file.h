@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_output_obstacle_file_h
+#define thermocontact_output_obstacle_file_h
+
+#include <thermocontact/space/contact_end.h>
+
+#include <string>
+
+namespace ThermoContact
+{
+  /**
+   * A VTU file with the shape of an obstacle: the contact nodes of the
+   * undeformed end, their gap and, so that what moves the body moves the
+   * obstacle to its place, the displacement (gap, 0, 0). Lines between the
+   * nodes if dim = 2, quadrilaterals if dim = 3.
+   */
+  template <int dim>
+  std::string
+  obstacle_file(const ContactEnd<dim> &end);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_contact_cells_h
+#define thermocontact_space_contact_cells_h
+
+#include <thermocontact/scene/scene.h>
+#include <thermocontact/space/discretization.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <array>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * What differs in the cells at the contact end, for products without
+   * matrices: the heat exchange, contact nodes without mass (M.36) and without
+   * viscous stress (M.37). Small dense matrices of each cell; values of a cell
+   * are in lexicographic order, component by component, as in FEEvaluation.
+   */
+  template <int dim>
+  class ContactCells
+  {
+  public:
+    using Values = AlignedVector<VectorizedArray<double>>;
+
+    ContactCells(const Scene &scene, const Discretization<dim> &discretization);
+
+    /** True if this batch has cells at the contact end. */
+    bool
+    contain(const unsigned int batch) const
+    {
+      return !cells_of_batch[batch].empty();
+    }
+
+    /** Adds @p factor times $kB$ to @p y. */
+    void
+    add_heat_exchange(const unsigned int             batch,
+                      const double                   factor,
+                      const VectorizedArray<double> *x,
+                      VectorizedArray<double>       *y) const;
+
+    /** Adds @p factor times what $M_u$ lacks to $M$; axial component first. */
+    void
+    add_missing_mass(const unsigned int             batch,
+                     const double                   factor,
+                     const VectorizedArray<double> *x,
+                     VectorizedArray<double>       *y) const;
+
+    /** Gives the contact nodes the values that the others extend to. */
+    void
+    extend(const unsigned int batch, VectorizedArray<double> *values) const;
+
+    /** The transpose of extend(). */
+    void
+    restrict_to_others(const unsigned int       batch,
+                       VectorizedArray<double> *values) const;
+
+  private:
+    const unsigned int nodes_along; ///< in the direction of the axis
+    unsigned int       n_nodes;     ///< of a cell
+
+    /** A cell at the end: its place in a batch, and that of its matrices. */
+    struct Cell
+    {
+      unsigned int lane;
+      unsigned int matrix;
+    };
+
+    std::vector<std::vector<Cell>> cells_of_batch;
+
+    std::vector<FullMatrix<double>> heat_exchange;
+    std::vector<FullMatrix<double>> missing_mass;
+
+    /** Values at the end of the polynomials through the other nodes. */
+    std::vector<double> extension;
+
+    void
+    add(const FullMatrix<double>      &matrix,
+        const double                   factor,
+        const unsigned int             lane,
+        const VectorizedArray<double> *x,
+        VectorizedArray<double>       *y) const;
+  };
+} // namespace ThermoContact
+
+#endif

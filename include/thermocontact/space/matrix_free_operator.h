@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_matrix_free_operator_h
+#define thermocontact_space_matrix_free_operator_h
+
+#include <thermocontact/scene/scene.h>
+#include <thermocontact/space/contact_cells.h>
+#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/matrix_free_spaces.h>
+
+#include <deal.II/matrix_free/fe_evaluation.h>
+
+namespace ThermoContact
+{
+  /**
+   * Products with the matrices of the semidiscrete equations (M.11), (M.12),
+   * computed cell by cell: those of FieldMatrices to rounding, for bodies whose
+   * matrices are too large. Without constraints, as they are. Collective.
+   *
+   * Vectors come from Discretization::make_vector().
+   */
+  template <int dim>
+  class MatrixFreeOperator
+  {
+  public:
+    /** Both references are borrowed. */
+    MatrixFreeOperator(const Scene               &scene,
+                       const Discretization<dim> &discretization);
+
+    /** Factors of $M$ and $K+kB$. */
+    struct HeatFactors
+    {
+      double mass;
+      double conduction;
+      bool   is_laplacian = false; ///< of the mesh, instead of $K+kB$
+    };
+
+    /**
+     * Factors of $M_u$, $S$ and $S_\zeta$, and of the vector Laplacian of the
+     * mesh.
+     */
+    struct MomentumFactors
+    {
+      double mass;
+      double stiffness;
+      double viscous_stiffness;
+      double laplacian = 0.;
+    };
+
+    /** @p y = the sum of the matrices with these factors times @p x. */
+    void
+    heat(const HeatFactors &factors, Vector &y, const Vector &x) const;
+
+    void
+    momentum(const MomentumFactors &factors, Vector &y, const Vector &x) const;
+
+    /** @p heat $=Du$. */
+    void
+    divergence(Vector &heat, const Vector &u) const;
+
+    /** @p momentum $=D^T\theta$. */
+    void
+    thermal_stress(Vector &momentum, const Vector &theta) const;
+
+    /** The diagonals of the sums. */
+    Vector
+    heat_diagonal(const HeatFactors &factors) const;
+
+    Vector
+    momentum_diagonal(const MomentumFactors &factors) const;
+
+  private:
+    using Scalar    = FEEvaluation<dim, -1, 0, 1, double>;
+    using Vectorial = FEEvaluation<dim, -1, 0, dim, double>;
+    using Values    = typename ContactCells<dim>::Values;
+
+    const Discretization<dim>   &discretization;
+    const Geometry<dim>         &geometry;
+    const bool                   has_uniform_weight;
+    const Material              &material;
+    const MatrixFreeSpaces<dim> &spaces;
+    const bool                   has_lumped_mass;
+    const bool                   has_elastic_contact_nodes;
+    const ContactCells<dim>      contact_cells;
+    mutable Values               input;  ///< values of a batch
+    mutable Values               output; ///< likewise
+
+    /** What quadrature points of the present batch weigh beside the mesh. */
+    template <typename Evaluation>
+    VectorizedArray<double>
+    weight(const Evaluation &evaluation, const unsigned int q) const
+    {
+      if (has_uniform_weight)
+        return 1.;
+      return at_point(evaluation, q, [this](const Point<dim> &point) {
+        return geometry.weight_at(point);
+      });
+    }
+
+    /** A function of the position of a quadrature point, for all cells. */
+    template <typename Evaluation, typename Function>
+    VectorizedArray<double>
+    at_point(const Evaluation  &evaluation,
+             const unsigned int q,
+             const Function    &function) const
+    {
+      const auto              points = evaluation.quadrature_point(q);
+      VectorizedArray<double> values = 0.;
+      for (unsigned int lane = 0; lane < VectorizedArray<double>::size();
+           ++lane)
+        {
+          Point<dim> point;
+          for (unsigned int d = 0; d < dim; ++d)
+            point[d] = points[d][lane];
+          values[lane] = function(point);
+        }
+      return values;
+    }
+
+    /** The strain across the mesh per displacement along y, if there is one. */
+    VectorizedArray<double>
+    hoop(const Vectorial &u, const unsigned int q) const
+    {
+      if (dim != 2 || has_uniform_weight)
+        return 0.;
+      return at_point(u, q, [this](const Point<dim> &point) {
+        return geometry.strain_per_displacement(point);
+      });
+    }
+
+    /** Replaces the values of a batch by their product. */
+    void
+    heat_on_cell(const HeatFactors &factors, Scalar &theta) const;
+
+    void
+    momentum_on_cell(const MomentumFactors &factors, Vectorial &u) const;
+
+    /** Bulk terms from @p x to the values of @p u. */
+    void
+    integrate_momentum(const MomentumFactors         &factors,
+                       const VectorizedArray<double> *x,
+                       Vectorial                     &u) const;
+
+    /** Adds the product with a lumped mass of a batch to @p y. */
+    template <int n_components>
+    void
+    add_lumped_mass(const unsigned int             batch,
+                    const Field::Block             field,
+                    const double                   factor,
+                    const VectorizedArray<double> *x,
+                    VectorizedArray<double>       *y) const;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/text.h>
+#include <thermocontact/method/body_geometry.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  std::string
+  BodyGeometry::description() const
+  {
+    if (dim == 1)
+      return "rod of length 1";
+    return text(dim, "-D body of length 1 and width ", width);
+  }
+
+
+
+  double
+  BodyGeometry::cross_section() const
+  {
+    return std::pow(width, dim - 1);
+  }
+
+
+
+  namespace
+  {
+    GeometryKind
+    plane_strain()
+    {
+      return {"plane strain",
+              "a strip, y runs over its width",
+              [](const unsigned int dim, const double width) {
+                return std::make_unique<BodyGeometry>(dim, width);
+              }};
+    }
+  } // namespace
+
+
+
+  const std::vector<GeometryKind> &
+  geometries()
+  {
+    static const std::vector<GeometryKind> kinds = {plane_strain(),
+                                                    axisymmetric()};
+    return kinds;
+  }
+
+
+
+  const GeometryKind &
+  geometry(const std::string &name)
+  {
+    const auto &kinds = geometries();
+    const auto  kind =
+      std::find_if(kinds.begin(), kinds.end(), [&](const GeometryKind &k) {
+        return k.name == name;
+      });
+    Assert(kind != kinds.end(), dealii::ExcInternalError());
+    return *kind;
+  }
+} // namespace ThermoContact

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/multigrid/stage_multigrid.h>
+
+#include <algorithm>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Coarsest systems up to this size are factorised. */
+    constexpr types::global_dof_index max_factorized = 6000;
+
+
+
+    /** Restricts contact rows to the next coarser level. */
+    template <int dim>
+    ContactRows
+    restricted(const ContactRows                     &fine,
+               const MGTwoLevelTransfer<dim, Vector> &transfer,
+               const Vector                          &prototype,
+               const ContactEnd<dim>                 &fine_end)
+    {
+      const auto restrict_vector = [&](const Vector &vector) {
+        Vector result(prototype), copy(vector);
+        result = 0.;
+        copy.update_ghost_values();
+        transfer.restrict_and_add(result, copy);
+        result.zero_out_ghost_values();
+        return result;
+      };
+      ContactRows coarse;
+      if (fine.springs.size() > 0)
+        {
+          // the row sums of the product with the springs between two transfers
+          coarse.springs = restrict_vector(fine.springs);
+          for (double &spring : coarse.springs)
+            spring = std::max(spring, 0.);
+        }
+      if (fine.held.size() > 0)
+        {
+          // a coarse node is held if more than half of what it stands for is
+          Vector all(fine.held), part(fine.held);
+          all = 0.;
+          for (const auto &[node, entry] :
+               fine_end.entries(Field::displacement))
+            all.local_element(entry) = fine_end.nodes()[node].weight;
+          part.scale(all);
+          const Vector whole = restrict_vector(all);
+          coarse.held        = restrict_vector(part);
+          for (unsigned int i = 0; i < whole.locally_owned_size(); ++i)
+            {
+              double &held = coarse.held.local_element(i);
+              held         = whole.local_element(i) > 0. &&
+                         held > 0.5 * whole.local_element(i) ?
+                               1. :
+                               0.;
+            }
+        }
+      return coarse;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  StageBlock<dim>::StageBlock(const MultigridLevels<dim> &levels,
+                              const unsigned int          level,
+                              const Field::Block          field,
+                              const double                tau)
+    : levels(levels)
+    , level(level)
+    , field(field)
+    , tau(tau)
+    , prescribed(levels.discretization(level).constrained_entries(field))
+    , scratch(levels.spaces(level).make_vector(field))
+  {}
+
+
+
+  template <int dim>
+  void
+  StageBlock<dim>::vmult(Vector &y, const Vector &x) const
+  {
+    scratch.copy_locally_owned_data_from(x);
+    zero_prescribed(scratch);
+    const Material &material = levels.scene().material;
+    if (field == Field::temperature)
+      levels.products(level).heat({1., tau}, y, scratch);
+    else
+      levels.products(level).momentum(
+        {material.inertia, tau * tau, tau * material.viscosity}, y, scratch);
+    for (const auto &[entry, spring] : springs)
+      y.local_element(entry) += spring * scratch.local_element(entry);
+    for (const unsigned int entry : prescribed)
+      y.local_element(entry) = x.local_element(entry);
+  }
+
+
+
+  template <int dim>
+  Vector
+  StageBlock<dim>::diagonal() const
+  {
+    const LevelField<dim> &parts    = levels.field(level, field);
+    const Material        &material = levels.scene().material;
+    Vector                 result(scratch);
+    const bool             is_heat = field == Field::temperature;
+    result.equ(is_heat ? 1. : material.inertia, parts.mass);
+    result.add(is_heat ? tau : tau * tau, parts.stiffness);
+    if (!is_heat)
+      result.add(tau * material.viscosity, parts.viscous_stiffness);
+    for (const auto &[entry, spring] : springs)
+      result.local_element(entry) += spring;
+    for (const unsigned int entry : prescribed)
+      result.local_element(entry) = 1.;
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  StageBlock<dim>::set_contact(const ContactRows &rows)
+  {
+    prescribed = levels.discretization(level).constrained_entries(field);
+    springs.clear();
+    if (rows.springs.size() > 0)
+      for (unsigned int i = 0; i < rows.springs.locally_owned_size(); ++i)
+        if (rows.springs.local_element(i) > 0.)
+          springs.emplace_back(i, rows.springs.local_element(i));
+    if (rows.held.size() > 0)
+      for (unsigned int i = 0; i < rows.held.locally_owned_size(); ++i)
+        if (rows.held.local_element(i) > 0.)
+          prescribed.push_back(i);
+  }
+
+
+
+  template <int dim>
+  void
+  StageBlock<dim>::zero_prescribed(Vector &vector) const
+  {
+    for (const unsigned int entry : prescribed)
+      vector.local_element(entry) = 0.;
+  }
+
+
+
+  template <int dim>
+  StageMultigrid<dim>::StageMultigrid(const MultigridLevels<dim> &levels,
+                                      const Field::Block          field,
+                                      const double                tau)
+    : levels(levels)
+    , field(field)
+    , tau(tau)
+    , fine(levels.n_levels() - 1)
+  {
+    for (unsigned int l = 0; l < levels.n_levels(); ++l)
+      {
+        right.push_back(levels.spaces(l).make_vector(field));
+        solution.push_back(right.back());
+      }
+    for (unsigned int l = 1; l < levels.n_levels(); ++l)
+      {
+        Level &level = fine[l - 1];
+        level.block  = std::make_unique<StageBlock<dim>>(levels, l, field, tau);
+        level.inverse_diagonal = std::make_shared<DiagonalMatrix<Vector>>();
+        Vector &diagonal       = level.inverse_diagonal->get_vector();
+        diagonal               = level.block->diagonal();
+        for (double &value : diagonal)
+          value = 1. / value;
+        level.residual = right[l];
+
+        typename Smoother::AdditionalData data;
+        data.degree              = field == Field::temperature ? 2 : 3;
+        data.smoothing_range     = 15.;
+        data.eig_cg_n_iterations = 12;
+        data.preconditioner      = level.inverse_diagonal;
+        level.smoother           = std::make_unique<Smoother>();
+        level.smoother->initialize(*level.block, data);
+        level.smoother->estimate_eigenvalues(right[l]);
+      }
+    coarse_matrix = std::make_unique<SparseMatrix>(
+      field == Field::temperature ?
+        levels.coarse_operator().heat_stage_matrix(tau) :
+        levels.coarse_operator().momentum_stage_matrix(tau));
+    set_coarse(nullptr);
+  }
+
+
+
+  template <int dim>
+  void
+  StageMultigrid<dim>::set_contact(const ContactRows *rows)
+  {
+    ContactRows of_level = rows != nullptr ? *rows : ContactRows();
+    for (unsigned int l = levels.n_levels() - 1; l >= 1; --l)
+      {
+        Level &level = fine[l - 1];
+        level.block->set_contact(of_level);
+        Vector &diagonal = level.inverse_diagonal->get_vector();
+        diagonal         = level.block->diagonal();
+        for (double &value : diagonal)
+          value = 1. / value;
+        of_level = restricted(of_level,
+                              levels.field(l, field).transfer,
+                              right[l - 1],
+                              levels.discretization(l).contact_end());
+      }
+    set_coarse(rows != nullptr ? &of_level : nullptr);
+  }
+
+
+
+  template <int dim>
+  void
+  StageMultigrid<dim>::set_coarse(const ContactRows *rows)
+  {
+    SparseMatrix matrix;
+    matrix.copy_from(*coarse_matrix);
+    coarse_prescribed = levels.discretization(0).constrained_entries(field);
+    if (rows != nullptr)
+      {
+        const IndexSet owned = right[0].locally_owned_elements();
+        std::vector<types::global_dof_index> held;
+        for (unsigned int i = 0; i < owned.n_elements(); ++i)
+          {
+            const types::global_dof_index row = owned.nth_index_in_set(i);
+            if (rows->springs.size() > 0 && rows->springs.local_element(i) > 0.)
+              matrix.add(row, row, rows->springs.local_element(i));
+            if (rows->held.size() > 0 && rows->held.local_element(i) > 0.)
+              {
+                held.push_back(row);
+                coarse_prescribed.push_back(i);
+              }
+          }
+        matrix.compress(VectorOperation::add);
+        matrix.clear_rows(held, 1.);
+      }
+    coarse_solver.reset();
+    coarse_amg.reset();
+    if (matrix.m() <= max_factorized)
+      {
+        coarse_solver = std::make_unique<DirectSolver>(std::move(matrix));
+        return;
+      }
+    TrilinosWrappers::PreconditionAMG::AdditionalData data;
+    data.smoother_sweeps = 2;
+    data.constant_modes.assign(field == Field::temperature ? 1 : dim,
+                               std::vector<bool>(right[0].locally_owned_size(),
+                                                 true));
+    if (field == Field::displacement)
+      {
+        const DoFHandler<dim> &handler = levels.spaces(0).dof_handler(field);
+        data.constant_modes.clear();
+        DoFTools::extract_constant_modes(handler,
+                                         ComponentMask(dim, true),
+                                         data.constant_modes);
+      }
+    coarse_amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
+    coarse_amg->initialize(matrix, data);
+  }
+
+
+
+  template <int dim>
+  void
+  StageMultigrid<dim>::cycle(const unsigned int l) const
+  {
+    if (l == 0)
+      {
+        for (const unsigned int entry : coarse_prescribed)
+          right[0].local_element(entry) = 0.;
+        if (coarse_solver)
+          coarse_solver->solve(solution[0], right[0]);
+        else
+          coarse_amg->vmult(solution[0], right[0]);
+        return;
+      }
+    const Level                           &level = fine[l - 1];
+    const MGTwoLevelTransfer<dim, Vector> &transfer =
+      levels.field(l, field).transfer;
+    level.smoother->vmult(solution[l], right[l]);
+    level.block->vmult(level.residual, solution[l]);
+    level.residual.sadd(-1., right[l]);
+    level.block->zero_prescribed(level.residual);
+    level.residual.update_ghost_values();
+    right[l - 1] = 0.;
+    transfer.restrict_and_add(right[l - 1], level.residual);
+    level.residual.zero_out_ghost_values();
+    if (l > 1)
+      fine[l - 2].block->zero_prescribed(right[l - 1]);
+    cycle(l - 1);
+    solution[l - 1].update_ghost_values();
+    level.residual = 0.;
+    transfer.prolongate_and_add(level.residual, solution[l - 1]);
+    solution[l - 1].zero_out_ghost_values();
+    level.block->zero_prescribed(level.residual);
+    solution[l] += level.residual;
+    level.smoother->step(solution[l], right[l]);
+  }
+
+
+
+  template <int dim>
+  void
+  StageMultigrid<dim>::vmult(Vector &z, const Vector &r) const
+  {
+    const unsigned int finest = levels.n_levels() - 1;
+    right[finest].copy_locally_owned_data_from(r);
+    cycle(finest);
+    z.copy_locally_owned_data_from(solution[finest]);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  StageMultigrid<dim>::n_products() const
+  {
+    const unsigned int degree = field == Field::temperature ? 2 : 3;
+    return 2 * degree;
+  }
+
+
+
+  template class StageBlock<2>;
+  template class StageBlock<3>;
+  template class StageMultigrid<2>;
+  template class StageMultigrid<3>;
+} // namespace ThermoContact

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/output/obstacle_file.h>
+
+#include <functional>
+#include <vector>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Nodes along y; the nodes are sorted by z, then by y. */
+    template <int dim>
+    unsigned int
+    n_along_y(const std::vector<ContactNode<dim>> &nodes)
+    {
+      unsigned int n = 1;
+      while (dim > 1 && n < nodes.size() &&
+             nodes[n].position[dim > 1 ? 1 : 0] >
+               nodes[n - 1].position[dim > 1 ? 1 : 0])
+        ++n;
+      return n;
+    }
+
+
+
+    /** The corners of each cell, cell after cell. */
+    template <int dim>
+    std::vector<unsigned int>
+    corners_of_cells(const std::vector<ContactNode<dim>> &nodes)
+    {
+      const unsigned int        n = n_along_y(nodes);
+      std::vector<unsigned int> corners;
+      for (unsigned int j = 0; j + (dim > 2 ? n : 0) < nodes.size(); j += n)
+        for (unsigned int i = j; i + 1 < j + n; ++i)
+          {
+            corners.insert(corners.end(), {i, i + 1});
+            if (dim > 2)
+              corners.insert(corners.end(), {i + 1 + n, i + n});
+          }
+      return corners;
+    }
+
+
+
+    std::string
+    array(const std::string                              &attributes,
+          const unsigned int                              n,
+          const std::function<std::string(unsigned int)> &value)
+    {
+      std::string text = "<DataArray " + attributes + " format=\"ascii\">\n";
+      for (unsigned int i = 0; i < n; ++i)
+        text += value(i) + "\n";
+      return text + "</DataArray>\n";
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::string
+  obstacle_file(const ContactEnd<dim> &end)
+  {
+    const auto        &nodes   = end.nodes();
+    const auto         corners = corners_of_cells(nodes);
+    const unsigned int n_nodes = nodes.size(), n_corners = dim > 2 ? 4 : 2,
+                       n_cells = corners.size() / n_corners;
+    const auto number          = [](const double value) {
+      return significant(value, all_digits);
+    };
+    const auto gap = [&](const unsigned int i) { return number(nodes[i].gap); };
+    const std::string vector = "NumberOfComponents=\"3\"";
+    return "<?xml version=\"1.0\"?>\n"
+           "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\">\n"
+           "<UnstructuredGrid>\n" +
+           text("<Piece NumberOfPoints=\"",
+                n_nodes,
+                "\" NumberOfCells=\"",
+                n_cells,
+                "\">\n<Points>\n") +
+           array("type=\"Float64\" " + vector,
+                 n_nodes,
+                 [&](const unsigned int i) {
+                   std::string point;
+                   for (unsigned int d = 0; d < 3; ++d)
+                     point += (d > 0 ? " " : "") +
+                              (d < dim ? number(nodes[i].position[d]) : "0");
+                   return point;
+                 }) +
+           "</Points>\n<Cells>\n" +
+           array("type=\"Int32\" Name=\"connectivity\"",
+                 corners.size(),
+                 [&](const unsigned int i) { return text(corners[i]); }) +
+           array("type=\"Int32\" Name=\"offsets\"",
+                 n_cells,
+                 [&](const unsigned int i) {
+                   return text((i + 1) * n_corners);
+                 }) +
+           array("type=\"UInt8\" Name=\"types\"",
+                 n_cells,
+                 [](const unsigned int) { return dim > 2 ? "9" : "3"; }) +
+           "</Cells>\n<PointData>\n" +
+           array("type=\"Float64\" Name=\"gap\"", n_nodes, gap) +
+           array("type=\"Float64\" Name=\"displacement\" " + vector,
+                 n_nodes,
+                 [&](const unsigned int i) { return gap(i) + " 0 0"; }) +
+           "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  }
+
+
+
+  template std::string
+  obstacle_file(const ContactEnd<1> &);
+  template std::string
+  obstacle_file(const ContactEnd<2> &);
+  template std::string
+  obstacle_file(const ContactEnd<3> &);
+} // namespace ThermoContact

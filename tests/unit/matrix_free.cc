@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Products without matrices against the assembled matrices of the same body,
+// and what a V-cycle has to be as a preconditioner of symmetric blocks.
+//
+// 1. M, K + kB, D, D^T, M_u, S, S_zeta times vectors without any symmetry, and
+//    the diagonals of the square ones: each entry to 1e-13 of the largest one,
+//    since both are the same sums of at most 1e3 terms in another order, with
+//    rounding of 1e-16 each. Consistent and lumped mass, contact nodes without
+//    mass (M.36) and without viscous stress (M.37), plane strain, a round rod
+//    (M.47), a block; meshes refined from coarser ones for multigrid, which are
+//    numbered otherwise than the same cells made at once, and graded ones.
+// 2. The V-cycle B for the blocks A of a stage, M + tau (K + kB) and b M_u +
+//    tau (tau + zeta) S (M.50), without contact, with springs at every second
+//    node of the end, softness epsilon = 1e-4, and with these nodes held. The
+//    same smoother before and after and exact coarsest factors make it
+//    symmetric, r_1' B r_2 = r_2' B r_1, here to 1e-10 of the root of
+//    r_1' B r_1 r_2' B r_2, and positive, r' B r > 0. All eigenvalues of B A
+//    are to be within 1/2 of 1, which a cycle is that takes half of the error:
+//    |r - A B r| < 1/2 |r| in the norm of B.
+
+#include <thermocontact/multigrid/stage_multigrid.h>
+#include <thermocontact/space/field_matrices.h>
+#include <thermocontact/space/matrix_free_operator.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+
+#include "../matched_spaces.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  // not dealii's templates of that name
+  using ThermoContact::LinearMap;
+  using ThermoContact::SparseMatrix;
+  using ThermoContact::Vector;
+
+  Parameters
+  make_parameters(const unsigned int dim, const unsigned int degree)
+  {
+    Parameters parameters;
+    parameters.dimension                = dim;
+    parameters.mesh.degree              = degree;
+    parameters.mesh.cells               = 2;
+    parameters.mesh.cells_across        = dim == 3 && degree > 2 ? 1 : 2;
+    parameters.mesh.width               = 0.7;
+    parameters.boundary.heat_exchange   = 3.;
+    parameters.boundary.lateral_support = "free";
+    parameters.contact.massless_nodes   = "off";
+    parameters.model.coupling           = 0.5;
+    parameters.model.poisson_ratio      = 0.3;
+    return parameters;
+  }
+
+
+
+  Parameters
+  with_solver(Parameters parameters, const std::string &solver)
+  {
+    parameters.solver.linear_solver = solver;
+    return parameters;
+  }
+
+
+
+  /** Contact nodes without mass and, by the scheme, without viscous stress. */
+  Parameters
+  massless(Parameters parameters)
+  {
+    parameters.contact.massless_nodes = "on";
+    parameters.time.scheme            = "energy conserving";
+    parameters.time.step_size         = 0.01;
+    return parameters;
+  }
+
+
+
+  /** One body with matrices and without. */
+  template <int dim>
+  class Comparison
+  {
+  public:
+    explicit Comparison(const Parameters &parameters)
+      : scene(with_solver(parameters, "direct"))
+      , free_scene(with_solver(parameters, "iterative"))
+      , space(scene, MPI_COMM_SELF)
+      , free_space(free_scene, MPI_COMM_SELF)
+      , equations(scene, space)
+      , free_equations(free_scene, free_space)
+      , matrices(scene, space)
+      , spaces(space, free_space)
+    {}
+
+    void
+    report() const
+    {
+      const auto &heat     = Field::temperature;
+      const auto &momentum = Field::displacement;
+      const auto &free     = free_equations;
+      deallog
+        << "numbered alike " << spaces.is_complete << "; M "
+        << product(heat, heat, equations.heat_mass(), free.heat_mass())
+        << ", K + kB "
+        << product(heat, heat, equations.conduction(), free.conduction())
+        << ", D "
+        << product(momentum, heat, equations.divergence(), free.divergence())
+        << ", D^T "
+        << product(heat,
+                   momentum,
+                   equations.thermal_stress(),
+                   free.thermal_stress())
+        << ", M_u "
+        << product(momentum,
+                   momentum,
+                   equations.momentum_mass(),
+                   free.momentum_mass())
+        << ", S "
+        << product(momentum, momentum, equations.stiffness(), free.stiffness())
+        << ", S_zeta "
+        << product(momentum,
+                   momentum,
+                   equations.viscous_stiffness(),
+                   free.viscous_stiffness());
+      report_diagonals();
+    }
+
+  private:
+    const Scene                           scene, free_scene;
+    const Discretization<dim>             space, free_space;
+    const ThermoviscoelasticOperator<dim> equations, free_equations;
+    const FieldMatrices<dim>              matrices;
+    const MatchedSpaces<dim>              spaces;
+
+    /** 1 if both products are the same. */
+    bool
+    product(const Field::Block from,
+            const Field::Block to,
+            const LinearMap   &matrix,
+            const LinearMap   &no_matrix) const
+    {
+      Vector x = space.make_vector(from), free_x = free_space.make_vector(from);
+      Vector y = space.make_vector(to), free_y = free_space.make_vector(to);
+      spaces.fill(from, x, free_x, 0.);
+      free_y = 7.; // what was there is replaced
+      matrix.vmult(y, x);
+      no_matrix.vmult(free_y, free_x);
+      return spaces.difference(to, y, free_y, y.linfty_norm()) < 1e-13;
+    }
+
+    bool
+    diagonal(const Field::Block  field,
+             const SparseMatrix &matrix,
+             const Vector       &free_diagonal) const
+    {
+      Vector diagonal = space.make_vector(field);
+      for (const auto i : diagonal.locally_owned_elements())
+        diagonal[i] = matrix.diag_element(i);
+      return spaces.difference(field,
+                               diagonal,
+                               free_diagonal,
+                               diagonal.linfty_norm()) < 1e-13;
+    }
+
+    void
+    report_diagonals() const
+    {
+      const MatrixFreeOperator<dim> &products = *free_equations.matrix_free();
+      const auto                    &heat     = Field::temperature;
+      const auto                    &momentum = Field::displacement;
+      const SparseMatrix &viscous = scene.has_elastic_contact_nodes() ?
+                                      matrices.viscous_stiffness.block(1, 1) :
+                                      matrices.stiffness.block(1, 1);
+      deallog << "; diagonals "
+              << diagonal(heat,
+                          matrices.mass.block(0, 0),
+                          products.heat_diagonal({1., 0.}))
+              << diagonal(heat,
+                          matrices.stiffness.block(0, 0),
+                          products.heat_diagonal({0., 1.}))
+              << diagonal(momentum,
+                          matrices.mass.block(1, 1),
+                          products.momentum_diagonal({1., 0., 0.}))
+              << diagonal(momentum,
+                          matrices.stiffness.block(1, 1),
+                          products.momentum_diagonal({0., 1., 0.}))
+              << diagonal(momentum,
+                          viscous,
+                          products.momentum_diagonal({0., 0., 1.}))
+              << std::endl;
+    }
+  };
+
+
+
+  template <int dim>
+  void
+  compare(const std::string &name, const Parameters &parameters)
+  {
+    deallog << dim << "-D, degree " << parameters.mesh.degree << ", " << name
+            << ": ";
+    Comparison<dim>(parameters).report();
+  }
+
+
+
+  template <int dim>
+  void
+  compare_masses(const unsigned int degree)
+  {
+    Parameters parameters = make_parameters(dim, degree);
+    compare<dim>("consistent", parameters);
+    parameters.mesh.mass_matrix = "lumped";
+    compare<dim>("lumped", parameters);
+    parameters = massless(parameters);
+    compare<dim>("lumped, massless", parameters);
+    parameters.mesh.mass_matrix = "consistent";
+    compare<dim>("massless", parameters);
+  }
+
+
+
+  void
+  compare_round_rod(const unsigned int degree)
+  {
+    Parameters parameters    = make_parameters(2, degree);
+    parameters.mesh.geometry = "axisymmetric";
+    parameters.mesh.cells    = 4;
+    compare<2>("round rod", parameters);
+    parameters = massless(parameters);
+    compare<2>("round rod, massless", parameters);
+    parameters.mesh.grading = 3.;
+    compare<2>("round rod, massless, graded", parameters);
+  }
+
+
+
+  /** Rows of contact nodes, every second one active. */
+  template <int dim>
+  ContactRows
+  contact_rows(const Body<dim> &body, const bool is_rigid, const double tau)
+  {
+    ContactRows rows;
+    Vector     &values = is_rigid ? rows.held : rows.springs;
+    values             = body.discretization.make_vector(Field::displacement);
+    for (const auto &[node, entry] :
+         body.contact_end().entries(Field::displacement))
+      if (node % 2 == 0)
+        values.local_element(entry) =
+          is_rigid ? 1. :
+                     tau * tau * body.contact_end().nodes()[node].weight / 1e-4;
+    return rows;
+  }
+
+
+
+  template <int dim>
+  void
+  test_cycle(const Body<dim>            &body,
+             const MultigridLevels<dim> &levels,
+             const Field::Block          field,
+             const double                tau,
+             const ContactRows          *rows)
+  {
+    const unsigned int  finest = levels.n_levels() - 1;
+    StageMultigrid<dim> cycle(levels, field, tau);
+    StageBlock<dim>     block(levels, finest, field, tau);
+    if (rows != nullptr)
+      {
+        cycle.set_contact(rows);
+        block.set_contact(*rows);
+      }
+    Vector r[2], z[2];
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        r[i] = body.discretization.make_vector(field);
+        for (unsigned int j = 0; j < r[i].locally_owned_size(); ++j)
+          r[i].local_element(j) = std::sin(1. + 1.7 * (i + 2.) * j * j);
+        block.zero_prescribed(r[i]);
+        z[i].reinit(r[i]);
+        cycle.vmult(z[i], r[i]);
+      }
+    const double size   = std::sqrt((z[0] * r[0]) * (z[1] * r[1]));
+    const double defect = std::abs(z[0] * r[1] - z[1] * r[0]) / size;
+
+    // the error that is left, in the norm of the cycle
+    Vector left(r[0]), smoothed(r[0]);
+    block.vmult(left, z[0]);
+    left -= r[0];
+    cycle.vmult(smoothed, left);
+    const double remains = std::sqrt((smoothed * left) / (z[0] * r[0]));
+    deallog << " symmetric " << (defect < 1e-10) << ", positive "
+            << (z[0] * r[0] > 0. && z[1] * r[1] > 0.) << ", leaves half "
+            << (remains < 0.5);
+  }
+
+
+
+  template <int dim>
+  void
+  test_cycles(const unsigned int degree, const std::string &geometry)
+  {
+    Parameters parameters    = make_parameters(dim, degree);
+    parameters.mesh.width    = 0.5;
+    parameters.mesh.cells    = 4;
+    parameters.mesh.geometry = geometry;
+    const Scene                scene(with_solver(parameters, "iterative"));
+    const Body<dim>            body(scene, MPI_COMM_SELF);
+    const MultigridLevels<dim> levels(body);
+    for (const double tau : {1e-3, 0.1})
+      {
+        const ContactRows springs = contact_rows(body, false, tau);
+        const ContactRows held    = contact_rows(body, true, tau);
+        deallog << dim << "-D, degree " << degree << ", " << geometry
+                << ", tau = " << tau << ": heat";
+        test_cycle<dim>(body, levels, Field::temperature, tau, nullptr);
+        deallog << "; momentum";
+        test_cycle<dim>(body, levels, Field::displacement, tau, nullptr);
+        deallog << "; springs";
+        test_cycle<dim>(body, levels, Field::displacement, tau, &springs);
+        deallog << "; held";
+        test_cycle<dim>(body, levels, Field::displacement, tau, &held);
+        deallog << std::endl;
+      }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  initlog();
+  for (const unsigned int degree : {1, 2, 4})
+    {
+      compare_masses<2>(degree);
+      compare_round_rod(degree);
+      if (degree < 4)
+        compare_masses<3>(degree);
+      else // 500 unknowns to a cell
+        compare<3>("massless", massless(make_parameters(3, degree)));
+    }
+  for (const unsigned int degree : {1, 2, 4})
+    test_cycles<2>(degree, "plane strain");
+  test_cycles<2>(2, "axisymmetric");
+  test_cycles<3>(1, "plane strain");
+  test_cycles<3>(2, "plane strain");
+}

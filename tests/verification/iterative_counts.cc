@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What the iterative solver of stages counts, whatever the machine.
+//
+// 1. Krylov iterations of a cube, nu = 0.3, to 1e-8: at most 14 for degrees 1,
+//    2 and 4, stages of 1e-3 to 1e-1, no inertia, a = 1, and at most 2 more on
+//    cells a half or a quarter as long. A V-cycle that leaves a tenth of the
+//    error takes 8. Measured: 6 to 10, 2 more for degree 1 and the shortest
+//    stage, else 1 (on finer cubes of 2e4 unknowns, too: at most 10).
+// 2. A patch of contact that grows over a face in steps of 0.01: at most 4 sets
+//    for a stage on average, at most 8, and no system with more than 1.6 times
+//    the iterations without obstacle + 2, for each compliance. Measured: 2 to
+//    2.5 sets, at most 3, and at most 9 iterations instead of 10.
+
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/simulation/simulation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+#include "../tests.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  using Overrides = std::vector<std::string>;
+
+  Overrides
+  joined(Overrides first, const Overrides &second)
+  {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+  }
+
+
+
+  /** A run with the iterative solver, by its records. */
+  template <int dim>
+  struct Run
+  {
+    explicit Run(const Overrides &overrides)
+      : simulation(read_parameters("",
+                                   joined(overrides,
+                                          {"Solver/Linear solver=iterative"})),
+                   MPI_COMM_SELF)
+    {
+      const auto observe = [this](const Simulation<dim> &s) {
+        records.push_back(s.record());
+      };
+      simulation.run({observe});
+    }
+
+    Simulation<dim>         simulation;
+    std::vector<StepRecord> records;
+  };
+
+
+
+  /** Krylov iterations of each step of a cube without contact. */
+  template <int dim>
+  unsigned int
+  iterations(const unsigned int degree,
+             const unsigned int cells,
+             const double       tau,
+             const Overrides   &overrides)
+  {
+    const std::string n = std::to_string(cells);
+    const Overrides   cube{"Dimension=" + std::to_string(dim),
+                         "Mesh/Width=1",
+                         "Mesh/Degree=" + std::to_string(degree),
+                         "Mesh/Cells=" + n,
+                         "Mesh/Cells across=" + n,
+                         "Model/Poisson ratio=0.3",
+                         "Boundary/Lateral support=free",
+                         "Contact/Condition=none",
+                         "Time/Scheme=backward euler",
+                         "Time/Start=consistent",
+                         "Time/Step size=" + significant(tau, few_digits),
+                         "Time/End time=" + significant(2. * tau, few_digits),
+                         "Solver/Linear tolerance=1e-8"};
+    const Run<dim>    run(joined(cube, overrides));
+    return run.simulation.counters().max_linear_iterations;
+  }
+
+
+
+  template <int dim>
+  void
+  count_iterations(const unsigned int               degree,
+                   const std::vector<unsigned int> &n_cells)
+  {
+    const auto report = [&](const std::string &name,
+                            const double       tau,
+                            const Overrides   &overrides) {
+      std::vector<unsigned int> counts;
+      for (const unsigned int n : n_cells)
+        counts.push_back(iterations<dim>(degree, n, tau, overrides));
+      deallog << dim << "-D, degree " << degree << ", " << name
+              << ": at most 14 " << (counts.back() <= 14) << ", grow by 2 "
+              << (counts.back() <= counts.front() + 2) << std::endl;
+    };
+    for (const double tau : {1e-3, 1e-2, 1e-1})
+      report("tau = " + significant(tau, few_digits), tau, {});
+    report("no inertia",
+           0.1,
+           {"Model/Inertia=0", "Initial values/Temperature=theta_A"});
+    report("a = 1", 0.1, {"Model/Coupling=1"});
+  }
+
+
+
+  /** Sets of contact nodes and Krylov iterations of a patch that grows. */
+  template <int dim>
+  void
+  count_sets(const std::string &name, const Overrides &overrides)
+  {
+    const Overrides body{"Dimension=" + std::to_string(dim),
+                         "Mesh/Width=1",
+                         "Mesh/Degree=2",
+                         dim == 2 ? "Mesh/Cells=16" : "Mesh/Cells=4",
+                         dim == 2 ? "Mesh/Cells across=16" :
+                                    "Mesh/Cells across=4",
+                         "Model/Poisson ratio=0.3",
+                         "Boundary/Lateral support=free",
+                         "Time/Scheme=backward euler",
+                         "Time/Start=consistent",
+                         "Time/Step size=0.01",
+                         "Time/End time=0.12",
+                         "Initial values/Temperature=0*x",
+                         "Initial values/Velocity=x*(0.5+y)",
+                         "Boundary/Fixed end temperature=0"};
+    const Run<dim>  run(joined(joined(body, {"Contact/Gap=0.05"}), overrides));
+    const Run<dim>  free(joined(body, {"Contact/Condition=none"}));
+    const auto      counters = run.simulation.counters();
+    unsigned int    n = 0, sum = 0, largest = 0;
+    for (const StepRecord &r : run.records)
+      if (r.in_contact)
+        {
+          ++n;
+          sum += r.iterations;
+          largest = std::max(largest, r.iterations);
+        }
+    const unsigned int without =
+      free.simulation.counters().max_linear_iterations;
+    deallog << dim << "-D, " << name << ": several steps " << (n >= 5)
+            << ", sets at most 4 on average " << (sum <= 4 * n) << ", 8 "
+            << (largest <= 8) << "; iterations at most 1.6 times + 2 "
+            << (counters.max_linear_iterations <= 1.6 * without + 2.)
+            << std::endl;
+  }
+
+
+
+  template <int dim>
+  void
+  count_all_sets()
+  {
+    for (const std::string compliance : {"1", "1e-6", "1e-9"})
+      count_sets<dim>("epsilon = " + compliance,
+                      {"Contact/Compliance=" + compliance});
+    count_sets<dim>("rigid", {"Contact/Condition=rigid"});
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  initlog();
+  deallog << "Krylov iterations of cubes" << std::endl;
+  count_iterations<2>(1, {16, 64});
+  count_iterations<2>(2, {8, 32});
+  count_iterations<2>(4, {4, 16});
+  count_iterations<3>(1, {4, 8});
+  count_iterations<3>(2, {2, 4});
+  count_iterations<3>(4, {1, 2});
+
+  deallog << "sets of contact nodes" << std::endl;
+  count_all_sets<2>();
+  count_all_sets<3>();
+}

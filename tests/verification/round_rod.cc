@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Mesh/Geometry = axisymmetric, a round rod.
+//
+// 1. On rollers (no radial displacement at r = R), with data that depend on x
+//    only, it is the 1-D rod for every Poisson ratio: e_rr = e_tt = 0, the
+//    P-wave modulus is one, and every result is per unit cross-section. All
+//    columns of contact.csv at each row: at most 1e-9 of the largest value of
+//    the column, or of the energy (3e-13 measured). Degree 1 has a contact node
+//    with weight on the axis, higher degrees have none; massless nodes in
+//    equilibrium (zeta = 0, energy conserving) must take it along.
+// 2. Orders of convergence on a manufactured solution. With the radius R = 1/2,
+//      psi = X(x) g(r),  X = 1 - cos pi x,  g = r^2/2 - r^6/(6 R^4),
+//      u = beta grad psi = beta (X' g, X g'),  theta = theta_A +
+//      alpha S (1 + g),  S = sin(pi x/2),
+//    there is no displacement at x = 0 (X = X' = 0) and across r = 0 and r = R
+//    (g' = r - r^5/R^4), no shear stress 2 mu X' g' there and at x = 1, and no
+//    flux of heat at r = R. With g'' + g'/r = h = 2 - 6 r^4/R^4 and D =
+//    div grad psi = X'' g + X h the elastic force is div C e(grad psi) = grad
+//    D, as lambda + 2 mu = 1 and curl grad = 0. So
+//      f = -delta grad D + a alpha grad(S (1 + g)),  delta = beta + zeta
+//      beta_t,
+//      q = alpha_t S (1 + g) - alpha (S'' (1 + g) + S h) + a beta_t D,
+//      t = delta (lambda D + 2 mu X'' g) - a theta + p  and
+//      end heat flux k (theta - theta_obs)  at x = 1,
+//    where u_x = 0, so that p = -gap/eps. alpha = 1 + t, beta = 1/2 + t:
+//    backward Euler is exact in time. Expected: p + 1 in L2, p in the H1
+//    seminorm, in the norms with weight r.
+
+#include <thermocontact/simulation/simulation.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/numerics/vector_tools_integrate_difference.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include "../tests.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  using Overrides = std::vector<std::string>;
+  using Rows      = std::vector<std::array<double, 18>>;
+
+  template <int dim>
+  Rows
+  rows(const std::string &file, const Overrides &overrides)
+  {
+    Simulation<dim> simulation(read_parameters(file, overrides), MPI_COMM_SELF);
+    Rows            result;
+    const auto      observe = [&](const Simulation<dim> &s) {
+      result.push_back(all_columns(s.record()));
+    };
+    simulation.run({observe});
+    return result;
+  }
+
+
+
+  /** Largest difference in parts of the largest value of its column. */
+  double
+  difference(const Rows &rod, const Rows &body)
+  {
+    if (rod.size() != body.size())
+      return std::numeric_limits<double>::infinity();
+    double largest = 0.;
+    for (unsigned int c = 0; c < rod[0].size(); ++c)
+      {
+        double scale = 1e-10, error = 0.;
+        for (unsigned int i = 0; i < rod.size(); ++i)
+          {
+            raise(scale, std::abs(rod[i][c]));
+            raise(error, std::abs(rod[i][c] - body[i][c]));
+          }
+        if (c == 14) // numerical dissipation, a difference of energies
+          for (const auto &row : rod)
+            raise(scale, std::abs(row[12]));
+        raise(largest, error / scale);
+      }
+    return largest;
+  }
+
+
+
+  void
+  check_rod(const std::string &name, const Overrides &overrides)
+  {
+    Overrides round(overrides);
+    round.insert(round.end(),
+                 {"Dimension=2",
+                  "Mesh/Geometry=axisymmetric",
+                  "Mesh/Width=0.25",
+                  "Mesh/Cells across=2",
+                  "Model/Poisson ratio=0.3"});
+    const std::string file  = "paper/experiment-1.prm";
+    const Rows        rod   = rows<1>(file, overrides);
+    const double      d     = difference(rod, rows<2>(file, round));
+    double            force = 0.;
+    for (const auto &row : rod)
+      raise(force, row[8]);
+    deallog << name << ": in contact " << (force > 0.)
+            << ", the rod within 1e-9 " << (d <= 1e-9) << std::endl;
+    if (!(d <= 1e-9))
+      deallog << "  difference " << d << std::endl;
+  }
+
+
+
+  void
+  check_rods()
+  {
+    const Overrides common = {"Mesh/Cells=10",
+                              "Time/Start=consistent",
+                              "Time/End time=0.6",
+                              "Time/Step size=0.01"};
+    const auto      with   = [&](const Overrides &more) {
+      Overrides all(common);
+      all.insert(all.end(), more.begin(), more.end());
+      return all;
+    };
+    for (const std::string degree : {"1", "2", "4"})
+      {
+        const std::string p = "Mesh/Degree=" + degree;
+        check_rod("degree " + degree + ", backward euler", with({p}));
+        check_rod("degree " + degree + ", rigid",
+                  with({p,
+                        "Contact/Condition=rigid",
+                        "Contact/Massless nodes=on",
+                        "Time/Scheme=sdirk2"}));
+        check_rod("degree " + degree + ", quasi-static",
+                  with({p, "Model/Inertia=0", "Contact/Gap=0.05"}));
+        check_rod("degree " + degree + ", nodes in equilibrium",
+                  with({p,
+                        "Model/Viscosity=0",
+                        "Contact/Massless nodes=on",
+                        "Time/Scheme=sdirk4"}));
+        check_rod(
+          "degree " + degree + ", energy conserving",
+          with({p, "Model/Coupling=0.2", "Time/Scheme=energy conserving"}));
+      }
+  }
+
+
+
+  // ------------------------------------------------- manufactured solution
+
+  const double radius = 0.5;
+
+  class ExactSolution : public Function<2>
+  {
+  public:
+    explicit ExactSolution(const double time)
+      : Function<2>(3)
+      , alpha(1. + time)
+      , beta(0.5 + time)
+    {}
+
+    double
+    value(const Point<2> &point, const unsigned int c) const override
+    {
+      const double x = point[0], r = point[1], pi = numbers::PI;
+      const double R4  = std::pow(radius, 4);
+      const double g   = r * r / 2. - std::pow(r, 6) / (6. * R4);
+      const double g_r = r - std::pow(r, 5) / R4;
+      return c == 0 ? 3. + alpha * std::sin(0.5 * pi * x) * (1. + g) :
+             c == 1 ? beta * pi * std::sin(pi * x) * g :
+                      beta * (1. - std::cos(pi * x)) * g_r;
+    }
+
+    Tensor<1, 2>
+    gradient(const Point<2> &point, const unsigned int c) const override
+    {
+      const double x = point[0], r = point[1], pi = numbers::PI;
+      const double R4   = std::pow(radius, 4);
+      const double g    = r * r / 2. - std::pow(r, 6) / (6. * R4);
+      const double g_r  = r - std::pow(r, 5) / R4;
+      const double g_rr = 1. - 5. * std::pow(r, 4) / R4;
+      Tensor<1, 2> result;
+      if (c == 0)
+        {
+          result[0] = alpha * 0.5 * pi * std::cos(0.5 * pi * x) * (1. + g);
+          result[1] = alpha * std::sin(0.5 * pi * x) * g_r;
+        }
+      else
+        {
+          const double X = 1. - std::cos(pi * x), X_x = pi * std::sin(pi * x),
+                       X_xx = pi * pi * std::cos(pi * x);
+          result[0]         = beta * (c == 1 ? X_xx * g : X_x * g_r);
+          result[1]         = beta * (c == 1 ? X_x * g_r : X * g_rr);
+        }
+      return result;
+    }
+
+  private:
+    const double alpha, beta;
+  };
+
+
+
+  /** Replaces the symbols of the comment on top by expressions in x, y, t. */
+  std::string
+  expand(std::string formula)
+  {
+    const std::vector<std::pair<std::string, std::string>> meaning = {
+      {"D_x", "X_xxx*g+X_x*h"},
+      {"D_r", "X_xx*g_r-24*X*y^3/R^4"},
+      {"D", "X_xx*g+X*h"},
+      {"theta", "3+alpha*S*(1+g)"},
+      {"delta", "beta+0.5"},
+      {"alpha", "1+t"},
+      {"beta", "1/2+t"},
+      {"a", "0.25"},
+      {"lambda", "3/7"},
+      {"mu", "2/7"},
+      {"X", "1-cos(pi*x)"},
+      {"X_x", "pi*sin(pi*x)"},
+      {"X_xx", "pi^2*cos(pi*x)"},
+      {"X_xxx", "-pi^3*sin(pi*x)"},
+      {"S", "sin(pi*x/2)"},
+      {"S_x", "pi/2*cos(pi*x/2)"},
+      {"S_xx", "-pi^2/4*sin(pi*x/2)"},
+      {"g", "y^2/2-y^6/(6*R^4)"},
+      {"g_r", "y-y^5/R^4"},
+      {"h", "2-6*y^4/R^4"},
+      {"R", "0.5"}};
+    for (const auto &[symbol, expression] : meaning)
+      formula = std::regex_replace(formula,
+                                   std::regex("\\b" + symbol + "\\b"),
+                                   "(" + expression + ")");
+    return formula;
+  }
+
+
+
+  std::string
+  initial(const std::string &formula)
+  {
+    return std::regex_replace(expand(formula), std::regex("\\bt\\b"), "0");
+  }
+
+
+
+  std::array<double, 4>
+  errors(const unsigned int degree, const unsigned int cells)
+  {
+    Parameters parameters                     = read_parameters("");
+    parameters.dimension                      = 2;
+    parameters.model.inertia                  = 2.;
+    parameters.model.viscosity                = 0.5;
+    parameters.model.coupling                 = 0.25;
+    parameters.model.poisson_ratio            = 0.3;
+    parameters.boundary.fixed_end_temperature = 3.;
+    parameters.boundary.heat_exchange         = 2.;
+    parameters.boundary.obstacle_temperature  = 1.;
+    parameters.contact.compliance             = 0.05;
+    parameters.contact.gap                    = -0.1;
+    parameters.mesh.geometry                  = "axisymmetric";
+    parameters.mesh.cells                     = 2 * cells;
+    parameters.mesh.cells_across              = cells;
+    parameters.mesh.width                     = radius;
+    parameters.mesh.degree                    = degree;
+    parameters.time.scheme                    = "backward euler";
+    parameters.time.start                     = "consistent";
+    parameters.time.end_time                  = 0.5;
+    parameters.time.step_size                 = 0.1;
+    parameters.initial_values.temperature     = initial("theta");
+    parameters.initial_values.displacement =
+      initial("beta*X_x*g") + ";" + initial("beta*X*g_r");
+    parameters.initial_values.velocity =
+      initial("X_x*g") + ";" + initial("X*g_r");
+    parameters.sources.heat_source =
+      expand("S*(1+g)-alpha*(S_xx*(1+g)+S*h)+a*D");
+    parameters.sources.body_force = expand("-delta*D_x+a*alpha*S_x*(1+g)") +
+                                    ";" + expand("-delta*D_r+a*alpha*S*g_r");
+    parameters.sources.end_traction =
+      expand("delta*(lambda*D+2*mu*X_xx*g)-a*theta+0.1/0.05");
+    parameters.sources.end_heat_flux = expand("2*(theta-1)");
+    check_scene(parameters);
+
+    Simulation<2> simulation(parameters, MPI_COMM_SELF);
+    simulation.run({});
+    const Discretization<2> &space    = simulation.discretization();
+    const State             &state    = simulation.state();
+    SystemVector             solution = space.make_system_vector();
+    space.join(state.temperature, state.displacement, solution);
+    const ExactSolution exact(state.time);
+
+    std::array<double, 4> result;
+    unsigned int          i = 0;
+    for (const auto &[first, last] : {std::pair(0, 1), std::pair(1, 3)})
+      for (const auto norm : {VectorTools::L2_norm, VectorTools::H1_seminorm})
+        {
+          /** The radius, for the components that count. */
+          class Weight : public Function<2>
+          {
+          public:
+            Weight(const unsigned int first, const unsigned int last)
+              : Function<2>(3)
+              , first(first)
+              , last(last)
+            {}
+
+            double
+            value(const Point<2> &point, const unsigned int c) const override
+            {
+              return c >= first && c < last ? point[1] : 0.;
+            }
+
+          private:
+            const unsigned int first, last;
+          };
+
+          const Weight           weight(first, last);
+          dealii::Vector<double> of_cells;
+          VectorTools::integrate_difference(space.mapping(),
+                                            space.dof_handler(),
+                                            solution,
+                                            exact,
+                                            of_cells,
+                                            QGauss<2>(degree + 4),
+                                            norm,
+                                            &weight);
+          result[i++] = of_cells.l2_norm();
+        }
+    return result;
+  }
+
+
+
+  void
+  check_orders()
+  {
+    for (const unsigned int degree : {1, 2, 3})
+      {
+        const unsigned int cells   = degree == 1 ? 16 : degree == 2 ? 6 : 10;
+        const auto         coarse  = errors(degree, cells);
+        const auto         fine    = errors(degree, 2 * cells);
+        const char *const  names[] = {"temperature L2",
+                                      "H1",
+                                      "displacement L2",
+                                      "H1"};
+        deallog << "degree " << degree << ": ";
+        for (unsigned int i = 0; i < 4; ++i)
+          {
+            const double order = std::log2(coarse[i] / fine[i]);
+            deallog << names[i] << ' '
+                    << (std::abs(order - std::round(order)) <= 0.15 ?
+                          std::round(order) :
+                          order)
+                    << (i < 3 ? ", " : "");
+          }
+        deallog << std::endl;
+      }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  initlog();
+
+  deallog << "the rod" << std::endl;
+  check_rods();
+  deallog << "order in h" << std::endl;
+  check_orders();
+}
