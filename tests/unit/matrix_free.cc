@@ -45,7 +45,7 @@ namespace
     parameters.dimension                = dim;
     parameters.mesh.degree              = degree;
     parameters.mesh.cells               = 2;
-    parameters.mesh.cells_across        = dim == 3 && degree > 2 ? 1 : 2;
+    parameters.mesh.cells_across        = 2;
     parameters.mesh.width               = 0.7;
     parameters.boundary.heat_exchange   = 3.;
     parameters.boundary.lateral_support = "free";
