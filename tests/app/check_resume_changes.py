@@ -9,6 +9,7 @@ time, so that the longer run passes through the same states.
 """
 import csv
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -44,6 +45,26 @@ def refuse(reference, what, *options, program=()):
     print(f"{what}: status {status}, files untouched",
           int(contents(reference) == before))
     print(message.rstrip())
+
+
+def numbers_not_refused(reference):
+    """Numbers of used.prm that --resume lets change, each alone; end time and intervals
+    may change."""
+    accepted, section, n_refused = [], "", 0
+    for line in (reference / "used.prm").read_text().splitlines():
+        if match := re.match(r"subsection (.*)", line):
+            section = match[1]
+        elif match := re.match(r" *set (.*?) *= *(-?[\d.]+(?:e-?\d+)?)$", line):
+            path, value = f"{section}/{match[1]}", float(match[2])
+            if path in ("/Dimension", "Time/End time") or "interval" in path:
+                continue
+            other = f"{value + 1:.0f}" if value == int(value) else f"{1.01 * value!r}"
+            status, message = run(reference, "scene.prm", "--resume", "--set",
+                                  f"{path}={other}")
+            n_refused += status == 2
+            if status != 2 or f"{path} = {other}: the checkpoint has" not in message:
+                accepted.append(f"{path}={other}: {status}, {message}")
+    return ", ".join(accepted) or ("none" if n_refused >= 10 else f"{n_refused} asked")
 
 
 def rows(directory):
@@ -99,6 +120,7 @@ def main():
                     "2"))
     refuse(reference, "study", "scene.prm",
            "--set", "Study/Vary=Mesh/Cells = 4 | 8")
+    print("other numbers that are not refused:", numbers_not_refused(reference))
     status, message = run(Path("nowhere"), "scene.prm", "--resume")
     print(f"no checkpoint: status {status}, directory",
           int(Path("nowhere").exists()))

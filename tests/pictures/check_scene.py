@@ -374,13 +374,13 @@ def main():
         "Mesh/Cells=4", "Output/Fields interval=0.002", "Contact/Gap=0.001")
     run("strip", "examples/strip.prm", "Time/End time=0.4", "Mesh/Cells=6",
         "Output/Fields interval=0.05", "Output/Space-time interval=0.05")
-    run("shape", "examples/strip.prm", "Time/End time=0.1", "Mesh/Cells=6",
-        "Output/Fields interval=0.05", "Contact/Gap=0.05+(y-0.1)^2")
+    run("shape", "examples/strip.prm", "Time/End time=0.2", "Mesh/Cells=6",
+        "Output/Fields interval=0.05", "Contact/Gap=0.02+(y-0.1)^2")
     run("heat", "verification/heat-series.prm", "Time/End time=0.2",
         "Output/Fields interval=0.05")
     check_scene("rod", "rod", "temperature")
     check_scene("strip, stress", "strip", "stress", "--colour", "stress")
-    check_scene("shaped obstacle", "shape", "temperature", gaps=(0.05, 0.06))
+    check_scene("shaped obstacle", "shape", "temperature", gaps=(0.02, 0.03))
     if not pvbatch:  # which takes seconds for each
         check_scene("fine", "fine", "temperature")
         check_scene("heat", "heat", "temperature")
