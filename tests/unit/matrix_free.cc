@@ -45,7 +45,7 @@ namespace
     parameters.dimension                = dim;
     parameters.mesh.degree              = degree;
     parameters.mesh.cells               = 2;
-    parameters.mesh.cells_across        = dim == 3 && degree > 2 ? 1 : 2;
+    parameters.mesh.cells_across        = 2;
     parameters.mesh.width               = 0.7;
     parameters.boundary.heat_exchange   = 3.;
     parameters.boundary.lateral_support = "free";
@@ -338,10 +338,8 @@ main(int argc, char **argv)
     {
       compare_masses<2>(degree);
       compare_round_rod(degree);
-      if (degree < 4)
+      if (degree < 4) // 500 unknowns to a cell: verification/iterative_solver
         compare_masses<3>(degree);
-      else // 500 unknowns to a cell
-        compare<3>("massless", massless(make_parameters(3, degree)));
     }
   for (const unsigned int degree : {1, 2, 4})
     test_cycles<2>(degree, "plane strain");

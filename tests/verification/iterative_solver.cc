@@ -256,6 +256,20 @@ namespace
              "Model/Viscosity=0",
              "Contact/Condition=rigid",
              "Sources/End traction=20*t*(0.5+y)"});
+  }
+
+
+
+  void
+  compare_other_strips()
+  {
+    const Overrides strip{"Mesh/Cells=8",
+                          "Mesh/Cells across=4",
+                          "Mesh/Degree=2"};
+    const auto      compare = [&](const std::string &name,
+                             const Overrides   &overrides) {
+      compare_solvers<2>(name, joined(strip, overrides));
+    };
     compare("rollers", {"Boundary/Lateral support=rollers"});
     compare("no heating, rigid",
             {"Model/Thermoelastic heating=false", "Contact/Condition=rigid"});
@@ -319,5 +333,6 @@ main(int argc, char **argv)
   initlog();
   deallog << "direct against iterative" << std::endl;
   compare_strips();
+  compare_other_strips();
   compare_blocks();
 }
