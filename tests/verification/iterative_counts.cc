@@ -6,7 +6,8 @@
 //    2 and 4, stages of 1e-3 to 1e-1, no inertia, a = 1, and at most 2 more on
 //    cells a half or a quarter as long. A V-cycle that leaves a tenth of the
 //    error takes 8. Measured: 6 to 10, 2 more for degree 1 and the shortest
-//    stage, else 1 (on finer cubes of 2e4 unknowns, too: at most 10).
+//    stage, else 1 (on finer cubes of 2e4 unknowns, too: at most 10; from 2^3
+//    to 8^3 cells of degree 2, which are not compared here, 6 to 9).
 // 2. A patch of contact that grows over a face in steps of 0.01: at most 4 sets
 //    for a stage on average, at most 8, and no system with more than 1.6 times
 //    the iterations without obstacle + 2, for each compliance. Measured: 2 to
