@@ -50,15 +50,16 @@ namespace ThermoContact
     double
     operator()(const Simulation<dim> &simulation)
     {
-      const State &state = simulation.state();
-      const Scene &scene = simulation.scene();
-      const auto  &stage = simulation.body().equations;
-      const double dt    = simulation.record().step_size;
-      const double unit =
+      const State       &state     = simulation.state();
+      const Scene       &scene     = simulation.scene();
+      const auto        &stage     = simulation.body().equations;
+      const double       dt        = simulation.record().step_size;
+      const auto        &stiffness = stage.field_matrices().stiffness;
+      const unsigned int last = stiffness.n_block_rows() - 1; // or the only one
+      const double       unit =
         std::numeric_limits<double>::epsilon() *
         std::sqrt(simulation.discretization().dof_handler().n_dofs()) *
-        (scene.fields.has_displacement ? stage.stiffness() : stage.conduction())
-          .linfty_norm();
+        stiffness.block(last, last).linfty_norm();
       Values values;
       if (scene.fields.has_displacement)
         {

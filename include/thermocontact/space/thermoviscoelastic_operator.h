@@ -103,6 +103,13 @@ namespace ThermoContact
       return has_own_viscous_stiffness ? *maps.viscous_stiffness : stiffness();
     }
 
+    /** The matrices; of scenes that have them. */
+    const FieldMatrices<dim> &
+    field_matrices() const
+    {
+      return *matrices;
+    }
+
     /** Products without matrices; null for scenes that have matrices. */
     const MatrixFreeOperator<dim> *
     matrix_free() const

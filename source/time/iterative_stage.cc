@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/time/iterative_stage.h>
+
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    constexpr unsigned int max_iterations = 300;
+  } // namespace
+
+
+
+  /** The stage matrix with contact, rows scaled. */
+  template <int dim>
+  class IterativeStage<dim>::Matrix
+  {
+  public:
+    explicit Matrix(const IterativeStage &stage)
+      : stage(stage)
+    {}
+
+    void
+    vmult(BlockVector &y, const BlockVector &x) const
+    {
+      stage.apply(y, x);
+      Vector       &y_u = y.block(Field::displacement);
+      const Vector &x_u = x.block(Field::displacement);
+      for (const auto &[node, entry] :
+           stage.body.contact_end().entries(Field::displacement))
+        if (stage.is_active[node])
+          {
+            if (stage.contact.held.size() > 0)
+              y_u.local_element(entry) = x_u.local_element(entry);
+            else
+              y_u.local_element(entry) +=
+                stage.contact.springs.local_element(entry) *
+                x_u.local_element(entry);
+          }
+      y.scale(stage.weights);
+    }
+
+  private:
+    const IterativeStage &stage;
+  };
+
+
+
+  /** V-cycles, the temperature first; rows scaled back. */
+  template <int dim>
+  class IterativeStage<dim>::Preconditioner
+  {
+  public:
+    explicit Preconditioner(const IterativeStage &stage)
+      : stage(stage)
+      , rhs(stage.rhs.block(Field::displacement))
+      , heat_rhs(stage.rhs.block(Field::temperature))
+    {}
+
+    void
+    vmult(BlockVector &z, const BlockVector &r) const
+    {
+      const auto &hierarchy = stage.hierarchies.current();
+      const bool  has_heat  = hierarchy.heat && stage.has_heat;
+      Vector     &z_theta   = z.block(Field::temperature);
+      if (has_heat)
+        {
+          heat_rhs.copy_locally_owned_data_from(r.block(Field::temperature));
+          heat_rhs.scale(stage.inverse_weights.block(Field::temperature));
+          hierarchy.heat->vmult(z_theta, heat_rhs);
+        }
+      else
+        z_theta = 0.;
+      if (!hierarchy.momentum)
+        return;
+      rhs.copy_locally_owned_data_from(r.block(Field::displacement));
+      rhs.scale(stage.inverse_weights.block(Field::displacement));
+      if (has_heat)
+        {
+          stage.body.equations.add_thermal_stress(z_theta, stage.tau, rhs);
+          // held rows keep their residual, which is zero
+          for (const auto &[node, entry] :
+               stage.body.contact_end().entries(Field::displacement))
+            if (stage.is_active[node] && stage.contact.held.size() > 0)
+              rhs.local_element(entry) = 0.;
+        }
+      hierarchy.momentum->vmult(z.block(Field::displacement), rhs);
+    }
+
+  private:
+    const IterativeStage &stage;
+    mutable Vector        rhs;
+    mutable Vector        heat_rhs;
+  };
+
+
+
+  template <int dim>
+  IterativeStage<dim>::IterativeStage(const Body<dim> &body)
+    : body(body)
+    , levels(body)
+    , hierarchies(levels)
+  {
+    rhs.reinit(2);
+    for (const Field::Block field : all_fields)
+      rhs.block(field) = body.discretization.make_vector(field);
+    rhs.collect_sizes();
+    solution        = rhs;
+    residual        = rhs;
+    weights         = rhs;
+    inverse_weights = rhs;
+    correction      = rhs;
+    scaled_residual = rhs;
+    is_active.assign(body.contact_end().n_nodes(), false);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::apply(BlockVector &y, const BlockVector &x) const
+  {
+    const ThermoviscoelasticOperator<dim> &equations = body.equations;
+    const Material                        &material  = body.scene.material;
+    Vector       &y_theta = y.block(Field::temperature);
+    Vector       &y_u     = y.block(Field::displacement);
+    const Vector &x_theta = x.block(Field::temperature);
+    const Vector &x_u     = x.block(Field::displacement);
+    if (has_heat)
+      {
+        equations.matrix_free()->heat({1., tau}, y_theta, x_theta);
+        // - (-a D v) times tau
+        if (material.has_heating())
+          {
+            y_theta *= -1. / tau;
+            equations.subtract_heating(x_u, y_theta);
+            y_theta *= -tau;
+          }
+        equations.zero_constrained(Field::temperature, y_theta);
+      }
+    else
+      y_theta = 0.;
+    if (!body.scene.fields.has_displacement)
+      return;
+    equations.matrix_free()->momentum(
+      {material.inertia, tau * tau, tau * material.viscosity}, y_u, x_u);
+    if (has_heat)
+      equations.add_thermal_stress(x_theta, -tau, y_u);
+    equations.zero_constrained(Field::displacement, y_u);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::compute_residual()
+  {
+    apply(residual, solution);
+    residual.sadd(-1., 1., rhs);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::prepare(const State  &known,
+                               const double  stage_length,
+                               const Vector &heat_load,
+                               const Vector &momentum_load,
+                               const bool    with_heat)
+  {
+    hierarchies.provide(stage_length);
+    tau      = stage_length;
+    has_heat = with_heat && body.scene.fields.has_temperature;
+    body.contact_end().get_penetrations(known.displacement, known_penetration);
+    Vector &heat     = rhs.block(Field::temperature);
+    Vector &momentum = rhs.block(Field::displacement);
+    body.equations.stage_rhs(
+      known, tau, heat_load, momentum_load, heat, momentum);
+    heat *= tau;
+    if (!has_heat)
+      heat = 0.;
+
+    solution = 0.;
+    if (body.scene.fields.has_displacement)
+      {
+        Vector &v = solution.block(Field::displacement);
+        v.copy_locally_owned_data_from(known.velocity);
+        body.equations.zero_constrained(Field::displacement, v);
+      }
+    set_weights(known);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::set_weights(const State &known)
+  {
+    // Residuals are compared to the terms of the equations, whose sum may
+    // vanish where a body is at rest, and by rows, since those of contact nodes
+    // without mass are of the order of the square of a short
+    compute_residual();
+    for (const Field::Block field : all_fields)
+      {
+        if (!body.discretization.has_field(field))
+          continue;
+        Vector &weights = this->weights.block(field);
+        Vector &roots   = inverse_weights.block(field);
+        roots.copy_locally_owned_data_from(
+          hierarchies.current().diagonals[field]);
+        for (unsigned int i = 0; i < roots.locally_owned_size(); ++i)
+          {
+            roots.local_element(i)   = std::sqrt(roots.local_element(i));
+            weights.local_element(i) = 1. / roots.local_element(i);
+          }
+        Vector     scratch(weights);
+        const auto norm = [&](const Vector &vector) {
+          scratch.copy_locally_owned_data_from(vector);
+          scratch.scale(weights);
+          return scratch.l2_norm();
+        };
+        double size =
+          std::max(norm(rhs.block(field)), norm(residual.block(field)));
+        if (field == Field::displacement || has_heat)
+          {
+            Vector internal(scratch);
+            if (field == Field::temperature)
+              body.equations.conduction().vmult(internal, known.temperature);
+            else
+              body.equations.stiffness().vmult(internal, known.displacement);
+            size = std::max(size, tau * norm(internal));
+          }
+        if (size == 0.)
+          continue;
+        weights /= size;
+        roots *= size;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::set_active(const std::vector<bool> &is_active)
+  {
+    const ContactEnd<dim> &end = body.contact_end();
+    this->is_active            = is_active;
+    contact                    = ContactRows();
+    const bool has_contact =
+      std::find(is_active.begin(), is_active.end(), true) != is_active.end();
+    if (hierarchies.current().momentum == nullptr)
+      return;
+    if (!has_contact)
+      {
+        hierarchies.current().momentum->set_contact(nullptr);
+        return;
+      }
+    Vector &rows = body.law().is_rigid() ? contact.held : contact.springs;
+    rows         = body.discretization.make_vector(Field::displacement);
+    Vector &v    = solution.block(Field::displacement);
+    for (const auto &[node, entry] : end.entries(Field::displacement))
+      if (is_active[node])
+        {
+          const double tangent = body.law().tangent(0.);
+          rows.local_element(entry) =
+            body.law().is_rigid() ?
+              1. :
+              tau * tau * end.nodes()[node].weight / tangent;
+          if (body.law().is_rigid())
+            v.local_element(entry) = -known_penetration[node] / tau;
+        }
+    hierarchies.current().momentum->set_contact(&contact);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  IterativeStage<dim>::solve(const double tolerance)
+  {
+    const ContactEnd<dim> &end = body.contact_end();
+    compute_residual();
+    scaled_residual = residual;
+    Vector       &r = scaled_residual.block(Field::displacement);
+    const Vector &v = solution.block(Field::displacement);
+    for (const auto &[node, entry] : end.entries(Field::displacement))
+      if (is_active[node])
+        {
+          if (body.law().is_rigid())
+            r.local_element(entry) = 0.;
+          else // what the spring does beside the body
+            r.local_element(entry) -=
+              contact.springs.local_element(entry) *
+              (v.local_element(entry) + known_penetration[node] / tau);
+        }
+    scaled_residual.scale(weights);
+
+    SolverControl            control(max_iterations, tolerance, false, false);
+    SolverGMRES<BlockVector> gmres(
+      control, typename SolverGMRES<BlockVector>::AdditionalData(60, true));
+    correction = 0.;
+    try
+      {
+        gmres.solve(Matrix(*this),
+                    correction,
+                    scaled_residual,
+                    Preconditioner(*this));
+      }
+    catch (const SolverControl::NoConvergence &)
+      {
+        throw ComputationError(
+          text("the iterative solver reached a relative residual of ",
+               significant(control.last_value(), few_digits),
+               " instead of ",
+               significant(tolerance, few_digits),
+               " in ",
+               control.last_step(),
+               " iterations, for a stage of length ",
+               significant(tau, few_digits),
+               "\n  remedy:  Solver/Linear solver = direct, cells that are "
+               "cubes, a larger Contact/Compliance, or a Model/Poisson ratio "
+               "farther from 1/2"));
+      }
+    solution += correction;
+    compute_residual();
+    return control.last_step();
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::get_pressures(std::vector<double> &pressure)
+  {
+    const ContactEnd<dim> &end      = body.contact_end();
+    const Vector          &residual = this->residual.block(Field::displacement);
+    const Vector          &v        = solution.block(Field::displacement);
+    const Vector          &springs  = contact.springs;
+    const Vector          &diagonal =
+      hierarchies.current().diagonals[Field::displacement];
+    Vector &forces = scaled_residual.block(Field::displacement);
+    for (const auto &[node, entry] : end.entries(Field::displacement))
+      {
+        // Both agree where the stage is solved: the one that errors of the
+        // solution change less, which for springs softer than the body is
+        // theirs
+        const bool is_soft =
+          springs.size() > 0 &&
+          springs.local_element(entry) < diagonal.local_element(entry);
+        forces.local_element(entry) =
+          is_soft ? springs.local_element(entry) *
+                      (v.local_element(entry) + known_penetration[node] / tau) :
+                    residual.local_element(entry);
+      }
+    end.get_values(Field::displacement, forces, pressure);
+    for (unsigned int i = 0; i < pressure.size(); ++i)
+      pressure[i] =
+        is_active[i] ? pressure[i] / (tau * end.nodes()[i].weight) : 0.;
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::get_reach(std::vector<double> &reach) const
+  {
+    body.contact_end().get_values(Field::displacement,
+                                  solution.block(Field::displacement),
+                                  reach);
+    for (unsigned int i = 0; i < reach.size(); ++i)
+      reach[i] = known_penetration[i] + tau * reach[i];
+  }
+
+
+
+  template class IterativeStage<2>;
+  template class IterativeStage<3>;
+} // namespace ThermoContact
