@@ -79,7 +79,7 @@ def show_shape(view, path, scale, thickness, colour, opacity):
                         Vectors=["POINTS", "displacement"], ScaleFactor=scale)
     shape = LinearExtrusion(Input=ExtractSurface(Input=face),
                             ScaleFactor=thickness, Vector=[1, 0, 0])
-    ColorBy(show_plain(view, shape, colour, opacity), None)
+    show_plain(view, shape, colour, opacity).ColorArrayName = ["POINTS", ""]
 
 
 def body_of(snapshots, scale):

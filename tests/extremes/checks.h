@@ -55,11 +55,11 @@ namespace ThermoContact
       const auto        &stage     = simulation.body().equations;
       const double       dt        = simulation.record().step_size;
       const auto        &stiffness = stage.field_matrices().stiffness;
-      const unsigned int last = stiffness.n_block_rows() - 1; // or the only one
+      const unsigned int n_fields  = stiffness.n_block_rows();
       const double       unit =
         std::numeric_limits<double>::epsilon() *
         std::sqrt(simulation.discretization().dof_handler().n_dofs()) *
-        stiffness.block(last, last).linfty_norm();
+        stiffness.block(n_fields - 1, n_fields - 1).linfty_norm();
       Values values;
       if (scene.fields.has_displacement)
         {

@@ -46,7 +46,7 @@ HTML = [('<a href="page.html#top">', None), ("<a href='page.html#low'>", None),
         ('<a href="//nowhere.invalid">', "")]
 STAND_IN = """#!/bin/sh
 name=${0##*/}
-{ echo "$name $*"; echo "$OMPI_MCA_btl"; } >>"$CALLS"
+echo "$name $*" >>"$CALLS"
 [ "$name" != cmake ] || while [ "$1" != -B ]; do shift; done
 [ "$name" != cmake ] || touch "$2/Makefile"
 case " $FAIL " in
@@ -134,7 +134,7 @@ class Project:
             text=True, env={**clean, "CALLS": str(self.calls), "PATH":
                             f"{self.top}/bin:{os.environ['PATH']}",
                             **environment})
-        return result, self.calls.read_text().splitlines()[::2]
+        return result, self.calls.read_text().splitlines()
 
 
 def check_build(top):
@@ -188,13 +188,11 @@ def check_run(top):
     check("one process", result.returncode == 3 and [
         call.split()[0] for call in calls] == [
             "install_packages", "cmake", "make", "thermocontact"] and
-        calls[-1] == "thermocontact --set a b=c x.prm" and
-        project.calls.read_text().splitlines()[-1] == "self", str(calls))
+        calls[-1] == "thermocontact --set a b=c x.prm", str(calls))
     result, calls = project.run("run", "x.prm", NRANKS="2")
     root = "--allow-run-as-root " if os.getuid() == 0 else ""
     check("two ranks", result.returncode == 0 and calls[-1] ==
-          f"mpirun {root}--oversubscribe -n 2 {program} x.prm" and
-          project.calls.read_text().splitlines()[-1] == "", str(calls))
+          f"mpirun {root}--oversubscribe -n 2 {program} x.prm", str(calls))
     for name, what in (("install_packages", []), ("make", ["make"])):
         result, calls = project.run("run", "x.prm", FAIL=name, WORDS="error")
         check(f"{name} fails", result.returncode == 1 and
