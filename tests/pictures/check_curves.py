@@ -154,6 +154,9 @@ def check_labels(plot, make):
     twins = [make(f"twin {r}", r, "Twin", label=f"Twin ({Path().resolve()}"
                   f"/twin {r})") for r in range(2)]
     check_histories(plot, "same title", twins, ALL)
+    costs = [make(f"costs {r}", r, f"Rod {r} of 5$ or 6$",  # no formula
+                  label=rf"Rod {r} of 5\$ or 6\$") for r in range(2)]
+    check_histories(plot, "dollars", costs, ALL)
     ten = [make(f"of ten {r}", r, f"Rod {r}") for r in range(10)]
     check_histories(plot, "ten", ten, ALL)
     long = [make(f"long {r}", r, f"Rod {r}" + 50 * "o", contacts=[(0, 1)])
