@@ -175,7 +175,7 @@ def check_labels(plot, make):
     run.times = run.times[:4]
     run.contact = {name: values[:4] for name, values in run.contact.items()}
     run.contacts = []
-    check_histories(plot, "until 0.6", [run], ALL, "--end-time", "0.7")
+    check_histories(plot, "until 0.6", [run], ALL, "--end-time", "0.6")
 
 
 def check_contacts(plot, make):
