@@ -197,12 +197,15 @@ def check_labels(plot, make):
 
 
 def check_cut(plot, make):
-    """A last row that is not all there, of which each number could be one."""
+    """A last row that is not all there, of which each number could be one, and
+    a first one that the user has cut off."""
     run = make("cut", 0, "Rod", status=None, label="Rod (unfinished, $t$ = 1)")
+    run.contact = {name: values[1:] for name, values in run.contact.items()}
+    run.write_contact()
     path = run.directory / "contact.csv"
     path.write_text(path.read_text()[:-3])  # the end of the line and two digits
-    run.times = run.times[:5]
-    run.contact = {name: values[:5] for name, values in run.contact.items()}
+    run.times = run.times[1:5]
+    run.contact = {name: values[:4] for name, values in run.contact.items()}
     check_histories(plot, "cut", [run], ALL)
 
 
