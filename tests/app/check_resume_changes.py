@@ -171,7 +171,8 @@ def interrupt(prm):
     directory = Path("interrupted")
     process = start(directory, prm, "--set", "Time/Step size=1e-4",
                     "--set", "Time/End time=1e3", program=TWO_RANKS)
-    while not (directory / "contact.csv").exists() and process.poll() is None:
+    # from the first checkpoint on signals are waited for
+    while not (directory / "checkpoint.bin").exists() and process.poll() is None:
         time.sleep(0.01)
     process.send_signal(signal.SIGTERM)
     message = process.communicate()[1]
