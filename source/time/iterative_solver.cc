@@ -34,19 +34,12 @@ namespace ThermoContact
   {
     const Discretization<dim> &coarsest =
       stage.multigrid_levels().discretization(0);
-    return std::max(coarsest.n_temperature_dofs(),
-                    coarsest.n_displacement_dofs());
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeSolver<dim>::provide_hierarchy(const double tau)
-  {
-    const StopWatch watch(counters_.factorization_seconds);
-    if (stage.preconditioners().provide(tau))
-      ++counters_.factorizations;
+    types::global_dof_index largest = 0;
+    for (const types::global_dof_index n :
+         {coarsest.n_temperature_dofs(), coarsest.n_displacement_dofs()})
+      if (CoarseSolver<dim>::is_factorised(n))
+        largest = std::max(largest, n);
+    return largest;
   }
 
 
@@ -57,8 +50,12 @@ namespace ThermoContact
   {
     RetainedFactorizations retained;
     retained.counters = counters_;
-    retained.taus     = stage.preconditioners().lengths();
-    retained.has_response.assign(retained.taus.size(), false);
+    for (const auto &hierarchy : stage.preconditioners().all())
+      {
+        retained.taus.push_back(hierarchy.tau);
+        retained.has_response.push_back(false);
+        retained.active_sets.push_back(hierarchy.last_contact);
+      }
     return retained;
   }
 
@@ -70,7 +67,7 @@ namespace ThermoContact
   {
     stage.preconditioners().clear();
     for (unsigned int i = retained.taus.size(); i-- > 0;)
-      provide_hierarchy(retained.taus[i]);
+      stage.restore(retained.taus[i], retained.active_sets[i]);
     counters_ = retained.counters;
   }
 
@@ -128,9 +125,7 @@ namespace ThermoContact
   {
     const unsigned int n         = body.contact_end().n_nodes();
     const double       tolerance = body.scene.linear_solver.tolerance;
-    rates.failure.clear();
-    rates.pressure.assign(n, 0.);
-    rates.exchange_coefficient = known.exchange_coefficient;
+    rates.start(known);
     std::vector<bool> is_active(n, false);
     if (body.law().is_active() && mode != ContactMode::open)
       for (unsigned int i = 0; i < n; ++i)
@@ -181,10 +176,15 @@ namespace ThermoContact
                                      const bool        with_heat,
                                      StageRates       &rates)
   {
-    const StopWatch watch(counters_.solve_seconds);
-    provide_hierarchy(tau);
+    const StopWatch    watch(counters_.solve_seconds);
+    const unsigned int n_made = stage.preconditioners().n_made();
+    {
+      const StopWatch watch_of_hierarchy(counters_.factorization_seconds);
+      stage.preconditioners().provide(tau);
+    }
     stage.prepare(known, tau, heat_load, momentum_load, with_heat);
     solve_prepared(known, mode, rates);
+    counters_.factorizations += stage.preconditioners().n_made() - n_made;
     ++counters_.solves;
     if (with_heat)
       rates.temperature_rate.equ(1. / tau, stage.unknowns(Field::temperature));

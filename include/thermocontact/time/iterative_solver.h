@@ -42,7 +42,7 @@ namespace ThermoContact
                    ContactMode   mode,
                    StageRates   &rates);
 
-    /** The coarsest level, of one field. */
+    /** The coarsest level, of one field; zero without factors. */
     types::global_dof_index
     n_factorized_unknowns() const override;
 
@@ -55,9 +55,6 @@ namespace ThermoContact
   private:
     const Body<dim>    &body;
     IterativeStage<dim> stage;
-
-    void
-    provide_hierarchy(const double tau);
 
     /** Solves for the present set to a relative residual. */
     void
