@@ -35,7 +35,7 @@ namespace ThermoContact
       }
     while (hierarchies.size() >= max_hierarchies)
       hierarchies.pop_back();
-    hierarchies.push_front({tau, nullptr, nullptr, {}});
+    hierarchies.push_front({tau, nullptr, nullptr, {}, {}});
     Hierarchy         &hierarchy = hierarchies.front();
     const unsigned int finest    = levels.n_levels() - 1;
     for (const Field::Block field : all_fields)
@@ -48,6 +48,26 @@ namespace ThermoContact
             StageBlock<dim>(levels, finest, field, tau).diagonal();
         }
     return true;
+  }
+
+
+
+  template <int dim>
+  void
+  StageHierarchies<dim>::set_contact(const std::vector<bool> &active_set,
+                                     const ContactRows       &rows)
+  {
+    Hierarchy &hierarchy = hierarchies.front();
+    if (!hierarchy.momentum)
+      return;
+    const auto has_node = [](const std::vector<bool> &set) {
+      return std::find(set.begin(), set.end(), true) != set.end();
+    };
+    // the coarsest matrix is factorised again for each new set
+    if (has_node(hierarchy.active_set) || has_node(active_set))
+      if (hierarchy.active_set != active_set)
+        hierarchy.momentum->set_contact(has_node(active_set) ? &rows : nullptr);
+    hierarchy.active_set = active_set;
   }
 
 

@@ -164,8 +164,11 @@ namespace ThermoContact
   void
   IterativeStage<dim>::compute_residual()
   {
+    if (has_residual)
+      return;
     apply(residual, solution);
     residual.sadd(-1., 1., rhs);
+    has_residual = true;
   }
 
 
@@ -190,7 +193,8 @@ namespace ThermoContact
     if (!has_heat)
       heat = 0.;
 
-    solution = 0.;
+    solution     = 0.;
+    has_residual = false;
     if (body.scene.fields.has_displacement)
       {
         Vector &v = solution.block(Field::displacement);
@@ -198,6 +202,20 @@ namespace ThermoContact
         body.equations.zero_constrained(Field::displacement, v);
       }
     set_weights(known);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::prepare_displacement(
+    const std::vector<double> &displacement)
+  {
+    rhs          = 0.;
+    solution     = 0.;
+    has_residual = false;
+    for (unsigned int i = 0; i < displacement.size(); ++i)
+      known_penetration[i] = -displacement[i];
   }
 
 
@@ -256,15 +274,12 @@ namespace ThermoContact
     const ContactEnd<dim> &end = body.contact_end();
     this->is_active            = is_active;
     contact                    = ContactRows();
-    const bool has_contact =
-      std::find(is_active.begin(), is_active.end(), true) != is_active.end();
-    if (hierarchies.current().momentum == nullptr)
-      return;
-    if (!has_contact)
+    if (std::find(is_active.begin(), is_active.end(), true) == is_active.end())
       {
-        hierarchies.current().momentum->set_contact(nullptr);
+        hierarchies.set_contact(is_active, contact);
         return;
       }
+    has_residual = has_residual && !body.law().is_rigid();
     Vector &rows = body.law().is_rigid() ? contact.held : contact.springs;
     rows         = body.discretization.make_vector(Field::displacement);
     Vector &v    = solution.block(Field::displacement);
@@ -279,14 +294,14 @@ namespace ThermoContact
           if (body.law().is_rigid())
             v.local_element(entry) = -known_penetration[node] / tau;
         }
-    hierarchies.current().momentum->set_contact(&contact);
+    hierarchies.set_contact(is_active, contact);
   }
 
 
 
   template <int dim>
   unsigned int
-  IterativeStage<dim>::solve(const double tolerance)
+  IterativeStage<dim>::solve(const double tolerance, const Measure measure)
   {
     const ContactEnd<dim> &end = body.contact_end();
     compute_residual();
@@ -305,7 +320,10 @@ namespace ThermoContact
         }
     scaled_residual.scale(weights);
 
-    SolverControl            control(max_iterations, tolerance, false, false);
+    const double             allowed = measure == Measure::of_terms ?
+                                         tolerance :
+                                         tolerance * scaled_residual.l2_norm();
+    SolverControl            control(max_iterations, allowed, false, false);
     SolverGMRES<BlockVector> gmres(
       control, typename SolverGMRES<BlockVector>::AdditionalData(60, true));
     correction = 0.;
@@ -322,7 +340,7 @@ namespace ThermoContact
           text("the iterative solver reached a relative residual of ",
                significant(control.last_value(), few_digits),
                " instead of ",
-               significant(tolerance, few_digits),
+               significant(allowed, few_digits),
                " in ",
                control.last_step(),
                " iterations, for a stage of length ",
@@ -332,7 +350,7 @@ namespace ThermoContact
                "farther from 1/2"));
       }
     solution += correction;
-    compute_residual();
+    has_residual = false;
     return control.last_step();
   }
 
@@ -342,11 +360,17 @@ namespace ThermoContact
   void
   IterativeStage<dim>::get_pressures(std::vector<double> &pressure)
   {
-    const ContactEnd<dim> &end      = body.contact_end();
-    const Vector          &residual = this->residual.block(Field::displacement);
-    const Vector          &v        = solution.block(Field::displacement);
-    const Vector          &springs  = contact.springs;
-    const Vector          &diagonal =
+    const ContactEnd<dim> &end = body.contact_end();
+    if (std::find(is_active.begin(), is_active.end(), true) == is_active.end())
+      {
+        pressure.assign(is_active.size(), 0.);
+        return;
+      }
+    compute_residual();
+    const Vector &residual = this->residual.block(Field::displacement);
+    const Vector &v        = solution.block(Field::displacement);
+    const Vector &springs  = contact.springs;
+    const Vector &diagonal =
       hierarchies.current().diagonals[Field::displacement];
     Vector &forces = scaled_residual.block(Field::displacement);
     for (const auto &[node, entry] : end.entries(Field::displacement))

@@ -30,6 +30,9 @@ namespace ThermoContact
       std::unique_ptr<StageMultigrid<dim>> heat;
       std::unique_ptr<StageMultigrid<dim>> momentum;
       std::array<Vector, 2>                diagonals; ///< of the blocks
+
+      /** Contact nodes that the momentum block has springs or holds at. */
+      std::vector<bool> active_set;
     };
 
     /**
@@ -45,6 +48,10 @@ namespace ThermoContact
     {
       return hierarchies.front();
     }
+
+    /** Gives the current momentum block the contact rows of a set of nodes. */
+    void
+    set_contact(const std::vector<bool> &active_set, const ContactRows &rows);
 
     /** Stage lengths that are there, the current one in front. */
     std::vector<double>

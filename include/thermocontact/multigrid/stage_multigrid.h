@@ -126,7 +126,6 @@ namespace ThermoContact
       std::unique_ptr<StageBlock<dim>>        block;
       std::shared_ptr<DiagonalMatrix<Vector>> inverse_diagonal;
       std::unique_ptr<Smoother>               smoother;
-      mutable Vector                          residual;
     };
 
     const MultigridLevels<dim> &levels;
@@ -137,8 +136,7 @@ namespace ThermoContact
     std::unique_ptr<SparseMatrix>                      coarse_matrix;
     std::unique_ptr<DirectSolver>                      coarse_solver;
     std::unique_ptr<TrilinosWrappers::PreconditionAMG> coarse_amg;
-    std::vector<unsigned int>   coarse_prescribed; ///< local entries
-    mutable std::vector<Vector> right, solution;   ///< of each level
+    std::vector<unsigned int> coarse_prescribed; ///< local entries
 
     void
     set_coarse(const ContactRows *rows);
