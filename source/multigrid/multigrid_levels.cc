@@ -72,8 +72,10 @@ namespace ThermoContact
     levels.back().products       = body.equations.matrix_free();
     coarse_operator_ = std::make_unique<const ThermoviscoelasticOperator<dim>>(
       *levels[0].own_scene, *levels[0].discretization);
+    make_vectors(levels[0]);
     for (unsigned int l = 1; l < levels.size(); ++l)
       {
+        make_vectors(levels[l]);
         compute_diagonals(levels[l]);
         connect(levels[l - 1], levels[l]);
       }
@@ -102,6 +104,22 @@ namespace ThermoContact
       std::make_unique<const MatrixFreeOperator<dim>>(*level.own_scene,
                                                       *level.discretization);
     level.products = level.own_products.get();
+  }
+
+
+
+  template <int dim>
+  void
+  MultigridLevels<dim>::make_vectors(Level &level) const
+  {
+    for (const Field::Block field : all_fields)
+      if (level.discretization->has_field(field))
+        {
+          LevelField<dim> &of_field = level.fields[field];
+          of_field.right            = level.spaces->make_vector(field);
+          of_field.solution         = of_field.right;
+          of_field.residual         = of_field.right;
+        }
   }
 
 

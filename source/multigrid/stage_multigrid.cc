@@ -151,11 +151,6 @@ namespace ThermoContact
     , tau(tau)
     , fine(levels.n_levels() - 1)
   {
-    for (unsigned int l = 0; l < levels.n_levels(); ++l)
-      {
-        right.push_back(levels.spaces(l).make_vector(field));
-        solution.push_back(right.back());
-      }
     for (unsigned int l = 1; l < levels.n_levels(); ++l)
       {
         Level &level = fine[l - 1];
@@ -165,7 +160,6 @@ namespace ThermoContact
         diagonal               = level.block->diagonal();
         for (double &value : diagonal)
           value = 1. / value;
-        level.residual = right[l];
 
         typename Smoother::AdditionalData data;
         data.degree              = field == Field::temperature ? 2 : 3;
@@ -174,7 +168,7 @@ namespace ThermoContact
         data.preconditioner      = level.inverse_diagonal;
         level.smoother           = std::make_unique<Smoother>();
         level.smoother->initialize(*level.block, data);
-        level.smoother->estimate_eigenvalues(right[l]);
+        level.smoother->estimate_eigenvalues(levels.field(l, field).right);
       }
     coarse_without_contact = std::make_unique<CoarseSolver<dim>>(
       levels,
@@ -201,7 +195,7 @@ namespace ThermoContact
           value = 1. / value;
         coarse_rows = restricted(coarse_rows,
                                  levels.field(l, field).transfer,
-                                 right[l - 1],
+                                 levels.field(l - 1, field).right,
                                  levels.discretization(l).contact_end());
       }
   }
@@ -251,35 +245,37 @@ namespace ThermoContact
   void
   StageMultigrid<dim>::cycle(const unsigned int l) const
   {
+    const LevelField<dim> &vectors = levels.field(l, field);
     if (l == 0)
       {
-        zero_coarse(right[0]);
+        zero_coarse(vectors.right);
         (has_contact ? coarse_with_contact : coarse_without_contact)
-          ->solve(solution[0], right[0]);
-        zero_coarse(solution[0]);
+          ->solve(vectors.solution, vectors.right);
+        zero_coarse(vectors.solution);
         return;
       }
-    const Level                           &level = fine[l - 1];
-    const MGTwoLevelTransfer<dim, Vector> &transfer =
-      levels.field(l, field).transfer;
-    level.smoother->vmult(solution[l], right[l]);
-    level.block->vmult(level.residual, solution[l]);
-    level.residual.sadd(-1., right[l]);
-    level.block->zero_prescribed(level.residual);
-    level.residual.update_ghost_values();
-    right[l - 1] = 0.;
-    transfer.restrict_and_add(right[l - 1], level.residual);
-    level.residual.zero_out_ghost_values();
+    const Level                           &level  = fine[l - 1];
+    const LevelField<dim>                 &coarse = levels.field(l - 1, field);
+    Vector                                &residual = vectors.residual;
+    const MGTwoLevelTransfer<dim, Vector> &transfer = vectors.transfer;
+    level.smoother->vmult(vectors.solution, vectors.right);
+    level.block->vmult(residual, vectors.solution);
+    residual.sadd(-1., vectors.right);
+    level.block->zero_prescribed(residual);
+    residual.update_ghost_values();
+    coarse.right = 0.;
+    transfer.restrict_and_add(coarse.right, residual);
+    residual.zero_out_ghost_values();
     if (l > 1)
-      fine[l - 2].block->zero_prescribed(right[l - 1]);
+      fine[l - 2].block->zero_prescribed(coarse.right);
     cycle(l - 1);
-    solution[l - 1].update_ghost_values();
-    level.residual = 0.;
-    transfer.prolongate_and_add(level.residual, solution[l - 1]);
-    solution[l - 1].zero_out_ghost_values();
-    level.block->zero_prescribed(level.residual);
-    solution[l] += level.residual;
-    level.smoother->step(solution[l], right[l]);
+    coarse.solution.update_ghost_values();
+    residual = 0.;
+    transfer.prolongate_and_add(residual, coarse.solution);
+    coarse.solution.zero_out_ghost_values();
+    level.block->zero_prescribed(residual);
+    vectors.solution += residual;
+    level.smoother->step(vectors.solution, vectors.right);
   }
 
 
@@ -288,10 +284,11 @@ namespace ThermoContact
   void
   StageMultigrid<dim>::vmult(Vector &z, const Vector &r) const
   {
-    const unsigned int finest = levels.n_levels() - 1;
-    right[finest].copy_locally_owned_data_from(r);
+    const unsigned int     finest  = levels.n_levels() - 1;
+    const LevelField<dim> &vectors = levels.field(finest, field);
+    vectors.right.copy_locally_owned_data_from(r);
     cycle(finest);
-    z.copy_locally_owned_data_from(solution[finest]);
+    z.copy_locally_owned_data_from(vectors.solution);
   }
 
 

@@ -177,10 +177,23 @@ namespace ThermoContact
 
 
     /**
-     * Factors are faster for bodies of few unknowns, and cost memory and time
-     * that grow faster than the number of unknowns, the more so the more
-     * dimensions a body has.
+     * Unknowns up to which factors are faster, doc/bodies.md. Their cost grows
+     * faster than the number of unknowns, the more so the more dimensions a
+     * body has; chosen step sizes take some of them, each with a response for
+     * each contact node.
      */
+    double
+    largest_for_factors(const Parameters   &parameters,
+                        const SceneContact &contact)
+    {
+      const double limit = parameters.dimension == 2 ? 2e5 : 1e4;
+      if (!parameters.time.has_error_control())
+        return limit;
+      return contact.law->is_active() ? limit / 4. : limit / 2.;
+    }
+
+
+
     LinearSolver
     resolve_linear_solver(const Parameters  &parameters,
                           const SceneFields &fields,
@@ -198,12 +211,15 @@ namespace ThermoContact
         return {false, tolerance, needs_factors, needs_factors};
       const double n_unknowns =
         parameters.mesh.n_nodes(dim) * fields.n_components(dim);
-      const double limit = dim == 2 ? 2e5 : 1.5e4;
-      return {
-        n_unknowns > limit,
-        tolerance,
-        text(significant(n_unknowns, 3), " unknowns in ", dim, " dimensions"),
-        needs_factors};
+      const double limit = largest_for_factors(parameters, contact);
+      return {n_unknowns > limit,
+              tolerance,
+              text(significant(n_unknowns, 3),
+                   " unknowns in ",
+                   dim,
+                   " dimensions, direct up to ",
+                   significant(limit, 3)),
+              needs_factors};
     }
   } // namespace
 

@@ -15,6 +15,8 @@
 
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
+#include <algorithm>
+
 namespace ThermoContact
 {
   namespace
@@ -28,19 +30,23 @@ namespace ThermoContact
                    const Test              &test,
                    dealii::Vector<double>  &cell_rhs)
     {
-      const FiniteElement<dim>           &fe = values.get_fe();
-      std::vector<dealii::Vector<double>> interpolated(
-        values.n_quadrature_points, dealii::Vector<double>(fe.n_components()));
-      values.get_function_values(interpolant, interpolated);
+      const FiniteElement<dim> &fe           = values.get_fe();
+      const unsigned int        n_components = fe.n_components();
+
+      std::vector<dealii::Vector<double>> differences(
+        values.n_quadrature_points, dealii::Vector<double>(n_components));
+      values.get_function_values(interpolant, differences);
       for (const unsigned int q : values.quadrature_point_indices())
-        for (const unsigned int i : values.dof_indices())
-          {
-            const unsigned int c = fe.system_to_component_index(i).first;
-            const double       difference =
-              function.value(values.quadrature_point(q), c) -
-              interpolated[q](c);
-            cell_rhs(i) += difference * test(i, q) * values.JxW(q);
-          }
+        for (unsigned int c = 0; c < n_components; ++c)
+          differences[q](c) =
+            values.JxW(q) *
+            (function.value(values.quadrature_point(q), c) - differences[q](c));
+      for (const unsigned int i : values.dof_indices())
+        {
+          const unsigned int c = fe.system_to_component_index(i).first;
+          for (const unsigned int q : values.quadrature_point_indices())
+            cell_rhs(i) += differences[q](c) * test(i, q);
+        }
     }
 
 
@@ -75,6 +81,11 @@ namespace ThermoContact
     {
       if (rhs.linfty_norm() == 0.)
         return;
+      // interpolation may be exact but for rounding
+      Vector terms(diagonal);
+      terms.scale(values);
+      const double allowed =
+        std::max(1e-11 * rhs.l2_norm(), 1e-15 * terms.l2_norm());
       for (double &value : diagonal)
         value = 1. / value;
       for (const unsigned int entry : fixed)
@@ -86,7 +97,7 @@ namespace ThermoContact
                           correction,
                           rhs,
                           DiagonalMatrix<Vector>(diagonal),
-                          1e-13,
+                          allowed / rhs.l2_norm(),
                           20000);
       values += correction;
     }

@@ -14,6 +14,12 @@ namespace ThermoContact
     /** Relative residual while the set of active nodes still changes. */
     constexpr double loose_tolerance = 1e-5;
 
+    /** Relative residual of what corrects an estimate of errors. */
+    constexpr double estimate_tolerance = 1e-3;
+
+    /** Parts of the largest displacement that a node need not be moved. */
+    constexpr double negligible_on_obstacle = 1e-6;
+
     constexpr unsigned int max_block_sets  = 20;
     constexpr unsigned int max_single_sets = 200;
   } // namespace
@@ -75,13 +81,21 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeSolver<dim>::solve_linear(const double         tolerance,
-                                     std::vector<double> &pressure)
+  IterativeSolver<dim>::count(const unsigned int n_iterations)
   {
-    const unsigned int n_iterations = stage.solve(tolerance);
     counters_.linear_iterations += n_iterations;
     counters_.max_linear_iterations =
       std::max(counters_.max_linear_iterations, n_iterations);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeSolver<dim>::solve_linear(const double         tolerance,
+                                     std::vector<double> &pressure)
+  {
+    count(stage.solve(tolerance));
     stage.get_pressures(pressure);
   }
 
@@ -90,6 +104,7 @@ namespace ThermoContact
   template <int dim>
   bool
   IterativeSolver<dim>::update_set(const std::vector<double> &pressure,
+                                   const std::vector<bool>   &is_fixed,
                                    const bool                 only_the_first,
                                    std::vector<bool>         &is_active) const
   {
@@ -106,8 +121,9 @@ namespace ThermoContact
     bool         changed  = false;
     for (unsigned int i = 0; i < reach.size() && !(changed && only_the_first);
          ++i)
-      if (is_active[i] ? pressure[i] < -rounding * largest_pressure :
-                         reach[i] > rounding * largest_reach)
+      if (!is_fixed[i] &&
+          (is_active[i] ? pressure[i] < -rounding * largest_pressure :
+                          reach[i] > rounding * largest_reach))
         {
           is_active[i] = !is_active[i];
           changed      = true;
@@ -123,27 +139,41 @@ namespace ThermoContact
                                        const ContactMode mode,
                                        StageRates       &rates)
   {
-    const unsigned int n         = body.contact_end().n_nodes();
-    const double       tolerance = body.scene.linear_solver.tolerance;
+    const unsigned int n = body.contact_end().n_nodes();
     rates.start(known);
-    std::vector<bool> is_active(n, false);
+    std::vector<bool> is_active(n, false), is_held(rates.is_held);
+    is_held.resize(n, false);
     if (body.law().is_active() && mode != ContactMode::open)
       for (unsigned int i = 0; i < n; ++i)
-        is_active[i] =
-          mode == ContactMode::closed || known.contact_pressure[i] > 0.;
-    stage.set_active(is_active);
-    if (!body.law().is_active() || mode != ContactMode::unilateral)
+        is_active[i] = mode == ContactMode::closed || is_held[i] ||
+                       known.contact_pressure[i] > 0.;
+    if (body.law().is_active() && mode == ContactMode::unilateral)
       {
-        solve_linear(tolerance, rates.pressure);
+        solve_by_sets(is_active, is_held, rates);
         return;
       }
+    stage.set_active(is_active);
+    solve_linear(body.scene.linear_solver.tolerance, rates.pressure);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeSolver<dim>::solve_by_sets(std::vector<bool>       &is_active,
+                                      const std::vector<bool> &is_fixed,
+                                      StageRates              &rates)
+  {
+    const double tolerance         = body.scene.linear_solver.tolerance;
     unsigned int n_sets            = 0;
     double       present_tolerance = std::max(tolerance, loose_tolerance);
+    stage.set_active(is_active);
     while (true)
       {
         ++n_sets;
         solve_linear(present_tolerance, rates.pressure);
-        if (update_set(rates.pressure, n_sets > max_block_sets, is_active))
+        if (update_set(
+              rates.pressure, is_fixed, n_sets > max_block_sets, is_active))
           stage.set_active(is_active);
         else if (present_tolerance <= tolerance)
           break;
@@ -154,12 +184,13 @@ namespace ThermoContact
           }
         if (n_sets > max_block_sets + max_single_sets)
           throw ComputationError(
-            "the active set of " + std::to_string(n) +
+            "the active set of " + std::to_string(is_active.size()) +
             " contact nodes did not settle\n  remedy:  a larger "
             "Contact/Compliance or a smaller Time/Step size");
       }
-    for (double &p : rates.pressure)
-      p = std::max(p, 0.);
+    for (unsigned int i = 0; i < is_active.size(); ++i)
+      if (!is_fixed[i])
+        rates.pressure[i] = std::max(rates.pressure[i], 0.);
     rates.n_iterations = n_sets;
     counters_.active_set_iterations += n_sets;
   }
@@ -197,6 +228,42 @@ namespace ThermoContact
 
   template <int dim>
   void
+  IterativeSolver<dim>::keep_contact(const std::vector<bool> &is_closed,
+                                     const std::vector<double> & /*pressure*/,
+                                     State &difference)
+  {
+    std::vector<double> displacement;
+    body.contact_end().get_values(Field::displacement,
+                                  difference.displacement,
+                                  displacement);
+    double largest = 0.;
+    for (unsigned int i = 0; i < displacement.size(); ++i)
+      if (is_closed[i])
+        largest = std::max(largest, std::abs(displacement[i]));
+    if (largest <= (body.law().is_rigid() ? negligible_on_obstacle : 0.) *
+                     difference.displacement.linfty_norm())
+      return;
+
+    const StopWatch    watch(counters_.solve_seconds);
+    const unsigned int n_made = stage.preconditioners().n_made();
+    stage.prepare_displacement(displacement);
+    stage.set_active(is_closed);
+    counters_.factorizations += stage.preconditioners().n_made() - n_made;
+    count(
+      stage.solve(estimate_tolerance, IterativeStage<dim>::Measure::of_start));
+    const double  tau       = stage.length();
+    const double  viscosity = body.scene.material.viscosity;
+    const Vector &v         = stage.unknowns(Field::displacement);
+    difference.displacement.add(-tau, v);
+    difference.velocity.add(-viscosity / (viscosity + tau), v);
+    if (body.scene.fields.has_temperature)
+      difference.temperature.add(-1., stage.unknowns(Field::temperature));
+  }
+
+
+
+  template <int dim>
+  void
   IterativeSolver<dim>::solve(const State      &known,
                               const double      tau,
                               const Vector     &heat_load,
@@ -225,6 +292,30 @@ namespace ThermoContact
                                        StageRates       &rates)
   {
     solve_fields(known, tau, heat_load, momentum_load, mode, false, rates);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeSolver<dim>::solve_quasi_static_velocity(
+    const State             &known,
+    const Vector            &heat_load,
+    const Vector            &momentum_load,
+    const std::vector<bool> &is_closed,
+    StageRates              &rates)
+  {
+    const StopWatch watch(counters_.solve_seconds);
+    const double    tau = 1.; // its matrix is (zeta + 1) S
+    stage.prepare(known, tau, heat_load, momentum_load, false);
+    stage.set_penetrations(std::vector<double>(is_closed.size(), 0.));
+    std::vector<bool> is_active(is_closed.size(), false), is_away(is_closed);
+    is_away.flip();
+    rates.pressure.assign(is_closed.size(), 0.);
+    solve_by_sets(is_active, is_away, rates);
+    ++counters_.solves;
+    rates.velocity.copy_locally_owned_data_from(
+      stage.unknowns(Field::displacement));
   }
 
 

@@ -112,7 +112,6 @@ namespace ThermoContact
       std::unique_ptr<StageBlock<dim>>        block;
       std::shared_ptr<DiagonalMatrix<Vector>> inverse_diagonal;
       std::unique_ptr<Smoother>               smoother;
-      mutable Vector                          residual;
     };
 
     const MultigridLevels<dim> &levels;
@@ -124,7 +123,6 @@ namespace ThermoContact
     std::unique_ptr<CoarseSolver<dim>> coarse_with_contact; ///< of present rows
     ContactRows                        coarse_rows;
     bool                               has_contact = false;
-    mutable std::vector<Vector>        right, solution; ///< of each level
 
     /** Springs and held nodes of all levels; those of the coarsest are kept. */
     void

@@ -46,7 +46,7 @@ namespace ThermoContact
    * velocities of all other nodes, doc/model.md (M.63): no node in contact
    * moves into the obstacle, and those with pressure rest.
    *
-   * @param stiffness of contact_stiffness()
+   * @param stiffness of contact_stiffness(); not used by a body without matrices
    * @param is_closed nodes in contact; others have no pressure
    */
   template <int dim>

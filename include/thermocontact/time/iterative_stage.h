@@ -49,9 +49,34 @@ namespace ThermoContact
             const Vector &momentum_load,
             const bool    with_heat);
 
+    /**
+     * Instead of a new stage the displacement $\tau v$ and what goes with it,
+     * by pressures at the active nodes alone: at a rigid obstacle it is given
+     * there, at an elastic one pressures resist what it lacks, (M.61). Of the
+     * length of the present stage.
+     *
+     * @param displacement at the contact nodes
+     */
+    void
+    prepare_displacement(const std::vector<double> &displacement);
+
+    /** Takes the place of the penetrations at the beginning of the stage. */
+    void
+    set_penetrations(const std::vector<double> &penetrations)
+    {
+      known_penetration = penetrations;
+    }
+
     /** Puts springs and held nodes of the active set in place. */
     void
     set_active(const std::vector<bool> &is_active);
+
+    /** What residuals are compared to: terms of the stage, or the first one. */
+    enum class Measure
+    {
+      of_terms,
+      of_start
+    };
 
     /**
      * Makes the preconditioners of a stage length again.
@@ -70,7 +95,7 @@ namespace ThermoContact
      *   solution is above twice the tolerance
      */
     unsigned int
-    solve(const double tolerance);
+    solve(const double tolerance, const Measure measure = Measure::of_terms);
 
     /** Pressures of the solution at the active nodes, else 0; (M.54). */
     void
@@ -85,6 +110,13 @@ namespace ThermoContact
     unknowns(const Field::Block field) const
     {
       return solution.block(field);
+    }
+
+    /** $\tau$ of the present stage. */
+    double
+    length() const
+    {
+      return tau;
     }
 
     const MultigridLevels<dim> &
@@ -104,10 +136,11 @@ namespace ThermoContact
     std::vector<double> known_penetration;
     std::vector<bool>   is_active;
     ContactRows         contact;
-    BlockVector         rhs;      ///< without contact
-    BlockVector         solution; ///< $(\tau\theta',v)$
-    BlockVector         residual; ///< without contact
-    BlockVector         weights;  ///< of the residuals
+    BlockVector         rhs;                  ///< without contact
+    BlockVector         solution;             ///< $(\tau\theta',v)$
+    BlockVector         residual;             ///< without contact
+    bool                has_residual = false; ///< it is that of the solution
+    BlockVector         weights;              ///< of the residuals
     BlockVector         inverse_weights;
     BlockVector         correction;
     BlockVector         scaled_residual;
@@ -126,6 +159,7 @@ namespace ThermoContact
     void
     apply(BlockVector &y, const BlockVector &x) const;
 
+    /** If it is not there. */
     void
     compute_residual();
 
