@@ -14,7 +14,7 @@ namespace ThermoContact
 {
   namespace
   {
-    constexpr unsigned int max_block_sets = 20;
+    constexpr unsigned int max_sets_of_many_changes = 20;
 
     double
     largest_of(const std::vector<double> &values)
@@ -178,7 +178,8 @@ namespace ThermoContact
             pressure[i] =
               is_active[i] ? (load[i] - force[i]) / end.nodes()[i].weight : 0.;
           }
-        if (!update_set(can_touch, pressure, reach, n_sets > max_block_sets))
+        if (!update_set(
+              can_touch, pressure, reach, n_sets > max_sets_of_many_changes))
           {
             for (double &p : pressure)
               p = std::max(p, 0.);
