@@ -157,15 +157,15 @@ namespace ThermoContact
     bool
     is_exhausted(const TimeStep &step, const double time) const;
 
-    /** What changes during a run, for checkpoints. */
+    /**
+     * What an accepted step leaves to the next, for checkpoints: rejections
+     * and events that are aimed at are forgotten with accept().
+     */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      bool   is_aimed = event_time.has_value();
-      double aim      = event_time.value_or(0.);
-      archive &size &last_error &was_rejected &is_restarting &is_aimed &aim;
-      event_time = is_aimed ? std::optional<double>(aim) : std::nullopt;
+      archive &size &last_error &is_restarting;
     }
 
   private:
