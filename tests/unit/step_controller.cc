@@ -87,7 +87,10 @@ namespace
     for (const double error : {0.03, 0.025, 0.8, 0.9, 0., 16.})
       {
         const Parameters parameters = from_rung();
-        StepController   controller(parameters.time, parameters.output, 4, 1);
+        StepController   controller(parameters.time,
+                                  parameters.output,
+                                  4,
+                                  {1, true});
         if (controller.is_accurate(error))
           controller.accept(controller.propose(0.), error);
         else
