@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/log.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/command_line.h>
 #include <thermocontact/input/parameter_file.h>
@@ -21,6 +22,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <sstream>
 
 namespace ThermoContact
@@ -141,6 +143,27 @@ namespace ThermoContact
 
 
 
+    /** What to do if memory is not enough, perhaps on this rank alone. */
+    [[noreturn]] void
+    refuse_size(const Parameters &parameters)
+    {
+      const unsigned int dim = parameters.dimension;
+      const std::string  message =
+        text("not enough memory for a mesh of ",
+             significant(parameters.mesh.n_nodes(dim), 3),
+             " nodes with ",
+             dim + 1,
+             " unknowns each\n  remedy:  fewer Mesh/Cells, a lower Mesh/Degree",
+             dim > 1 ? ", Solver/Linear solver = iterative" : "");
+      if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+        throw ComputationError(message);
+      std::cerr << "thermocontact: " << message << std::endl;
+      MPI_Abort(MPI_COMM_WORLD, 1); // the others wait
+      std::exit(1);
+    }
+
+
+
     void
     run(const CommandLine &command, const Timer &since_start, Log &log)
     {
@@ -185,6 +208,10 @@ namespace ThermoContact
       catch (const InputError &error)
         {
           throw InputError(complete_message(error.what(), assignments, prm));
+        }
+      catch (const std::bad_alloc &)
+        {
+          refuse_size(parameters);
         }
     }
   } // namespace
