@@ -195,9 +195,10 @@ namespace ThermoContact
 
 
     LinearSolver
-    resolve_linear_solver(const Parameters  &parameters,
-                          const SceneFields &fields,
-                          const std::string &needs_factors)
+    resolve_linear_solver(const Parameters   &parameters,
+                          const SceneFields  &fields,
+                          const SceneContact &contact,
+                          const std::string  &needs_factors)
     {
       const SolverParameters &solver = parameters.solver;
       const unsigned int      dim    = parameters.dimension;
@@ -248,6 +249,7 @@ namespace ThermoContact
     , linear_solver(
         resolve_linear_solver(parameters,
                               fields,
+                              contact,
                               reason_for_factors(parameters,
                                                  heat,
                                                  scheme,
