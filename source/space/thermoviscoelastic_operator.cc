@@ -149,12 +149,11 @@ namespace ThermoContact
             });
         };
       FieldMaps maps;
-      maps.heat_mass         = heat({1., 0.});
-      maps.conduction        = heat({0., 1.});
-      maps.momentum_mass     = momentum({1., 0., 0.});
-      maps.stiffness         = momentum({0., 1., 0.});
-      maps.viscous_stiffness = momentum({0., 0., 1.});
-      maps.divergence        = std::make_unique<FunctionMap>(
+      maps.heat_mass     = heat({1., 0.});
+      maps.conduction    = heat({0., 1.});
+      maps.momentum_mass = momentum({1., 0.});
+      maps.stiffness     = momentum({0., 1.});
+      maps.divergence    = std::make_unique<FunctionMap>(
         [&products](Vector &y, const Vector &x) { products.divergence(y, x); });
       maps.thermal_stress =
         std::make_unique<FunctionMap>([&products](Vector &y, const Vector &x) {
