@@ -163,14 +163,15 @@ namespace ThermoContact
       const unsigned int      dim    = parameters.dimension;
       const double tolerance         = solver.linear_tolerance.value_or(1e-9);
       const auto   direct            = [&](const std::string &reason) {
-        return LinearSolver{false, tolerance, reason};
+        return LinearSolver{false, false, tolerance, reason};
       };
       if (solver.linear_solver != "automatic")
         return {solver.linear_solver == "iterative",
+                false,
                 tolerance,
                 "Solver/Linear solver = " + solver.linear_solver};
       if (dim == 1)
-        return direct("Dimension = 1");
+        return {false, true, tolerance, "Dimension = 1"};
       if (!scheme.needs_linear_contact.empty())
         return direct("Time/Scheme = " + scheme.name);
       if (is_fixed_point)
@@ -186,6 +187,7 @@ namespace ThermoContact
       const double limit = dim == 2 ? 2e5 : 1.5e4;
       return {
         n_unknowns > limit,
+        false,
         tolerance,
         text(significant(n_unknowns, 3), " unknowns in ", dim, " dimensions")};
     }

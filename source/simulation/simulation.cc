@@ -179,6 +179,8 @@ namespace ThermoContact
       result.failure = "the solution is not finite\n  remedy:  smaller initial "
                        "values and sources, or a smaller Time/Step size";
     result.agree(discretization().communicator());
+    for (std::string &warning : integrator->stage_solver().take_warnings())
+      history_.warnings.push_back(std::move(warning));
   }
 
 

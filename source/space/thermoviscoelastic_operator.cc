@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/space/make_rod_matrices.h>
 #include <thermocontact/space/matrix_free_operator.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
@@ -77,6 +78,22 @@ namespace ThermoContact
                std::make_unique<const FieldMatrices<dim>>(scene,
                                                           discretization) :
                nullptr;
+    }
+
+
+
+    /** The matrices of a rod in one process, for scenes that want them so. */
+    template <int dim>
+    std::unique_ptr<const RodMatrices>
+    make_rod(const Scene               &scene,
+             const Discretization<dim> &discretization,
+             const FieldMatrices<dim>  *matrices)
+    {
+      if constexpr (dim == 1)
+        if (scene.linear_solver.is_along_rod &&
+            Utilities::MPI::n_mpi_processes(discretization.communicator()) == 1)
+          return make_rod_matrices(discretization, *matrices);
+      return nullptr;
     }
 
 
@@ -165,12 +182,34 @@ namespace ThermoContact
 
 
 
+    FieldMaps
+    make_maps(const RodMatrices &matrices)
+    {
+      const auto rod_map = [&](const RodMatrices::Matrix matrix) {
+        return std::make_unique<RodMap>(matrices, matrix);
+      };
+      FieldMaps maps;
+      maps.heat_mass         = rod_map(RodMatrices::heat_mass);
+      maps.conduction        = rod_map(RodMatrices::conduction);
+      maps.divergence        = rod_map(RodMatrices::divergence);
+      maps.thermal_stress    = rod_map(RodMatrices::thermal_stress);
+      maps.momentum_mass     = rod_map(RodMatrices::momentum_mass);
+      maps.stiffness         = rod_map(RodMatrices::stiffness);
+      maps.viscous_stiffness = rod_map(RodMatrices::viscous_stiffness);
+      return maps;
+    }
+
+
+
     template <int dim>
     FieldMaps
     make_maps(const Scene                   &scene,
               const FieldMatrices<dim>      *matrices,
+              const RodMatrices             *rod,
               const MatrixFreeOperator<dim> *products)
     {
+      if (rod != nullptr)
+        return make_maps(*rod);
       if constexpr (dim > 1)
         if (products != nullptr)
           return make_maps(*products);
@@ -188,8 +227,9 @@ namespace ThermoContact
     , material(scene.material)
     , has_own_viscous_stiffness(scene.has_elastic_contact_nodes())
     , matrices(make_matrices(scene, discretization))
+    , rod_(make_rod(scene, discretization, matrices.get()))
     , matrix_free_(make_matrix_free(scene, discretization))
-    , maps(make_maps(scene, matrices.get(), matrix_free_.get()))
+    , maps(make_maps(scene, matrices.get(), rod_.get(), matrix_free_.get()))
     , heat_scratch(discretization.make_vector(Field::temperature))
     , momentum_scratch(discretization.make_vector(Field::displacement))
   {}
@@ -304,6 +344,11 @@ namespace ThermoContact
                                              Vector       &heat,
                                              Vector       &momentum) const
   {
+    if (rod_)
+      {
+        rod_stage_rhs(known, tau, heat_load, momentum_load, heat, momentum);
+        return;
+      }
     if (discretization.has_field(Field::temperature))
       {
         conduction().vmult(heat, known.temperature);
@@ -325,6 +370,51 @@ namespace ThermoContact
         momentum_mass().vmult(momentum_scratch, known.velocity);
         momentum.add(material.inertia, momentum_scratch);
       }
+    zero_constrained(Field::displacement, momentum);
+  }
+
+
+
+  template <int dim>
+  void
+  ThermoviscoelasticOperator<dim>::rod_stage_rhs(const State  &known,
+                                                 const double  tau,
+                                                 const Vector &heat_load,
+                                                 const Vector &momentum_load,
+                                                 Vector       &heat,
+                                                 Vector       &momentum) const
+  {
+    using Term = RodMatrices::Term;
+    if (discretization.has_field(Field::temperature))
+      {
+        rod_->combine<1>({{{-1., RodMatrices::conduction, known.temperature.begin()}}},
+                         1.,
+                         heat_load.begin(),
+                         heat.begin());
+        zero_constrained(Field::temperature, heat);
+      }
+    if (!discretization.has_field(Field::displacement))
+      return;
+    const Term elastic = {-tau,
+                          RodMatrices::stiffness,
+                          known.displacement.begin()};
+    const Term inertia = {material.inertia,
+                          RodMatrices::momentum_mass,
+                          known.velocity.begin()};
+    const Term thermal = {tau * material.thermal_stress,
+                          RodMatrices::thermal_stress,
+                          known.temperature.begin()};
+    const auto set     = [&](const auto &terms) {
+      rod_->combine(terms, tau, momentum_load.begin(), momentum.begin());
+    };
+    if (material.has_inertia() && material.has_thermal_stress())
+      set(std::array<Term, 3>{{elastic, inertia, thermal}});
+    else if (material.has_inertia())
+      set(std::array<Term, 2>{{elastic, inertia}});
+    else if (material.has_thermal_stress())
+      set(std::array<Term, 2>{{elastic, thermal}});
+    else
+      set(std::array<Term, 1>{{elastic}});
     zero_constrained(Field::displacement, momentum);
   }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/number_text.h>
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/time/monolithic_solver.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -32,6 +35,7 @@ namespace ThermoContact
     , exchange_solver(body.law(), exchange)
     , max_factorizations(
         cache_size<dim>(body.discretization.dof_handler().n_dofs()))
+    , has_sparse_factors(body.equations.rod() == nullptr)
     , heat_rhs(body.discretization.make_vector(Field::temperature))
     , momentum_rhs(body.discretization.make_vector(Field::displacement))
   {}
@@ -73,6 +77,35 @@ namespace ThermoContact
        EndResponse()});
     counters_.factorizations +=
       factorizations.front().matrix.n_factorizations();
+    if (const double growth = factorizations.front().matrix.refused_growth();
+        growth > 0.)
+      warn_of_growth(tau, growth);
+  }
+
+
+
+  template <int dim>
+  void
+  MonolithicSolver<dim>::warn_of_growth(const double tau, const double growth)
+  {
+    if (!std::exchange(has_sparse_factors, true))
+      warnings.push_back(
+        text("Solver/Linear solver = automatic: the blocks of the stage matrix "
+             "grow by ",
+             significant(growth, 2),
+             " in a stage of length ",
+             significant(tau, 3),
+             ", more digits than a result may lose: sparse factors (direct) "
+             "where they do"));
+  }
+
+
+
+  template <int dim>
+  std::string
+  MonolithicSolver<dim>::linear_solver() const
+  {
+    return has_sparse_factors ? "direct" : "block tridiagonal";
   }
 
 
@@ -174,6 +207,7 @@ namespace ThermoContact
           compute_response(factorizations.front());
       }
     counters_ = retained.counters;
+    warnings.clear(); // the run has given them before
   }
 
 

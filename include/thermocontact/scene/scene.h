@@ -191,7 +191,11 @@ namespace ThermoContact
   /** How the linear systems of stages are solved. */
   struct LinearSolver
   {
-    bool        is_iterative;
+    bool is_iterative;
+
+    /** Direct, by blocks along the rod, where one process has all of it. */
+    bool is_along_rod;
+
     double      tolerance; ///< relative residual; of the iterative one
     std::string reason;    ///< of the choice
 

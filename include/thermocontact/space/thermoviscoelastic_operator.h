@@ -117,6 +117,19 @@ namespace ThermoContact
       return matrix_free_.get();
     }
 
+    /** The matrices of a rod in one process; else null. */
+    const RodMatrices *
+    rod() const
+    {
+      return rod_.get();
+    }
+
+    const Material &
+    coefficients() const
+    {
+      return material;
+    }
+
     /** True if the motion heats the body: one stage matrix for both fields. */
     bool
     is_coupled() const
@@ -173,12 +186,22 @@ namespace ThermoContact
     const Discretization<dim> &discretization;
     const Material            &material;
     const bool                 has_own_viscous_stiffness;
-    /** One of the two is there. */
+    /** The first or the last is there; the second beside the first. */
     const std::unique_ptr<const FieldMatrices<dim>>      matrices;
+    const std::unique_ptr<const RodMatrices>             rod_;
     const std::shared_ptr<const MatrixFreeOperator<dim>> matrix_free_;
     const FieldMaps                                      maps;
     mutable Vector                                       heat_scratch;
     mutable Vector                                       momentum_scratch;
+
+    /** stage_rhs() by one pass over the rod for each field. */
+    void
+    rod_stage_rhs(const State  &known,
+                  const double  tau,
+                  const Vector &heat_load,
+                  const Vector &momentum_load,
+                  Vector       &heat,
+                  Vector       &momentum) const;
 
     /** Weighted sum of two matrices of a block, with constrained rows. */
     SparseMatrix

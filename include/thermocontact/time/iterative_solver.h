@@ -43,6 +43,12 @@ namespace ThermoContact
                    StageRates   &rates);
 
     /** The coarsest level, of one field. */
+    std::string
+    linear_solver() const override
+    {
+      return "iterative";
+    }
+
     types::global_dof_index
     n_factorized_unknowns() const override;
 
