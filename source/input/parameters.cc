@@ -300,7 +300,9 @@ namespace ThermoContact
                       "direct: sparse factors of the stage matrix, one set for "
                       "each step size; iterative: Krylov and multigrid without "
                       "matrices, for large bodies in two and three dimensions; "
-                      "automatic: what is faster for the number of unknowns.",
+                      "automatic: blocks along the rod in one dimension and one "
+                      "process, else what is faster for the number of "
+                      "unknowns.",
                       Selection("automatic|direct|iterative"));
     add_number_or_word(prm,
                        "Linear tolerance",

@@ -3,16 +3,12 @@
 #include <thermocontact/rod/fixed_degree.h>
 #include <thermocontact/rod/rod_factors.h>
 
-#include <deal.II/lac/full_matrix.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace ThermoContact
 {
-  using namespace dealii;
-
   namespace
   {
     // Blocks of one or two fields, by rows.
@@ -84,8 +80,9 @@ namespace ThermoContact
 
 
     /**
-     * @p a, by columns, becomes its inverse. Returns the largest entry of the
-     * residual of its rows, in units of rounding; infinite without inverse.
+     * @p a, by columns, becomes its inverse, by Gauss-Jordan elimination with
+     * pivots from the columns. Returns the largest residual of a row of it, in
+     * units of rounding; infinite without inverse.
      */
     double
     invert(std::vector<double> &a, const unsigned int n)
@@ -93,7 +90,6 @@ namespace ThermoContact
       constexpr double none = std::numeric_limits<double>::infinity();
       // rows of different fields have different units
       std::vector<double> scales(n, 0.);
-      FullMatrix<double>  matrix(n, n);
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int i = 0; i < n; ++i)
           scales[i] = std::max(scales[i], std::abs(a[j * n + i]));
@@ -102,23 +98,60 @@ namespace ThermoContact
           return none;
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int i = 0; i < n; ++i)
-          matrix(i, j) = a[j * n + i] / scales[i];
-      const FullMatrix<double> scaled(matrix);
-      try
+          a[j * n + i] /= scales[i];
+      const std::vector<double> scaled(a);
+      std::vector<unsigned int> pivots(n);
+      for (unsigned int k = 0; k < n; ++k)
         {
-          matrix.gauss_jordan();
+          double *const column = &a[k * n];
+          pivots[k]            = k;
+          for (unsigned int i = k + 1; i < n; ++i)
+            if (std::abs(column[i]) > std::abs(column[pivots[k]]))
+              pivots[k] = i;
+          if (!(std::abs(column[pivots[k]]) > 0.))
+            return none;
+          for (unsigned int j = 0; j < n; ++j)
+            std::swap(a[j * n + k], a[j * n + pivots[k]]);
+          const double inverse = 1. / column[k];
+          column[k]            = 1.;
+          for (unsigned int j = 0; j < n; ++j)
+            a[j * n + k] *= inverse;
+          // column k of the row operation
+          for (unsigned int j = 0; j < n; ++j)
+            {
+              if (j == k)
+                continue;
+              const double factor = a[j * n + k];
+              for (unsigned int i = 0; i < n; ++i)
+                if (i != k)
+                  a[j * n + i] -= factor * column[i];
+            }
+          for (unsigned int i = 0; i < n; ++i)
+            if (i != k)
+              column[i] *= -inverse;
         }
-      catch (const ExceptionBase &)
+      for (unsigned int k = n; k-- > 0;)
+        if (pivots[k] != k)
+          std::swap_ranges(&a[k * n], &a[k * n] + n, &a[pivots[k] * n]);
+
+      double largest = 0.;
+      for (unsigned int i = 0; i < n; ++i)
         {
-          return none;
+          double sum = 0.;
+          for (unsigned int j = 0; j < n; ++j)
+            {
+              double residual = i == j ? -1. : 0.;
+              for (unsigned int k = 0; k < n; ++k)
+                residual += scaled[k * n + i] * a[j * n + k];
+              sum += std::abs(residual);
+            }
+          if (!(sum <= largest))
+            largest = sum;
         }
-      FullMatrix<double> residual{IdentityMatrix(n)};
-      residual *= -1.;
-      scaled.mmult(residual, matrix, true);
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int i = 0; i < n; ++i)
-          a[j * n + i] = matrix(i, j) / scales[j];
-      return residual.linfty_norm() / std::numeric_limits<double>::epsilon();
+          a[j * n + i] /= scales[j];
+      return largest / std::numeric_limits<double>::epsilon();
     }
 
 

@@ -4,10 +4,39 @@
 #include <thermocontact/rod/rod_matrices.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ThermoContact
 {
-  RodMatrices::RodMatrices(const RodLayout &layout, const Entry &entry)
+  namespace
+  {
+    /** To a part of the largest entry of each matrix; zeros are exact. */
+    bool
+    are_equal(const double      *a,
+              const double      *b,
+              const unsigned int n_entries,
+              const double       tolerance)
+    {
+      for (unsigned int matrix = 0; matrix < RodMatrices::n_matrices;
+           ++matrix, a += n_entries, b += n_entries)
+        {
+          double largest = 0.;
+          for (unsigned int i = 0; i < n_entries; ++i)
+            largest = std::max(largest, std::abs(b[i]));
+          for (unsigned int i = 0; i < n_entries; ++i)
+            if ((a[i] == 0.) != (b[i] == 0.) ||
+                std::abs(a[i] - b[i]) > tolerance * largest)
+              return false;
+        }
+      return true;
+    }
+  } // namespace
+
+
+
+  RodMatrices::RodMatrices(const RodLayout &layout,
+                           const double     tolerance,
+                           const Entry     &entry)
     : layout_(layout)
   {
     const unsigned int  n = layout.nodes_per_cell();
@@ -24,10 +53,11 @@ namespace ThermoContact
                            entry(static_cast<Matrix>(matrix),
                                  layout.node(cell, i),
                                  layout.node(cell, j));
-        if (!runs_.empty() && std::equal(of_cell.begin(),
-                                         of_cell.end(),
-                                         entries_.begin() +
-                                           runs_.back().first_entry))
+        if (!runs_.empty() &&
+            are_equal(of_cell.data(),
+                      entries_.data() + runs_.back().first_entry,
+                      n * n,
+                      tolerance))
           {
             ++runs_.back().end;
             continue;
@@ -51,49 +81,73 @@ namespace ThermoContact
 
 
 
+    /** Entries of a row of linear cells: of its two neighbours and its own. */
+    struct LinearRow
+    {
+      double        left, middle, right;
+      const double *x;
+    };
+
+
+
+    /** Rows @p begin to @p end of @p n sums at once. */
+    template <std::size_t n, bool has_base>
+    void
+    set_linear_rows(const unsigned int                begin,
+                    const unsigned int                end,
+                    const std::array<LinearRow, n>   &rows,
+                    const double                      factor,
+                    const double *__restrict__        base,
+                    double *__restrict__              y)
+    {
+      // constants of the loop, by name: else the compiler reads them each time
+      const LinearRow            a = rows[0];
+      const LinearRow            b = rows[n > 1 ? 1 : 0];
+      const LinearRow            c = rows[n > 2 ? 2 : 0];
+      const double *__restrict__ x = a.x;
+      const double *__restrict__ v = b.x;
+      const double *__restrict__ w = c.x;
+#pragma omp simd
+      for (unsigned int i = begin; i < end; ++i)
+        {
+          double sum = has_base ? factor * base[i] : 0.;
+          sum += a.left * x[i - 1] + a.middle * x[i] + a.right * x[i + 1];
+          if constexpr (n > 1)
+            sum += b.left * v[i - 1] + b.middle * v[i] + b.right * v[i + 1];
+          if constexpr (n > 2)
+            sum += c.left * w[i - 1] + c.middle * w[i] + c.right * w[i + 1];
+          y[i] = sum;
+        }
+    }
+
+
+
     /** Linear cells: three entries to a row, the same in all rows of a run. */
-    template <std::size_t n>
+    template <std::size_t n, bool has_base>
     void
     add_linear(const RodMatrices::Run       &run,
                const std::array<Factors, n> &terms,
                const double                  factor,
                const double                 *base,
-               double *__restrict__          y)
+               double                       *y)
     {
-      // L: left vertex, R: right vertex; first the row
-      double        LL[n], RL[n], LR[n], RR[n], RR_LL[n];
-      const double *x[n];
+      static_assert(n <= 3);
+      std::array<LinearRow, n> rows;
+      double                   last = has_base ? factor * base[run.end] : 0.;
       for (unsigned int k = 0; k < n; ++k)
         {
+          // entries by columns: left vertex, right vertex
           const double *const a = terms[k].entries;
-          LL[k]                 = terms[k].factor * a[0];
-          RL[k]                 = terms[k].factor * a[1];
-          LR[k]                 = terms[k].factor * a[2];
-          RR[k]                 = terms[k].factor * a[3];
-          RR_LL[k]              = RR[k] + LL[k];
-          x[k]                  = terms[k].vector;
+          const double *const x = terms[k].vector;
+          const double        f = terms[k].factor;
+          rows[k]               = {f * a[1], f * a[3] + f * a[0], f * a[2], x};
+          y[run.begin] +=
+            f * a[0] * x[run.begin] + f * a[2] * x[run.begin + 1];
+          last += f * a[1] * x[run.end - 1] + f * a[3] * x[run.end];
         }
-      for (unsigned int k = 0; k < n; ++k)
-        y[run.begin] += LL[k] * x[k][run.begin] + LR[k] * x[k][run.begin + 1];
-      const auto add_rows = [&](const auto &base_value) {
-#pragma omp simd
-        for (unsigned int i = run.begin + 1; i < run.end; ++i)
-          {
-            double sum = base_value(i);
-            for (unsigned int k = 0; k < n; ++k)
-              sum +=
-                RL[k] * x[k][i - 1] + RR_LL[k] * x[k][i] + LR[k] * x[k][i + 1];
-            y[i] = sum;
-          }
-        double last = base_value(run.end);
-        for (unsigned int k = 0; k < n; ++k)
-          last += RL[k] * x[k][run.end - 1] + RR[k] * x[k][run.end];
-        y[run.end] = last;
-      };
-      if (base == nullptr)
-        add_rows([](const unsigned int) { return 0.; });
-      else
-        add_rows([&](const unsigned int i) { return factor * base[i]; });
+      set_linear_rows<n, has_base>(
+        run.begin + 1, run.end, rows, factor, base, y);
+      y[run.end] = last;
     }
 
 
@@ -229,10 +283,12 @@ namespace ThermoContact
             of_run[k] = {entries(run, terms[k].matrix),
                          terms[k].vector,
                          terms[k].factor};
-          if constexpr (degree.value == 1)
-            add_linear(run, of_run, factor, base, y);
-          else
+          if constexpr (degree.value != 1)
             add_cells<degree.value>(layout_, run, of_run, factor, base, y);
+          else if (base == nullptr)
+            add_linear<n_terms, false>(run, of_run, factor, base, y);
+          else
+            add_linear<n_terms, true>(run, of_run, factor, base, y);
         }
     });
   }

@@ -101,6 +101,8 @@ namespace ThermoContact
         mesh.degree * std::ldexp(mesh.cells, mesh.refinements) > 1.;
       if (!law.is_active() || model.inertia == 0. || !has_other_nodes)
         return false;
+      if (mesh.mass_matrix == "midpoint")
+        return false; // the rule knows no single nodes
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
       if (has_prescribed_start)
@@ -214,6 +216,7 @@ namespace ThermoContact
     , has_rollers(parameters.boundary.lateral_support == "rollers")
     , has_sliding_end(parameters.boundary.fixed_end_support == "sliding")
     , has_lumped_mass(parameters.mesh.mass_matrix == "lumped")
+    , has_midpoint_mass(parameters.mesh.mass_matrix == "midpoint")
     , is_fixed_point(parameters.solver.step_solver == "fixed point")
     , linear_solver(resolve_linear_solver(parameters,
                                           fields,

@@ -171,11 +171,13 @@ namespace ThermoContact
                             fe,
                             mass_quadrature<dim>(fe.degree, is_lumped),
                             flags);
-    FEValues<dim>                   massless_values(discretization.mapping(),
-                                  fe,
-                                  massless_quadrature<dim>(fe.degree,
-                                                           is_lumped),
-                                  flags);
+    FEValues<dim>                   axial_values(discretization.mapping(),
+                               fe,
+                               scene.has_midpoint_mass ?
+                                                   midpoint_quadrature<dim>() :
+                                                   massless_quadrature<dim>(fe.degree,
+                                                        is_lumped),
+                               flags);
     const AffineConstraints<double> unconstrained = no_constraints();
 
     const unsigned int                   n = fe.dofs_per_cell;
@@ -203,17 +205,19 @@ namespace ThermoContact
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const bool is_massless =
-            scene.contact.has_massless_nodes && touches_contact_end<dim>(cell);
+          const bool has_axial_rule =
+            scene.has_midpoint_mass ||
+            (scene.contact.has_massless_nodes &&
+             touches_contact_end<dim>(cell));
           cell_mass = 0.;
           fe_values.reinit(cell);
           integrate(fe_values, [&](const unsigned int c) {
-            return !(is_massless && c == axial);
+            return !(has_axial_rule && c == axial);
           });
-          if (is_massless)
+          if (has_axial_rule)
             {
-              massless_values.reinit(cell);
-              integrate(massless_values,
+              axial_values.reinit(cell);
+              integrate(axial_values,
                         [&](const unsigned int c) { return c == axial; });
             }
           cell->get_dof_indices(dofs);

@@ -5,6 +5,7 @@
 #include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -103,8 +104,12 @@ namespace ThermoContact
     if (!is_in_order(discretization, layout))
       return nullptr;
     const auto blocks = blocks_of(discretization, matrices);
+    // The sizes of equal cells differ by the rounding of their vertices.
+    const double rounding =
+      4. * std::numeric_limits<double>::epsilon() * layout.n_cells;
     return std::make_unique<const RodMatrices>(
       layout,
+      rounding,
       [&](const RodMatrices::Matrix matrix,
           const unsigned int        row,
           const unsigned int        column) {

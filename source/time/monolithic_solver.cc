@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/number_text.h>
 #include <thermocontact/base/stop_watch.h>
-#include <thermocontact/base/text.h>
 #include <thermocontact/time/monolithic_solver.h>
 
 #include <algorithm>
@@ -77,26 +75,9 @@ namespace ThermoContact
        EndResponse()});
     counters_.factorizations +=
       factorizations.front().matrix.n_factorizations();
-    if (const double growth = factorizations.front().matrix.refused_growth();
-        growth > 0.)
-      warn_of_growth(tau, growth);
-  }
-
-
-
-  template <int dim>
-  void
-  MonolithicSolver<dim>::warn_of_growth(const double tau, const double growth)
-  {
-    if (!std::exchange(has_sparse_factors, true))
-      warnings.push_back(
-        text("Solver/Linear solver = automatic: the blocks of the stage matrix "
-             "grow by ",
-             significant(growth, 2),
-             " in a stage of length ",
-             significant(tau, 3),
-             ", more digits than a result may lose: sparse factors (direct) "
-             "where they do"));
+    const std::string warning = factorizations.front().matrix.warning();
+    if (!warning.empty() && !std::exchange(has_sparse_factors, true))
+      warnings.push_back(warning);
   }
 
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/time/stage_factorization.h>
 
 #include <algorithm>
@@ -22,7 +24,7 @@ namespace ThermoContact
     : discretization(discretization)
     , stage_operator(stage_operator)
     , tau_(tau)
-    , refused_growth_(0.)
+    , refused_growth(0.)
   {
     if (stage_operator.rod() == nullptr ||
         !factorize_rod(*stage_operator.rod(), stage_operator.coefficients()))
@@ -68,11 +70,28 @@ namespace ThermoContact
       }
     if (growth <= largest_growth)
       return true;
-    refused_growth_ = growth;
+    refused_growth = growth;
     rod_whole.reset();
     rod_heat.reset();
     rod_momentum.reset();
     return false;
+  }
+
+
+
+  template <int dim>
+  std::string
+  StageFactorization<dim>::warning() const
+  {
+    if (refused_growth == 0.)
+      return "";
+    return text("Solver/Linear solver = automatic: the blocks of the stage "
+                "matrix grow by ",
+                significant(refused_growth, 2),
+                " in a stage of length ",
+                significant(tau_, 3),
+                ", more digits than a result may lose: sparse factors (direct) "
+                "where they do");
   }
 
 

@@ -104,6 +104,7 @@ namespace
   make(const RodLayout &layout, const std::vector<FullMatrix<double>> &full)
   {
     return RodMatrices(layout,
+                       0.,
                        [&](const RodMatrices::Matrix m,
                            const unsigned int        i,
                            const unsigned int j) { return full[m](i, j); });
@@ -287,6 +288,7 @@ namespace
   growth_of(const RodLayout &layout, const FullMatrix<double> &matrix)
   {
     const RodMatrices rod(layout,
+                          0.,
                           [&](const RodMatrices::Matrix,
                               const unsigned int i,
                               const unsigned int j) { return matrix(i, j); });

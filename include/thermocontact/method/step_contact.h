@@ -9,7 +9,7 @@ namespace ThermoContact
 {
   /**
    * Contact of one node with mass over a step of the midpoint rule,
-   * doc/model.md (M.75), (M.76): the mean pressure of the step. The penetration
+   * doc/model.md (M.81): the mean pressure of the step. The penetration
    * at its end is s = s_free - chi p.
    */
   class StepContact

@@ -57,8 +57,8 @@ namespace ThermoContact
   /**
    * The field matrices of a rod, doc/model.md (M.11), (M.12), cell by cell: the
    * diagonal entry of a vertex belongs to the cell on its left, so that the sum
-   * over the cells is the matrix, bit by bit. Neighbours with the same entries
-   * are one run, and those of a uniform rod are read once for all of its cells.
+   * over the cells is the matrix. Neighbours with the same entries are one run,
+   * and those of a uniform rod are read once for all of its cells.
    *
    * Products read the values of nodes and know nothing of constraints. Arrays
    * of a product must not overlap. Vectors are arrays of n_nodes().
@@ -83,7 +83,13 @@ namespace ThermoContact
                                        const unsigned int row_node,
                                        const unsigned int column_node)>;
 
-    RodMatrices(const RodLayout &layout, const Entry &entry);
+    /**
+     * @param tolerance up to which entries of cells are the same, as a part of
+     *   the largest one of the matrix in the cell
+     */
+    RodMatrices(const RodLayout &layout,
+                const double     tolerance,
+                const Entry     &entry);
 
     const RodLayout &
     layout() const

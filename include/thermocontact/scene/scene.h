@@ -267,6 +267,9 @@ namespace ThermoContact
 
     const bool has_lumped_mass;
 
+    /** One point to a cell for the mass of displacements, (M.80). */
+    const bool has_midpoint_mass;
+
     /** Stages are solved by the iteration of the paper. */
     const bool is_fixed_point;
 

@@ -9,6 +9,15 @@
 
 namespace ThermoContact
 {
+  /** The diagonal block of the displacement. */
+  inline const SparseMatrix &
+  last_block(const BlockSparseMatrix &matrix)
+  {
+    return matrix.block(matrix.n_block_rows() - 1, matrix.n_block_cols() - 1);
+  }
+
+
+
   /**
    * The matrices of both fields, doc/model.md section 4, assembled once without
    * constraints. The first diagonal block belongs to the temperature, the last

@@ -6,26 +6,12 @@
 #include <thermocontact/base/types.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/discretization.h>
+#include <thermocontact/space/field_maps.h>
 #include <thermocontact/space/field_matrices.h>
-#include <thermocontact/space/linear_map.h>
 #include <thermocontact/space/state.h>
 
 namespace ThermoContact
 {
-  template <int dim>
-  class MatrixFreeOperator;
-
-
-
-  /** Products with the field matrices; those of absent fields are null. */
-  struct FieldMaps
-  {
-    std::unique_ptr<const LinearMap> heat_mass, conduction, divergence,
-      thermal_stress, momentum_mass, stiffness, viscous_stiffness;
-  };
-
-
-
   /**
    * The semidiscrete equations, doc/model.md (M.11), (M.12):
    * @f[

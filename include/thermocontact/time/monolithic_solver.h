@@ -117,10 +117,6 @@ namespace ThermoContact
     void
     provide_factorization(const double tau);
 
-    /** A rod has got sparse factors. */
-    void
-    warn_of_growth(const double tau, const double growth);
-
     /** All that the scene needs. */
     void
     compute_response(Factorization &factorization);

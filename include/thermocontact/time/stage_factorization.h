@@ -8,6 +8,7 @@
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
 #include <memory>
+#include <string>
 
 namespace ThermoContact
 {
@@ -61,19 +62,15 @@ namespace ThermoContact
                  discretization.has_field(Field::displacement);
     }
 
-    /** Growth of the blocks of a rod that was left to sparse factors; else 0.
-     */
-    double
-    refused_growth() const
-    {
-      return refused_growth_;
-    }
+    /** Why a rod was left to sparse factors; empty: it was not. */
+    std::string
+    warning() const;
 
   private:
     const Discretization<dim>             &discretization;
     const ThermoviscoelasticOperator<dim> &stage_operator;
     const double                           tau_;
-    double                                 refused_growth_;
+    double                                 refused_growth;
     std::unique_ptr<const RodFactors<2>>   rod_whole;
     std::unique_ptr<const RodFactors<1>>   rod_heat;
     std::unique_ptr<const RodFactors<1>>   rod_momentum;
