@@ -104,7 +104,7 @@ namespace ThermoContact
         ++counters_.factorizations;
         return;
       }
-    if (contact_stiffness_.empty())
+    if (body.scene.linear_solver.has_matrices() && contact_stiffness_.empty())
       contact_stiffness_ = contact_stiffness(body);
     settle_contact_velocities(body,
                               contact_stiffness_,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/exceptions.h>
 #include <thermocontact/method/contact_solver.h>
 #include <thermocontact/simulation/quasi_static_start.h>
 #include <thermocontact/space/direct_solver.h>
@@ -15,12 +14,21 @@ namespace ThermoContact
 {
   namespace
   {
+    /** Those that were given, else those that do not lie before the obstacle.
+     */
     template <int dim>
-    std::vector<double>
-    penetrations(const Body<dim> &body, const State &state)
+    std::vector<bool>
+    closed_nodes(const Body<dim>         &body,
+                 const std::vector<bool> &is_closed,
+                 const State             &state)
     {
-      std::vector<double> result;
-      body.contact_end().get_penetrations(state.displacement, result);
+      if (!is_closed.empty())
+        return is_closed;
+      std::vector<double> penetration;
+      body.contact_end().get_penetrations(state.displacement, penetration);
+      std::vector<bool> result;
+      for (const double s : penetration)
+        result.push_back(s >= 0.);
       return result;
     }
 
@@ -96,7 +104,9 @@ namespace ThermoContact
      */
     template <int dim>
     void
-    complete_iteratively(Body<dim> &body, State &state)
+    complete_iteratively(Body<dim>               &body,
+                         const std::vector<bool> &is_closed,
+                         State                   &state)
     {
       const Discretization<dim> &space = body.discretization;
       Vector heat_load                 = space.make_vector(Field::temperature);
@@ -121,18 +131,25 @@ namespace ThermoContact
           return;
         }
       if (body.law().is_rigid())
-        for (const double s : penetrations(body, state))
-          if (s >= 0.)
-            throw ComputationError(
-              "a body without inertia that starts in contact with a rigid "
-              "obstacle needs sparse factors\n  remedy:  Solver/Linear solver "
-              "= direct, or a larger Contact/Gap");
-      body.contact_end().subtract_load(Field::displacement,
-                                       state.contact_pressure,
-                                       1.,
-                                       momentum_load);
-      solver.solve_momentum(
-        known, 1., heat_load, momentum_load, ContactMode::open, rates);
+        {
+          solver.solve_quasi_static_velocity(known,
+                                             heat_load,
+                                             momentum_load,
+                                             closed_nodes(body,
+                                                          is_closed,
+                                                          state),
+                                             rates);
+          state.contact_pressure = rates.pressure;
+        }
+      else
+        {
+          body.contact_end().subtract_load(Field::displacement,
+                                           state.contact_pressure,
+                                           1.,
+                                           momentum_load);
+          solver.solve_momentum(
+            known, 1., heat_load, momentum_load, ContactMode::open, rates);
+        }
       state.velocity.equ((material.viscosity + 1.) / material.viscosity,
                          rates.velocity);
     }
@@ -149,7 +166,7 @@ namespace ThermoContact
     if constexpr (dim > 1)
       if (!body.scene.linear_solver.has_matrices())
         {
-          complete_iteratively(body, state);
+          complete_iteratively(body, is_closed, state);
           return;
         }
     const Discretization<dim> &space = body.discretization;
@@ -184,9 +201,8 @@ namespace ThermoContact
     std::vector<bool> is_away(n, true);
     if (body.law().is_rigid())
       {
-        const std::vector<double> penetration = penetrations(body, state);
-        for (unsigned int i = 0; i < n; ++i)
-          is_away[i] = is_closed.empty() ? penetration[i] < 0. : !is_closed[i];
+        is_away = closed_nodes(body, is_closed, state);
+        is_away.flip();
         std::fill(state.contact_pressure.begin(),
                   state.contact_pressure.end(),
                   0.);

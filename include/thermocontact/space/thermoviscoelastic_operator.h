@@ -24,8 +24,8 @@ namespace ThermoContact
    *
    * Field matrices are assembled once, without constraints, or not at all if
    * the scene has an iterative solver; the constrained rows of stage matrices
-   * and right-hand sides say that rates vanish. Vectors have the layout of
-   * their block, without ghosts.
+   * and right-hand sides say that rates vanish. Vectors come from
+   * Discretization::make_vector().
    */
   template <int dim>
   class ThermoviscoelasticOperator
@@ -34,6 +34,8 @@ namespace ThermoContact
     /** Both references are borrowed and must outlive this object. */
     ThermoviscoelasticOperator(const Scene               &scene,
                                const Discretization<dim> &discretization);
+
+    ~ThermoviscoelasticOperator();
 
     /** $M$, $\int\eta_i\eta_j$. */
     const LinearMap &
@@ -175,7 +177,7 @@ namespace ThermoContact
     /** The first or the last is there; the second beside the first. */
     const std::unique_ptr<const FieldMatrices<dim>>      matrices;
     const std::unique_ptr<const RodMatrices>             rod_;
-    const std::shared_ptr<const MatrixFreeOperator<dim>> matrix_free_;
+    const std::unique_ptr<const MatrixFreeOperator<dim>> matrix_free_;
     const FieldMaps                                      maps;
     mutable Vector                                       heat_scratch;
     mutable Vector                                       momentum_scratch;
