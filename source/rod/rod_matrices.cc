@@ -10,7 +10,7 @@ namespace ThermoContact
 {
   namespace
   {
-    /** To a part of the largest entry of each matrix; zeros are exact. */
+    /** To a part of the largest entry of each matrix. */
     bool
     are_equal(const double      *a,
               const double      *b,
@@ -24,8 +24,7 @@ namespace ThermoContact
           for (unsigned int i = 0; i < n_entries; ++i)
             largest = std::max(largest, std::abs(b[i]));
           for (unsigned int i = 0; i < n_entries; ++i)
-            if ((a[i] == 0.) != (b[i] == 0.) ||
-                std::abs(a[i] - b[i]) > tolerance * largest)
+            if (!(std::abs(a[i] - b[i]) <= tolerance * largest))
               return false;
         }
       return true;
@@ -47,12 +46,7 @@ namespace ThermoContact
         for (unsigned int matrix = 0; matrix < n_matrices; ++matrix)
           for (unsigned int j = 0; j < n; ++j)
             for (unsigned int i = 0; i < n; ++i)
-              // the left neighbour has this one
-              *value++ = i == 0 && j == 0 && cell > 0 ?
-                           0. :
-                           entry(static_cast<Matrix>(matrix),
-                                 layout.node(cell, i),
-                                 layout.node(cell, j));
+              *value++ = entry(static_cast<Matrix>(matrix), cell, i, j);
         if (!runs_.empty() &&
             are_equal(of_cell.data(),
                       entries_.data() + runs_.back().first_entry,
@@ -205,10 +199,8 @@ namespace ThermoContact
       for (unsigned int i = run.begin; i < run.end; ++i)
         {
           const double left = x(i), right = x(i + 1);
-          sum += right * (RR * right + LR_RL * left);
+          sum += right * (RR * right + LR_RL * left) + LL * left * left;
         }
-      for (unsigned int i = run.begin; LL != 0. && i < run.end; ++i)
-        sum += LL * x(i) * x(i);
       return sum;
     }
 

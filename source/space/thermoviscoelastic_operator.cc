@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/space/field_maps.h>
-#include <thermocontact/space/make_rod_matrices.h>
 #include <thermocontact/space/matrix_free_operator.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
@@ -77,22 +76,6 @@ namespace ThermoContact
 
 
 
-    /** The matrices of a rod in one process, for scenes that want them so. */
-    template <int dim>
-    std::unique_ptr<const RodMatrices>
-    make_rod(const Scene               &scene,
-             const Discretization<dim> &discretization,
-             const FieldMatrices<dim>  *matrices)
-    {
-      if constexpr (dim == 1)
-        if (scene.linear_solver.is_along_rod &&
-            Utilities::MPI::n_mpi_processes(discretization.communicator()) == 1)
-          return make_rod_matrices(discretization, *matrices);
-      return nullptr;
-    }
-
-
-
     template <int dim>
     std::unique_ptr<const MatrixFreeOperator<dim>>
     make_matrix_free(const Scene               &scene,
@@ -116,11 +99,10 @@ namespace ThermoContact
     , material(scene.material)
     , has_own_viscous_stiffness(scene.has_elastic_contact_nodes())
     , matrices(make_matrices(scene, discretization))
-    , rod_(make_rod(scene, discretization, matrices.get()))
     , matrix_free_(make_matrix_free(scene, discretization))
     , maps(make_field_maps(scene,
                            matrices.get(),
-                           rod_.get(),
+                           rod(),
                            matrix_free_.get()))
     , heat_scratch(discretization.make_vector(Field::temperature))
     , momentum_scratch(discretization.make_vector(Field::displacement))
@@ -241,7 +223,7 @@ namespace ThermoContact
                                              Vector       &heat,
                                              Vector       &momentum) const
   {
-    if (rod_)
+    if (rod() != nullptr)
       {
         rod_stage_rhs(known, tau, heat_load, momentum_load, heat, momentum);
         return;
@@ -284,7 +266,7 @@ namespace ThermoContact
     using Term = RodMatrices::Term;
     if (discretization.has_field(Field::temperature))
       {
-        rod_->combine<1>({{{-1., RodMatrices::conduction, known.temperature.begin()}}},
+        rod()->combine<1>({{{-1., RodMatrices::conduction, known.temperature.begin()}}},
                          1.,
                          heat_load.begin(),
                          heat.begin());
@@ -302,7 +284,7 @@ namespace ThermoContact
                           RodMatrices::thermal_stress,
                           known.temperature.begin()};
     const auto set     = [&](const auto &terms) {
-      rod_->combine(terms, tau, momentum_load.begin(), momentum.begin());
+      rod()->combine(terms, tau, momentum_load.begin(), momentum.begin());
     };
     if (material.has_inertia() && material.has_thermal_stress())
       set(std::array<Term, 3>{{elastic, inertia, thermal}});

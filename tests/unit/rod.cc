@@ -12,10 +12,10 @@
 //    -t^2 a D^T, M_u + t z S_z + t^2 S], against the solution that was chosen:
 //    residual in the full matrix to 1e-12 of its terms, growth below 1e2, and
 //    solutions vanish at node 0.
-// 3. Blocks that grow, two cells of degree 1. By hand: rows [e 1; 1 1] of the two
-//    vertices, e = 1e-8: the first pivot takes 1/e = 1e8 times the second from
-//    it. A pivot of 0 has infinite growth, and so has a cell of degree 2 whose
-//    inner node has the diagonal 0.
+// 3. Blocks that grow, two cells of degree 1. By hand: cells [e - 1, 1; 1, 1] make
+//    rows [e 1; 1 1] of the two vertices, e = 1e-8: the first pivot takes 1/e =
+//    1e8 times the second from it. A pivot of 0 has infinite growth, and so has a
+//    cell of degree 2 whose inner node has the diagonal 0.
 
 #include <thermocontact/rod/rod_factors.h>
 
@@ -57,14 +57,26 @@ namespace
 
 
 
-  /** Full matrices of a rod; cells i with the same i / group are alike. */
-  std::vector<FullMatrix<double>>
-  random_matrices(const RodLayout &layout, const unsigned int group)
+  using Matrices = std::vector<FullMatrix<double>>;
+
+  /** The matrices of a rod, and those of its cells. */
+  struct Rod
   {
-    const unsigned int              n = layout.nodes_per_cell();
-    std::vector<FullMatrix<double>> result(
-      n_matrices, FullMatrix<double>(layout.n_nodes(), layout.n_nodes()));
-    std::vector<FullMatrix<double>> cell(n_matrices, FullMatrix<double>(n, n));
+    Matrices              full;
+    std::vector<Matrices> cells;
+  };
+
+
+
+  /** Cells i with the same i / group are alike. */
+  Rod
+  random_rod(const RodLayout &layout, const unsigned int group)
+  {
+    const unsigned int n = layout.nodes_per_cell();
+    Rod                rod;
+    rod.full.assign(n_matrices,
+                    FullMatrix<double>(layout.n_nodes(), layout.n_nodes()));
+    Matrices cell(n_matrices, FullMatrix<double>(n, n));
     for (unsigned int c = 0; c < layout.n_cells; ++c)
       {
         if (c % group == 0)
@@ -81,33 +93,31 @@ namespace
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
             {
-              const unsigned int row = layout.node(c, i),
-                                 col = layout.node(c, j);
-              for (unsigned int m = 0; m < n_matrices; ++m)
-                if (m == RodMatrices::divergence)
-                  {
-                    // not symmetric
-                    const double d = cell[m](i, j) * (i < j ? 1. : -0.5);
-                    result[m](row, col) += d;
-                    result[RodMatrices::thermal_stress](col, row) += d;
-                  }
-                else if (m != RodMatrices::thermal_stress)
-                  result[m](row, col) += cell[m](i, j);
+              if (c % group == 0 && i > j) // not symmetric
+                cell[RodMatrices::divergence](i, j) *= -0.5;
+              cell[RodMatrices::thermal_stress](j, i) =
+                cell[RodMatrices::divergence](i, j);
             }
+        rod.cells.push_back(cell);
+        for (unsigned int m = 0; m < n_matrices; ++m)
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              rod.full[m](layout.node(c, i), layout.node(c, j)) += cell[m](i, j);
       }
-    return result;
+    return rod;
   }
 
 
 
   RodMatrices
-  make(const RodLayout &layout, const std::vector<FullMatrix<double>> &full)
+  make(const RodLayout &layout, const Rod &rod)
   {
     return RodMatrices(layout,
                        0.,
                        [&](const RodMatrices::Matrix m,
+                           const unsigned int        cell,
                            const unsigned int        i,
-                           const unsigned int j) { return full[m](i, j); });
+                           const unsigned int j) { return rod.cells[cell][m](i, j); });
   }
 
 
@@ -247,8 +257,9 @@ namespace
         for (const unsigned int group : {1, 2, 5})
           {
             const RodLayout layout{n_cells, degree};
-            const auto      full = random_matrices(layout, group);
-            const RodMatrices rod  = make(layout, full);
+            const Rod         random = random_rod(layout, group);
+            const Matrices   &full   = random.full;
+            const RodMatrices rod    = make(layout, random);
             raise(products, error_of_products(rod, full));
 
             const double                 t = 0.4, a = 0.3, z = 0.2;
@@ -284,14 +295,18 @@ namespace
 
 
 
+  /** Of a rod whose cells have this matrix. */
   double
-  growth_of(const RodLayout &layout, const FullMatrix<double> &matrix)
+  growth_of(const RodLayout &layout, const FullMatrix<double> &cell_matrix)
   {
     const RodMatrices rod(layout,
                           0.,
                           [&](const RodMatrices::Matrix,
+                              const unsigned int,
                               const unsigned int i,
-                              const unsigned int j) { return matrix(i, j); });
+                              const unsigned int j) {
+                            return cell_matrix(i, j);
+                          });
     return RodFactors<1>(rod, {{{{{{1., RodMatrices::stiffness}}}}}}).growth();
   }
 
@@ -300,19 +315,20 @@ namespace
   void
   test_growth()
   {
-    FullMatrix<double> matrix(3, 3);
-    matrix(0, 0) = matrix(1, 2) = matrix(2, 1) = matrix(2, 2) = 1.;
     for (const double pivot : {1e-8, 0.})
       {
-        matrix(1, 1) = pivot;
+        // the first vertex: right vertex of a cell and left one of the next
+        FullMatrix<double> linear(2, 2);
+        linear(0, 0) = pivot - 1.;
+        linear(0, 1) = linear(1, 0) = linear(1, 1) = 1.;
         deallog << "first pivot " << pivot << ": growth "
-                << growth_of({2, 1}, matrix) << std::endl;
+                << growth_of({2, 1}, linear) << std::endl;
       }
-    // node 2 is the inner one
-    matrix(1, 1) = 1.;
-    matrix(2, 2) = 0.;
+    FullMatrix<double> quadratic(3, 3);
+    quadratic(0, 0) = quadratic(1, 1) = quadratic(0, 2) = quadratic(2, 0) =
+      quadratic(1, 2) = quadratic(2, 1) = 1.;
     deallog << "inner node without diagonal: growth "
-            << growth_of({1, 2}, matrix) << std::endl;
+            << growth_of({1, 2}, quadratic) << std::endl;
   }
 } // namespace
 

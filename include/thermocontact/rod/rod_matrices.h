@@ -55,10 +55,9 @@ namespace ThermoContact
 
 
   /**
-   * The field matrices of a rod, doc/model.md (M.11), (M.12), cell by cell: the
-   * diagonal entry of a vertex belongs to the cell on its left, so that the sum
-   * over the cells is the matrix. Neighbours with the same entries are one run,
-   * and those of a uniform rod are read once for all of its cells.
+   * The field matrices of a rod, doc/model.md (M.11), (M.12), cell by cell.
+   * Neighbours with the same entries are one run, and those of a uniform rod
+   * are read once for all of its cells.
    *
    * Products read the values of nodes and know nothing of constraints. Arrays
    * of a product must not overlap. Vectors are arrays of n_nodes().
@@ -78,10 +77,11 @@ namespace ThermoContact
       n_matrices
     };
 
-    /** The entry of a matrix for two nodes of a cell; 0 for absent fields. */
+    /** The entry of a cell for two of its nodes; 0 for absent fields. */
     using Entry = std::function<double(const Matrix       matrix,
-                                       const unsigned int row_node,
-                                       const unsigned int column_node)>;
+                                       const unsigned int cell,
+                                       const unsigned int row,
+                                       const unsigned int column)>;
 
     /**
      * @param tolerance up to which entries of cells are the same, as a part of

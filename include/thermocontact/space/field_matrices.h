@@ -6,6 +6,9 @@
 #include <thermocontact/base/types.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/discretization.h>
+#include <thermocontact/space/rod_cells.h>
+
+#include <memory>
 
 namespace ThermoContact
 {
@@ -48,7 +51,15 @@ namespace ThermoContact
     /** $S_\zeta$ in the last block, where it is not $S$, (M.37). */
     BlockSparseMatrix viscous_stiffness;
 
+    /** All of them cell by cell, of a rod that one process has; else null. */
+    std::unique_ptr<const RodMatrices> rod;
+
   private:
+    std::unique_ptr<RodCells> rod_cells; ///< while they are assembled
+
+    void
+    start_rod();
+
     /** @param couples_fields two blocks off the diagonal, else those on it */
     void
     setup_matrix(const bool couples_fields, BlockSparseMatrix &matrix) const;

@@ -109,7 +109,7 @@ namespace ThermoContact
     const RodMatrices *
     rod() const
     {
-      return rod_.get();
+      return matrices ? matrices->rod.get() : nullptr;
     }
 
     const Material &
@@ -174,9 +174,8 @@ namespace ThermoContact
     const Discretization<dim> &discretization;
     const Material            &material;
     const bool                 has_own_viscous_stiffness;
-    /** The first or the last is there; the second beside the first. */
+    /** One of the two is there. */
     const std::unique_ptr<const FieldMatrices<dim>>      matrices;
-    const std::unique_ptr<const RodMatrices>             rod_;
     const std::unique_ptr<const MatrixFreeOperator<dim>> matrix_free_;
     const FieldMaps                                      maps;
     mutable Vector                                       heat_scratch;
