@@ -50,7 +50,7 @@ namespace ThermoContact
     // opens: p = s_0^2 / (2 eps (s_0 - s)), s the negative root of
     // s^2 - (s_0 + s_free) s + s_0 s_free - r s_0^2 = 0
     const double difference = s_0 - s_free;
-    const double fall = // s_0 - s
+    const double fall       = // s_0 - s
       0.5 *
       (difference + std::sqrt(difference * difference + 4. * r * s_0 * s_0));
     return s_0 * (s_0 / fall) / (2. * compliance);

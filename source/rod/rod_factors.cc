@@ -256,7 +256,7 @@ namespace ThermoContact
       return;
     for (unsigned int j = 0; j < n_outer; ++j)
       {
-        double *const      to_inner = &cell.vertices_to_inner[j * n_inner];
+        double *const to_inner = &cell.vertices_to_inner[j * n_inner];
         for (unsigned int k = 0; k < n_inner; ++k)
           for (unsigned int i = 0; i < n_inner; ++i)
             to_inner[i] +=
@@ -276,16 +276,19 @@ namespace ThermoContact
   RodFactors<n_fields>::factorize_vertices()
   {
     constexpr unsigned int n_outer = 2 * n_fields;
-    const auto block = [&](const Cell &cell, const bool row, const bool column) {
+    const auto             block   = [&](const Cell &cell,
+                           const bool  row,
+                           const bool  column) {
       Small a;
       for (unsigned int i = 0; i < n_fields; ++i)
         for (unsigned int j = 0; j < n_fields; ++j)
-          a[i * n_fields + j] = cell.vertices[(column * n_fields + j) * n_outer +
-                                              row * n_fields + i];
+          a[i * n_fields + j] =
+            cell
+              .vertices[(column * n_fields + j) * n_outer + row * n_fields + i];
       return a;
     };
-    const unsigned int         n = layout.n_cells;
-    std::vector<const Cell *>  cell(n);
+    const unsigned int        n = layout.n_cells;
+    std::vector<const Cell *> cell(n);
     for (unsigned int r = 0; r < runs.size(); ++r)
       std::fill(cell.begin() + runs[r].begin,
                 cell.begin() + runs[r].end,
@@ -376,9 +379,9 @@ namespace ThermoContact
   RodFactors<n_fields>::solve_vertices(const Value    &value,
                                        const SetValue &set_value) const
   {
-    using Values         = std::array<double, n_fields>;
-    const unsigned int n = layout.n_cells;
-    const auto load      = [&](const unsigned int i) {
+    using Values            = std::array<double, n_fields>;
+    const unsigned int n    = layout.n_cells;
+    const auto         load = [&](const unsigned int i) {
       Values values;
       for (unsigned int k = 0; k < n_fields; ++k)
         values[k] = value(i, k);
@@ -452,8 +455,8 @@ namespace ThermoContact
   void
   RodFactors<n_fields>::condense(const Right &right) const
   {
-    const unsigned int p  = fixed_degree > 0 ? fixed_degree : layout.degree;
-    const unsigned int ni = n_fields * (p - 1);
+    const unsigned int p     = fixed_degree > 0 ? fixed_degree : layout.degree;
+    const unsigned int ni    = n_fields * (p - 1);
     double *const      outer = vertex_values.data();
     for (unsigned int r = 0; r < runs.size(); ++r)
       {
@@ -467,9 +470,8 @@ namespace ThermoContact
             for (unsigned int k = 0; k < n_fields; ++k)
               for (unsigned int m = 0; m + 1 < p; ++m)
                 {
-                  const double        load = right[k][cell * p + 2 + m];
-                  const double *const column =
-                    inverse + (k * (p - 1) + m) * ni;
+                  const double        load   = right[k][cell * p + 2 + m];
+                  const double *const column = inverse + (k * (p - 1) + m) * ni;
                   for (unsigned int i = 0; i < ni; ++i)
                     inner[i] += column[i] * load;
                 }
@@ -505,9 +507,9 @@ namespace ThermoContact
             double *__restrict__ inner = inner_values.data() + cell * ni;
             for (unsigned int k = 0; k < 2 * n_fields; ++k)
               {
-                const double vertex =
-                  k >= n_fields ? solution[k - n_fields][cell * p + 1] :
-                                  solution[k][layout.left_vertex(cell)];
+                const double vertex = k >= n_fields ?
+                                        solution[k - n_fields][cell * p + 1] :
+                                        solution[k][layout.left_vertex(cell)];
                 for (unsigned int i = 0; i < ni; ++i)
                   inner[i] -= to_inner[k * ni + i] * vertex;
               }
@@ -529,25 +531,25 @@ namespace ThermoContact
       field[0] = 0.;
     with_fixed_degree(layout.degree, [&](const auto degree) {
       const unsigned int p = degree.value > 0 ? degree.value : layout.degree;
-      const auto set_value = [&](const unsigned int vertex,
+      const auto         set_value = [&](const unsigned int vertex,
                                  const unsigned int field,
                                  const double       value) {
         solution[field][vertex * p + 1] = value;
       };
       if constexpr (degree.value == 1)
-        solve_vertices([&](const unsigned int vertex,
-                           const unsigned int field) {
-          return right[field][vertex + 1];
-        },
-                       set_value);
+        solve_vertices(
+          [&](const unsigned int vertex, const unsigned int field) {
+            return right[field][vertex + 1];
+          },
+          set_value);
       else
         {
           condense<degree.value>(right);
-          solve_vertices([&](const unsigned int vertex,
-                             const unsigned int field) {
-            return vertex_values[vertex * n_fields + field];
-          },
-                         set_value);
+          solve_vertices(
+            [&](const unsigned int vertex, const unsigned int field) {
+              return vertex_values[vertex * n_fields + field];
+            },
+            set_value);
           solve_inner_nodes<degree.value>(solution);
         }
     });

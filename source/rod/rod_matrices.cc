@@ -87,17 +87,17 @@ namespace ThermoContact
     /** Rows @p begin to @p end of @p n sums at once. */
     template <std::size_t n, bool has_base>
     void
-    set_linear_rows(const unsigned int                begin,
-                    const unsigned int                end,
-                    const std::array<LinearRow, n>   &rows,
-                    const double                      factor,
-                    const double *__restrict__        base,
-                    double *__restrict__              y)
+    set_linear_rows(const unsigned int              begin,
+                    const unsigned int              end,
+                    const std::array<LinearRow, n> &rows,
+                    const double                    factor,
+                    const double *__restrict__ base,
+                    double *__restrict__ y)
     {
       // constants of the loop, by name: else the compiler reads them each time
-      const LinearRow            a = rows[0];
-      const LinearRow            b = rows[n > 1 ? 1 : 0];
-      const LinearRow            c = rows[n > 2 ? 2 : 0];
+      const LinearRow a            = rows[0];
+      const LinearRow b            = rows[n > 1 ? 1 : 0];
+      const LinearRow c            = rows[n > 2 ? 2 : 0];
       const double *__restrict__ x = a.x;
       const double *__restrict__ v = b.x;
       const double *__restrict__ w = c.x;
@@ -135,8 +135,7 @@ namespace ThermoContact
           const double *const x = terms[k].vector;
           const double        f = terms[k].factor;
           rows[k]               = {f * a[1], f * a[3] + f * a[0], f * a[2], x};
-          y[run.begin] +=
-            f * a[0] * x[run.begin] + f * a[2] * x[run.begin + 1];
+          y[run.begin] += f * a[0] * x[run.begin] + f * a[2] * x[run.begin + 1];
           last += f * a[1] * x[run.end - 1] + f * a[3] * x[run.end];
         }
       set_linear_rows<n, has_base>(
@@ -154,15 +153,15 @@ namespace ThermoContact
               const std::array<Factors, n_terms> &terms,
               const double                        factor,
               const double                       *base,
-              double *__restrict__                y)
+              double *__restrict__ y)
     {
       const unsigned int p = fixed_degree > 0 ? fixed_degree : layout.degree;
       const unsigned int n = p + 1;
       for (unsigned int cell = run.begin; cell < run.end; ++cell)
         {
-          const unsigned int   left  = layout.left_vertex(cell);
-          const unsigned int   first = cell * p + 1;
-          double *__restrict__ rows  = y + first;
+          const unsigned int left   = layout.left_vertex(cell);
+          const unsigned int first  = cell * p + 1;
+          double *__restrict__ rows = y + first;
           if (base == nullptr)
             for (unsigned int i = 0; i < p; ++i)
               rows[i] = 0.;
@@ -189,9 +188,7 @@ namespace ThermoContact
     /** $\sum x\cdot Ax$ over the linear cells of a run. */
     template <typename Value>
     double
-    linear_form(const RodMatrices::Run &run,
-                const double           *a,
-                const Value            &x)
+    linear_form(const RodMatrices::Run &run, const double *a, const Value &x)
     {
       const double LL = a[0], LR_RL = a[1] + a[2], RR = a[3];
       double       sum = 0.;
@@ -214,8 +211,8 @@ namespace ThermoContact
                   const double           *a,
                   const Value            &x)
     {
-      const unsigned int p = fixed_degree > 0 ? fixed_degree : layout.degree;
-      const unsigned int n = p + 1;
+      const unsigned int p   = fixed_degree > 0 ? fixed_degree : layout.degree;
+      const unsigned int n   = p + 1;
       double             sum = 0.;
       for (unsigned int cell = run.begin; cell < run.end; ++cell)
         {

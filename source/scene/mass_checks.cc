@@ -56,10 +56,11 @@ namespace ThermoContact
                since(text("Mesh/Grading = ", parameters.mesh.grading)),
                "Mesh/Grading = 1: a wave passes all cells in the same time");
       if (scene.material.has_viscosity())
-        refuse(scene,
-               since(text("Model/Viscosity = ", parameters.model.viscosity)),
-               "Model/Viscosity = 0: no step is free of dispersion in a viscous "
-               "rod");
+        refuse(
+          scene,
+          since(text("Model/Viscosity = ", parameters.model.viscosity)),
+          "Model/Viscosity = 0: no step is free of dispersion in a viscous "
+          "rod");
       if (parameters.contact.massless_nodes == "on")
         refuse(scene,
                since("Contact/Massless nodes = on"),

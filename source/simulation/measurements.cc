@@ -18,8 +18,7 @@ namespace ThermoContact
       mid_weights = find_weights(0.5);
     if (body.scene.has_midpoint_mass)
       last_cell_weights =
-        find_weights(1. -
-                     0.5 * body.scene.parameters.mesh.contact_spacing());
+        find_weights(1. - 0.5 * body.scene.parameters.mesh.contact_spacing());
     if (!body.scene.fields.has_temperature)
       return;
     Vector ones(mean_weights);
@@ -57,8 +56,8 @@ namespace ThermoContact
   typename Measurements<dim>::Weights
   Measurements<dim>::find_weights(const double position) const
   {
-    const Discretization<dim> &space        = body.discretization;
-    const Point<dim>           point        = space.geometry().on_axis(position);
+    const Discretization<dim> &space = body.discretization;
+    const Point<dim>           point = space.geometry().on_axis(position);
     const MPI_Comm             communicator = space.communicator();
     const unsigned int         this_rank =
       Utilities::MPI::this_mpi_process(communicator);

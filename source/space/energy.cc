@@ -100,10 +100,10 @@ namespace ThermoContact
   {
     if (!discretization.has_field(Field::temperature))
       return 0.;
-    const double form = subtracted == nullptr ?
-                          map.form(vector, heat_product) :
-                          map.form_of_difference(
-                            vector, *subtracted, heat_scratch, heat_product);
+    const double form =
+      subtracted == nullptr ?
+        map.form(vector, heat_product) :
+        map.form_of_difference(vector, *subtracted, heat_scratch, heat_product);
     return form / discretization.geometry().cross_section();
   }
 
@@ -117,11 +117,12 @@ namespace ThermoContact
   {
     if (!discretization.has_field(Field::displacement))
       return 0.;
-    const double form =
-      subtracted == nullptr ?
-        map.form(vector, momentum_product) :
-        map.form_of_difference(
-          vector, *subtracted, momentum_scratch, momentum_product);
+    const double form = subtracted == nullptr ?
+                          map.form(vector, momentum_product) :
+                          map.form_of_difference(vector,
+                                                 *subtracted,
+                                                 momentum_scratch,
+                                                 momentum_product);
     return form / discretization.geometry().cross_section();
   }
 
@@ -249,14 +250,13 @@ namespace ThermoContact
   Energy<dim>::numerical_dissipation(const State &old_state,
                                      const State &state) const
   {
-    const double sum =
-      0.5 * heat_form(stage_operator.heat_mass(),
-                      state.temperature,
-                      &old_state.temperature) +
-      kinetic_energy(state.velocity, &old_state.velocity) +
-      0.5 * momentum_form(stage_operator.stiffness(),
-                          state.displacement,
-                          &old_state.displacement);
+    const double sum = 0.5 * heat_form(stage_operator.heat_mass(),
+                                       state.temperature,
+                                       &old_state.temperature) +
+                       kinetic_energy(state.velocity, &old_state.velocity) +
+                       0.5 * momentum_form(stage_operator.stiffness(),
+                                           state.displacement,
+                                           &old_state.displacement);
     return sum + contact_dissipation(old_state, state);
   }
 

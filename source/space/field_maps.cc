@@ -100,9 +100,9 @@ namespace ThermoContact
   template <int dim>
   FieldMaps
   make_field_maps(const Scene                   &scene,
-            const FieldMatrices<dim>      *matrices,
-            const RodMatrices             *rod,
-            const MatrixFreeOperator<dim> *products)
+                  const FieldMatrices<dim>      *matrices,
+                  const RodMatrices             *rod,
+                  const MatrixFreeOperator<dim> *products)
   {
     if (rod != nullptr)
       return make_maps(*rod);
@@ -114,10 +114,10 @@ namespace ThermoContact
 
 
 
-#define INSTANTIATE(dim)                                             \
-  template FieldMaps make_field_maps<dim>(const Scene &,             \
+#define INSTANTIATE(dim)                                              \
+  template FieldMaps make_field_maps<dim>(const Scene &,              \
                                           const FieldMatrices<dim> *, \
-                                          const RodMatrices *,       \
+                                          const RodMatrices *,        \
                                           const MatrixFreeOperator<dim> *)
 
   INSTANTIATE(1);

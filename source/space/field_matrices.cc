@@ -196,8 +196,7 @@ namespace ThermoContact
                                fe,
                                scene.has_midpoint_mass ?
                                                    midpoint_quadrature<dim>() :
-                                                   massless_quadrature<dim>(fe.degree,
-                                                        is_lumped),
+                                                   massless_quadrature<dim>(fe.degree, is_lumped),
                                flags);
     const AffineConstraints<double> unconstrained = no_constraints();
 
@@ -227,9 +226,8 @@ namespace ThermoContact
       if (cell->is_locally_owned())
         {
           const bool has_axial_rule =
-            scene.has_midpoint_mass ||
-            (scene.contact.has_massless_nodes &&
-             touches_contact_end<dim>(cell));
+            scene.has_midpoint_mass || (scene.contact.has_massless_nodes &&
+                                        touches_contact_end<dim>(cell));
           cell_mass = 0.;
           fe_values.reinit(cell);
           integrate(fe_values, [&](const unsigned int c) {

@@ -24,7 +24,8 @@ namespace ThermoContact
                   const unsigned int j) const
   {
     const std::size_t n = layout.nodes_per_cell();
-    return ((static_cast<std::size_t>(matrix) * layout.n_cells + cell) * n + j) *
+    return ((static_cast<std::size_t>(matrix) * layout.n_cells + cell) * n +
+            j) *
              n +
            i;
   }
@@ -109,6 +110,8 @@ namespace ThermoContact
       [this](const RodMatrices::Matrix matrix,
              const unsigned int        cell,
              const unsigned int        i,
-             const unsigned int j) { return values[place(matrix, cell, i, j)]; });
+             const unsigned int        j) {
+        return values[place(matrix, cell, i, j)];
+      });
   }
 } // namespace ThermoContact

@@ -100,10 +100,7 @@ namespace ThermoContact
     , has_own_viscous_stiffness(scene.has_elastic_contact_nodes())
     , matrices(make_matrices(scene, discretization))
     , matrix_free_(make_matrix_free(scene, discretization))
-    , maps(make_field_maps(scene,
-                           matrices.get(),
-                           rod(),
-                           matrix_free_.get()))
+    , maps(make_field_maps(scene, matrices.get(), rod(), matrix_free_.get()))
     , heat_scratch(discretization.make_vector(Field::temperature))
     , momentum_scratch(discretization.make_vector(Field::displacement))
   {}
@@ -263,13 +260,15 @@ namespace ThermoContact
                                                  Vector       &heat,
                                                  Vector       &momentum) const
   {
-    using Term = RodMatrices::Term;
+    using Term                  = RodMatrices::Term;
+    const RodMatrices &products = *rod();
     if (discretization.has_field(Field::temperature))
       {
-        rod()->combine<1>({{{-1., RodMatrices::conduction, known.temperature.begin()}}},
-                         1.,
-                         heat_load.begin(),
-                         heat.begin());
+        products.combine<1>(
+          {{{-1., RodMatrices::conduction, known.temperature.begin()}}},
+          1.,
+          heat_load.begin(),
+          heat.begin());
         zero_constrained(Field::temperature, heat);
       }
     if (!discretization.has_field(Field::displacement))
@@ -284,7 +283,7 @@ namespace ThermoContact
                           RodMatrices::thermal_stress,
                           known.temperature.begin()};
     const auto set     = [&](const auto &terms) {
-      rod()->combine(terms, tau, momentum_load.begin(), momentum.begin());
+      products.combine(terms, tau, momentum_load.begin(), momentum.begin());
     };
     if (material.has_inertia() && material.has_thermal_stress())
       set(std::array<Term, 3>{{elastic, inertia, thermal}});

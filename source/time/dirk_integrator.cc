@@ -79,7 +79,7 @@ namespace ThermoContact
     set_sum(known.velocity, state.velocity, rate_sums[2].data(), i);
     const StageRates *const last = i > 0 ? &stages[i - 1] : nullptr;
     known.time                   = state.time;
-    known.contact_pressure       = last ? last->pressure : state.contact_pressure;
+    known.contact_pressure = last ? last->pressure : state.contact_pressure;
     known.exchange_coefficient =
       last ? last->exchange_coefficient : state.exchange_coefficient;
   }

@@ -262,7 +262,7 @@ namespace ThermoContact
     rates.n_iterations = 0;
     if (old_penetration[0] <= 0. && free_position[0] <= 0.)
       return;
-    rates.pressure[0] = step_contact->pressure(old_penetration[0],
+    rates.pressure[0]  = step_contact->pressure(old_penetration[0],
                                                free_position[0],
                                                2. * solver->response()(0, 0));
     rates.n_iterations = 1;

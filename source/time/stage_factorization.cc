@@ -41,16 +41,16 @@ namespace ThermoContact
     using Block = RodFactors<1>::Block;
     const Block heat_block{{1., RodMatrices::heat_mass},
                            {tau_, RodMatrices::conduction}};
-    const Block momentum_block{
-      {material.inertia, RodMatrices::momentum_mass},
-      {tau_ * material.viscosity, RodMatrices::viscous_stiffness},
-      {tau_ * tau_, RodMatrices::stiffness}};
-    double growth = 0.;
+    const Block momentum_block{{material.inertia, RodMatrices::momentum_mass},
+                               {tau_ * material.viscosity,
+                                RodMatrices::viscous_stiffness},
+                               {tau_ * tau_, RodMatrices::stiffness}};
+    double      growth = 0.;
     if (stage_operator.is_coupled())
       {
         const Block heating{{material.heating, RodMatrices::divergence}};
-        const Block stress{
-          {-tau_ * tau_ * material.thermal_stress, RodMatrices::thermal_stress}};
+        const Block stress{{-tau_ * tau_ * material.thermal_stress,
+                            RodMatrices::thermal_stress}};
         rod_whole = std::make_unique<const RodFactors<2>>(
           matrices,
           RodFactors<2>::Blocks{

@@ -3,8 +3,8 @@
 // Products and factors of the matrices of a rod, no mesh.
 //
 // Rods of 1 to 9 cells and degrees 1 to 8, whose matrices are sums of random
-// cell matrices A^T A + I/2, of two kinds in turn by groups of cells, or one for
-// each cell; D is random and the thermal stress its transpose.
+// cell matrices A^T A + I/2, of two kinds in turn by groups of cells, or one
+// for each cell; D is random and the thermal stress its transpose.
 //
 // 1. Products, combinations and forms, against sums over full matrices: to
 //    rounding, 1e-12 of the sum of the absolute values of their terms.
@@ -12,10 +12,11 @@
 //    -t^2 a D^T, M_u + t z S_z + t^2 S], against the solution that was chosen:
 //    residual in the full matrix to 1e-12 of its terms, growth below 1e2, and
 //    solutions vanish at node 0.
-// 3. Blocks that grow, two cells of degree 1. By hand: cells [e - 1, 1; 1, 1] make
+// 3. Blocks that grow, two cells of degree 1. By hand: cells [e - 1, 1; 1, 1]
+// make
 //    rows [e 1; 1 1] of the two vertices, e = 1e-8: the first pivot takes 1/e =
-//    1e8 times the second from it. A pivot of 0 has infinite growth, and so has a
-//    cell of degree 2 whose inner node has the diagonal 0.
+//    1e8 times the second from it. A pivot of 0 has infinite growth, and so has
+//    a cell of degree 2 whose inner node has the diagonal 0.
 
 #include <thermocontact/rod/rod_factors.h>
 
@@ -102,7 +103,8 @@ namespace
         for (unsigned int m = 0; m < n_matrices; ++m)
           for (unsigned int i = 0; i < n; ++i)
             for (unsigned int j = 0; j < n; ++j)
-              rod.full[m](layout.node(c, i), layout.node(c, j)) += cell[m](i, j);
+              rod.full[m](layout.node(c, i), layout.node(c, j)) +=
+                cell[m](i, j);
       }
     return rod;
   }
@@ -117,7 +119,9 @@ namespace
                        [&](const RodMatrices::Matrix m,
                            const unsigned int        cell,
                            const unsigned int        i,
-                           const unsigned int j) { return rod.cells[cell][m](i, j); });
+                           const unsigned int        j) {
+                         return rod.cells[cell][m](i, j);
+                       });
   }
 
 
@@ -147,14 +151,15 @@ namespace
   {
     const unsigned int n     = rod.layout().n_nodes();
     double             error = 0.;
-    const Vector x = random_vector(n), y = random_vector(n),
+    const Vector       x = random_vector(n), y = random_vector(n),
                  z = random_vector(n), base = random_vector(n);
     Vector     one(n), two(n), three(n);
-    const auto term = [](const double factor, const unsigned int m, const Vector &v) {
-      return RodMatrices::Term{factor,
-                               static_cast<RodMatrices::Matrix>(m),
-                               v.data()};
-    };
+    const auto term =
+      [](const double factor, const unsigned int m, const Vector &v) {
+        return RodMatrices::Term{factor,
+                                 static_cast<RodMatrices::Matrix>(m),
+                                 v.data()};
+      };
     for (unsigned int m = 0; m < n_matrices; ++m)
       {
         const unsigned int next = (m + 1) % n_matrices;
@@ -210,17 +215,16 @@ namespace
   /** The same of the residual of a system, and its growth. */
   template <unsigned int n_fields>
   void
-  add_error_of_system(
-    const RodMatrices                                    &rod,
-    const std::vector<FullMatrix<double>>                &full,
-    const typename RodFactors<n_fields>::Blocks          &blocks,
-    double                                               &error,
-    double                                               &growth,
-    double                                               &value_at_fixed_end)
+  add_error_of_system(const RodMatrices                           &rod,
+                      const std::vector<FullMatrix<double>>       &full,
+                      const typename RodFactors<n_fields>::Blocks &blocks,
+                      double                                      &error,
+                      double                                      &growth,
+                      double &value_at_fixed_end)
   {
-    const unsigned int           n = rod.layout().n_nodes();
-    const RodFactors<n_fields>   factors(rod, blocks);
-    std::array<Vector, n_fields> b, x;
+    const unsigned int                      n = rod.layout().n_nodes();
+    const RodFactors<n_fields>              factors(rod, blocks);
+    std::array<Vector, n_fields>            b, x;
     typename RodFactors<n_fields>::Right    right;
     typename RodFactors<n_fields>::Solution solution;
     for (unsigned int k = 0; k < n_fields; ++k)
@@ -256,15 +260,15 @@ namespace
       for (unsigned int n_cells = 1; n_cells <= 9; ++n_cells)
         for (const unsigned int group : {1, 2, 5})
           {
-            const RodLayout layout{n_cells, degree};
+            const RodLayout   layout{n_cells, degree};
             const Rod         random = random_rod(layout, group);
             const Matrices   &full   = random.full;
             const RodMatrices rod    = make(layout, random);
             raise(products, error_of_products(rod, full));
 
-            const double                 t = 0.4, a = 0.3, z = 0.2;
+            const double               t = 0.4, a = 0.3, z = 0.2;
             const RodFactors<1>::Block heat{{1., RodMatrices::heat_mass},
-                                              {t, RodMatrices::conduction}};
+                                            {t, RodMatrices::conduction}};
             const RodFactors<1>::Block momentum{
               {1., RodMatrices::momentum_mass},
               {t * z, RodMatrices::viscous_stiffness},

@@ -6,15 +6,16 @@
 //      open, -1 to -0.5:      p = 0
 //      closed from 1, free 3: s = (3 - 1)/2 = 1, p = (1 + 1)/2 = 1
 //      closes from 0, free 4: s = 4/2 = 2, p = s/2 = 1
-//      closes from -1, free 3.5: 2 s^2 - 2.5 s - 3.5 = 0, s = (2.5 + sqrt(34.25))
+//      closes from -1, free 3.5: 2 s^2 - 2.5 s - 3.5 = 0, s = (2.5 +
+//      sqrt(34.25))
 //        /4 = 2.0880875, p = (3.5 - s)/2 = 0.70595625
 //      opens from 1, free -2: s^2 + s - 3 = 0, s = -(1 + sqrt(13))/2 =
 //        -2.3027756, p = (-2 - s)/2 = 0.15138782
 //    The law at the end: eps = 1e-3, chi = 2, h = 1, free 2.001: p = 1;
 //    rigid, free 3: 1.5; free -1: 0.
 // 2. 10^4 random steps, compliances from 1e-3 to 10, chi from 1e-3 to 10: s =
-//    s_free - chi p, and p (s - s_0) = [s]_+^2/2eps - [s_0]_+^2/2eps to 1e-12 of
-//    the largest of these terms; p >= 0.
+//    s_free - chi p, and p (s - s_0) = [s]_+^2/2eps - [s_0]_+^2/2eps to 1e-12
+//    of the largest of these terms; p >= 0.
 // 3. Which: the discrete gradient for eps >= h/2.
 
 #include <thermocontact/method/step_contact.h>
@@ -69,16 +70,16 @@ namespace
         const double      s_0 = value(generator), s_free = value(generator);
         const auto        law = make_law(eps);
         const StepContact contact(*law, eps);
-        const double      p = contact.pressure(s_0, s_free, chi);
-        const double      s = s_free - chi * p;
+        const double      p      = contact.pressure(s_0, s_free, chi);
+        const double      s      = s_free - chi * p;
         const auto        energy = [&](const double x) {
           return 0.5 * std::max(x, 0.) * std::max(x, 0.) / eps;
         };
         smallest = std::min(smallest, p);
         raise(error,
               std::abs(p * (s - s_0) - energy(s) + energy(s_0)) /
-                (std::abs(p) * (std::abs(s_free) + chi * std::abs(p) +
-                                std::abs(s_0)) +
+                (std::abs(p) *
+                   (std::abs(s_free) + chi * std::abs(p) + std::abs(s_0)) +
                  energy(s) + energy(s_0) + 1e-300));
       }
     deallog << "gradient to 1e-12 " << (error <= 1e-12) << ", p at least "

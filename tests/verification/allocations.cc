@@ -28,14 +28,11 @@ namespace
 
 extern "C"
 {
-  void *
-  __libc_malloc(std::size_t);
-  void *
-  __libc_calloc(std::size_t, std::size_t);
-  void *
+  void *__libc_malloc(std::size_t);
+  void *__libc_calloc(std::size_t, std::size_t);
+  void       *
   __libc_realloc(void *, std::size_t);
-  void *
-  __libc_memalign(std::size_t, std::size_t);
+  void *__libc_memalign(std::size_t, std::size_t);
 
   void *
   malloc(std::size_t size)
@@ -83,14 +80,14 @@ namespace
         const std::string              &file,
         const std::vector<std::string> &overrides)
   {
-    Simulation<1>  simulation(read_parameters(file, overrides), MPI_COMM_SELF);
-    unsigned long  before = 0, total = 0;
-    unsigned int   n_events = 0, n_factorizations = 0, n_responses = 0;
-    unsigned int   n_steps = 0, n_counted = 0;
-    bool           is_after_event = true; // and the first one
-    const auto     observe        = [&](const Simulation<1> &s) {
-      const unsigned long  now      = n_allocations;
-      const SolverCounters counters = s.counters();
+    Simulation<1> simulation(read_parameters(file, overrides), MPI_COMM_SELF);
+    unsigned long before = 0, total = 0;
+    unsigned int  n_events = 0, n_factorizations = 0, n_responses = 0;
+    unsigned int  n_steps = 0, n_counted = 0;
+    bool          is_after_event = true; // and the first one
+    const auto    observe        = [&](const Simulation<1> &s) {
+      const unsigned long  now       = n_allocations;
+      const SolverCounters counters  = s.counters();
       const bool           has_event = s.events().size() != n_events;
       if (s.record().step > 0)
         {
@@ -110,8 +107,9 @@ namespace
       before           = n_allocations;
     };
     simulation.run({observe});
-    deallog << name << ": half of the steps count " << (2 * n_counted >= n_steps)
-            << ", allocations " << total << std::endl;
+    deallog << name << ": half of the steps count "
+            << (2 * n_counted >= n_steps) << ", allocations " << total
+            << std::endl;
     if (std::getenv("VERBOSE"))
       std::cerr << name << ' ' << n_steps << ' ' << n_counted << ' ' << total
                 << std::endl;
@@ -127,7 +125,7 @@ main(int argc, char **argv)
   initlog();
   {
     // the allocator is replaced
-    const unsigned long before = n_allocations;
+    const unsigned long       before = n_allocations;
     const std::vector<double> memory(1000);
     deallog << "a vector: allocations " << n_allocations - before << std::endl;
   }

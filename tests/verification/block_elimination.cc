@@ -7,10 +7,10 @@
 // energy's terms, for the balances), whatever the scheme, the fields, the
 // degree, the mesh, the law, the mass.
 //
-// With error-controlled steps rounding moves the events, and with them the steps
-// that follow, by 1e-13 of a time: columns are as smooth as the velocity of the
-// contact node there, so that fixed steps are compared, and one run up to its
-// first event.
+// With error-controlled steps rounding moves the events, and with them the
+// steps that follow, by 1e-13 of a time: columns are as smooth as the velocity
+// of the contact node there, so that fixed steps are compared, and one run up
+// to its first event.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -37,7 +37,7 @@ namespace
       std::string             &name)
   {
     overrides.push_back("Solver/Linear solver=" + solver);
-    Simulation<1>    simulation(read_parameters(file, overrides), MPI_COMM_SELF);
+    Simulation<1> simulation(read_parameters(file, overrides), MPI_COMM_SELF);
     std::vector<Row> rows;
     simulation.run({[&](const Simulation<1> &s) {
       rows.push_back(all_columns(s.record()));
@@ -67,8 +67,7 @@ namespace
               largest = std::max(largest, std::abs(direct[i][column]));
               if (column > energy && column < 17 && column != 15)
                 largest = std::max(largest, std::abs(direct[i][energy]));
-              raise(difference,
-                    std::abs(rows[i][column] - direct[i][column]));
+              raise(difference, std::abs(rows[i][column] - direct[i][column]));
             }
         if (difference > 0.)
           raise(error, difference / largest);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Elastic impact without dispersion: Mesh/Mass matrix = midpoint, Time/Scheme =
-// energy conserving, dt = h sqrt(b). The rod starts with u_1 = 20 x (x - 1)^2 at
-// g = 0.1, to T = 3 sqrt(b), past the return of the wave that the impact makes.
+// energy conserving, dt = h sqrt(b). The rod starts with u_1 = 20 x (x - 1)^2
+// at g = 0.1, to T = 3 sqrt(b), past the return of the wave that the impact
+// makes.
 //
 // With s = t/sqrt(b), u = sqrt(b) U, G = g/sqrt(b), d'Alembert says of the end
 // U' = V - P, P = [U - G]_+/eps or the pressure that holds U = G, with
@@ -16,7 +17,8 @@
 // one U = G until s = 1. Then the rod is free, U' = V, and from s = 2 on
 // U(s) = U(2) + A(s - 2) - 2 U(s - 2).
 //
-// 1. u(1) at all step ends, 200 cells: error at most 2e-4 (a prototype in numpy:
+// 1. u(1) at all step ends, 200 cells: error at most 2e-4 (a prototype in
+// numpy:
 //    at most 1.1e-4), and its order from 200 to 400 cells at least 1.8; b =
 //    0.01, 1, 4; eps = 0.1, 0.01, 1e-6 and rigid.
 // 2. The pressure is the discrete gradient where eps >= h/2: the energy is that
@@ -48,9 +50,9 @@ namespace
       : gap(gap)
       , compliance(compliance)
       , first(root(0., 1., [&](const double s) { return area(s) - gap; }))
-      , last(compliance == 0. ?
-               1. :
-               root(1., 2., [&](const double s) { return -late(s); }))
+      , last(compliance == 0. ? 1. : root(1., 2., [&](const double s) {
+        return -late(s);
+      }))
     {}
 
     double
@@ -111,9 +113,8 @@ namespace
     double
     late(const double s) const
     {
-      return particular(2. - s, -1.) +
-             (early(1.) - particular(1., -1.)) *
-               std::exp(-(s - 1.) / compliance);
+      return particular(2. - s, -1.) + (early(1.) - particular(1., -1.)) *
+                                         std::exp(-(s - 1.) / compliance);
     }
   };
 
@@ -121,10 +122,10 @@ namespace
 
   struct Result
   {
-    double       error     = 0.; ///< of u(1)
-    double       change    = 0.; ///< of the energy, relative
-    double       growth    = 0.; ///< of it in a step
-    double       imbalance = 0.;
+    double       error      = 0.; ///< of u(1)
+    double       change     = 0.; ///< of the energy, relative
+    double       growth     = 0.; ///< of it in a step
+    double       imbalance  = 0.;
     unsigned int n_warnings = 0;
   };
 
@@ -195,17 +196,18 @@ namespace
   void
   check(const double inertia, const double compliance)
   {
-    const Result coarse = run(100, inertia, compliance);
-    const Result middle = run(200, inertia, compliance);
-    const Result fine   = run(400, inertia, compliance);
-    const double order  = std::log2(middle.error / fine.error);
+    const Result coarse      = run(100, inertia, compliance);
+    const Result middle      = run(200, inertia, compliance);
+    const Result fine        = run(400, inertia, compliance);
+    const double order       = std::log2(middle.error / fine.error);
     const bool   is_gradient = compliance >= 0.5 / 100.;
     double       energy      = 0.;
     for (const Result &result : {coarse, middle, fine})
       raise(energy, is_gradient ? result.change : result.growth);
     deallog << "b = " << inertia << ", compliance " << compliance
             << ": u(1) to 2e-4 " << (middle.error <= 2e-4) << ", order 1.8 "
-            << (order >= 1.8) << (is_gradient ? ", energy kept " : ", no growth ")
+            << (order >= 1.8)
+            << (is_gradient ? ", energy kept " : ", no growth ")
             << (energy <= 1e-12) << ", warnings " << middle.n_warnings
             << std::endl;
     if (std::getenv("VERBOSE"))

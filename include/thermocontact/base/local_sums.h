@@ -27,9 +27,9 @@ namespace ThermoContact
   {
     template <unsigned int n>
     void
-    set_local_sum(double         *y,
-                  const double   *base,
-                  const Multiple *multiples,
+    set_local_sum(double            *y,
+                  const double      *base,
+                  const Multiple    *multiples,
                   const unsigned int size)
     {
       std::array<double, n>         factors;
@@ -86,10 +86,7 @@ namespace ThermoContact
 
   /** @p y $=$ @p base $+$ @p factor @p x. */
   inline void
-  set_sum(Vector       &y,
-          const Vector &base,
-          const double  factor,
-          const Vector &x)
+  set_sum(Vector &y, const Vector &base, const double factor, const Vector &x)
   {
     const Multiple multiple = {factor, &x};
     set_sum(y, base, &multiple, 1);

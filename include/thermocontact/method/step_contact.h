@@ -24,9 +24,10 @@ namespace ThermoContact
 
     /**
      * True if the pressure is the discrete gradient of the potential
-     * $[s]_+^2/2\varepsilon$, which conserves energy: $\varepsilon\ge h/2$, from
-     * where on the mesh follows the obstacle without overshooting. Else the
-     * pressure is that of the law at the end of the step, which takes energy.
+     * $[s]_+^2/2\varepsilon$, which conserves energy: $\varepsilon\ge h/2$,
+     * from where on the mesh follows the obstacle without overshooting. Else
+     * the pressure is that of the law at the end of the step, which takes
+     * energy.
      */
     bool
     conserves_energy() const

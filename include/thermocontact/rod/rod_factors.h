@@ -26,8 +26,7 @@ namespace ThermoContact
   {
   public:
     /** A block of the system, as a sum of matrices. */
-    using Block =
-      std::vector<std::pair<double, RodMatrices::Matrix>>;
+    using Block  = std::vector<std::pair<double, RodMatrices::Matrix>>;
     using Blocks = std::array<std::array<Block, n_fields>, n_fields>;
 
     /** Arrays of all nodes, one for each field. */
@@ -60,8 +59,8 @@ namespace ThermoContact
     /** What a vertex needs in both sweeps. */
     struct Vertex
     {
-      Small elimination; ///< times the neighbour that is eliminated before
-      Small inverse;     ///< of its own block
+      Small elimination;  ///< times the neighbour that is eliminated before
+      Small inverse;      ///< of its own block
       Small substitution; ///< times the neighbour that is known before
     };
 
@@ -69,22 +68,22 @@ namespace ThermoContact
     struct Cell
     {
       std::vector<double> system; ///< by columns: both vertices, inner nodes
-      std::vector<double> inner_inverse;    ///< by columns
+      std::vector<double> inner_inverse;     ///< by columns
       std::vector<double> vertices_to_inner; ///< by columns
       std::vector<double> inner_to_vertices; ///< by rows
       std::vector<double> vertices; ///< by columns, inner nodes eliminated
     };
 
-    const RodLayout                    layout;
+    const RodLayout                     layout;
     const std::vector<RodMatrices::Run> runs;
-    const unsigned int                 n_inner; ///< unknowns of a cell
-    const unsigned int                 middle;  ///< vertex that is last
-    std::vector<Cell>                  cells;   ///< one for each run
-    std::vector<Vertex>                vertices;
-    Small                              from_left, from_right;
-    mutable std::vector<double>        vertex_values;
-    mutable std::vector<double>        inner_values;
-    double                             growth_;
+    const unsigned int                  n_inner; ///< unknowns of a cell
+    const unsigned int                  middle;  ///< vertex that is last
+    std::vector<Cell>                   cells;   ///< one for each run
+    std::vector<Vertex>                 vertices;
+    Small                               from_left, from_right;
+    mutable std::vector<double>         vertex_values;
+    mutable std::vector<double>         inner_values;
+    double                              growth_;
 
     void
     eliminate_inner_nodes(Cell &cell);

@@ -122,7 +122,7 @@ namespace ThermoContact
     double
     form_of_difference(const Matrix  matrix,
                        const double *x,
-                             const double *y) const;
+                       const double *y) const;
 
     /** Cells with the same entries. */
     struct Run

@@ -104,9 +104,9 @@ namespace ThermoContact
     Weights mid_weights; ///< of the middle of the body
 
     /** Of the middle of the last cell, where nodes do not have the velocity. */
-    Weights last_cell_weights;
-    Vector                                       mean_weights;
-    std::vector<double>                          contact_values;
+    Weights             last_cell_weights;
+    Vector              mean_weights;
+    std::vector<double> contact_values;
 
     /** Of the axial displacement at @p position on the axis. Collective. */
     Weights

@@ -27,10 +27,10 @@ namespace ThermoContact
   midpoint_quadrature();
 
   /**
-   * The same as mass_quadrature() across the body, and along it the interpolatory rule on the nodes
-   * off the contact end $x=1$ of a cell that touches it: exact for polynomials
-   * of degree p - 1, it leaves the contact nodes without mass and keeps the
-   * mass of the cell, doc/model.md (M.36).
+   * The same as mass_quadrature() across the body, and along it the
+   * interpolatory rule on the nodes off the contact end $x=1$ of a cell that
+   * touches it: exact for polynomials of degree p - 1, it leaves the contact
+   * nodes without mass and keeps the mass of the cell, doc/model.md (M.36).
    */
   template <int dim>
   Quadrature<dim>
