@@ -134,7 +134,7 @@ namespace ThermoContact
       {"dofs", space.n_temperature_dofs() + space.n_displacement_dofs()},
       {"factorized_unknowns", simulation.n_factorized_unknowns()},
       {"scheme", simulation.scene().scheme.name},
-      {"linear_solver", simulation.scene().linear_solver.name()},
+      {"linear_solver", simulation.linear_solver()},
       {"steps", record.step},
       {"rejected_steps", simulation.history().n_rejected_steps},
       {"factorizations", counters.factorizations},

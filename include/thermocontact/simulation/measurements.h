@@ -99,12 +99,22 @@ namespace ThermoContact
     Body<dim> &body;
 
     /** Position in the local vector and weight; empty on other ranks. */
-    std::vector<std::pair<unsigned int, double>> mid_weights;
-    Vector                                       mean_weights;
-    std::vector<double>                          contact_values;
+    using Weights = std::vector<std::pair<unsigned int, double>>;
 
-    void
-    find_mid_point();
+    Weights mid_weights; ///< of the middle of the body
+
+    /** Of the middle of the last cell, where nodes do not have the velocity. */
+    Weights             last_cell_weights;
+    Vector              mean_weights;
+    std::vector<double> contact_values;
+
+    /** Of the axial displacement at @p position on the axis. Collective. */
+    Weights
+    find_weights(const double position) const;
+
+    /** What they weigh, on all ranks. */
+    double
+    value(const Weights &weights, const Vector &vector) const;
 
     /** Weights of the displacements of a cell in that at @p point. */
     std::vector<std::pair<types::global_dof_index, double>>

@@ -126,6 +126,13 @@ namespace ThermoContact
       return integrator->stage_solver().n_factorized_unknowns();
     }
 
+    /** How linear systems of stages are solved, in one word or two. */
+    std::string
+    linear_solver() const
+    {
+      return integrator->stage_solver().linear_solver();
+    }
+
     const Scene &
     scene() const
     {

@@ -42,6 +42,12 @@ namespace ThermoContact
                    ContactMode   mode,
                    StageRates   &rates);
 
+    std::string
+    linear_solver() const override
+    {
+      return "iterative";
+    }
+
     /**
      * The velocity of a body without inertia that does not move nodes in
      * contact into a rigid obstacle, times $\zeta/(\zeta+1)$, and pressures

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ThermoContact
@@ -167,6 +168,20 @@ namespace ThermoContact
     virtual types::global_dof_index
     n_factorized_unknowns() const = 0;
 
+    /** How linear systems are solved, in one word or two. */
+    virtual std::string
+    linear_solver() const
+    {
+      return "direct";
+    }
+
+    /** What the user is to know of the stages since the last call. */
+    std::vector<std::string>
+    take_warnings()
+    {
+      return std::exchange(warnings, {});
+    }
+
     const SolverCounters &
     counters() const
     {
@@ -185,7 +200,8 @@ namespace ThermoContact
     restore(const RetainedFactorizations &retained) = 0;
 
   protected:
-    SolverCounters counters_;
+    SolverCounters           counters_;
+    std::vector<std::string> warnings;
   };
 
 
