@@ -165,9 +165,9 @@ namespace ThermoContact
     const double tau   = tableau.gamma() * time_step.size;
     const bool   holds = holds_closing_nodes(mode);
 
-    result.work = result.dissipation = result.impulse = 0.;
-    result.n_iterations                               = 0;
-    result.is_prescribed                              = false;
+    result.work = result.dissipation = result.algebraic = result.impulse = 0.;
+    result.n_iterations                                                  = 0;
+    result.is_prescribed                                                 = false;
     for (unsigned int i = 0; i < tableau.n_stages(); ++i)
       {
         const bool   is_last = i + 1 == tableau.n_stages();
@@ -199,6 +199,8 @@ namespace ThermoContact
         known.exchange_coefficient = stage.exchange_coefficient;
         known.temperature.add(tau, stage.temperature_rate);
         known.displacement.add(tau, stage.velocity);
+        result.algebraic +=
+          tableau.b()[i] * time_step.size * stage.algebraic_power;
         book(known, tableau.b()[i] * time_step.size, result);
       }
     result.state = known;
@@ -209,7 +211,8 @@ namespace ThermoContact
     result.numerical_dissipation =
       tableau.n_stages() == 1 ?
         body.energy.numerical_dissipation(state, result.state) :
-        old_energy - result.energy.sum() + result.work - result.dissipation;
+        old_energy - result.energy.sum() + result.work -
+          result.dissipation + result.algebraic;
   }
 
 
@@ -284,7 +287,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < penetration.size(); ++i)
       result.state.contact_pressure[i] = body.law().pressure(penetration[i]);
 
-    result.work = result.dissipation = result.impulse = 0.;
+    result.work = result.dissipation = result.algebraic = result.impulse = 0.;
     book(result.state, tau, result);
     result.energy                = body.energy.energy(result.state);
     result.numerical_dissipation = body.energy.energy(state).sum() -

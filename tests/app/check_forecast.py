@@ -70,7 +70,7 @@ elif expected[1].startswith("about"):
     print("steps within a factor of 2:",
           verdict(0.5 < predicted / steps < 2, (predicted, steps)))
 else:
-    snapshots = len(list(directory.glob("fields/*.vtu")))
+    snapshots = len(list(directory.glob("fields/fields-*.vtu")))
     known = re.match(r"(\d+) steps; contact.csv: (\d+) rows, .*?"
                      r"(?:; fields: (\d+) snapshots, .*)?$", expected[1])
     known = [int(number or 0) for number in known.groups()]

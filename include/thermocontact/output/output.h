@@ -3,6 +3,7 @@
 #ifndef thermocontact_output_output_h
 #define thermocontact_output_output_h
 
+#include <thermocontact/base/csv_columns.h>
 #include <thermocontact/base/table_file.h>
 #include <thermocontact/output/field_output.h>
 #include <thermocontact/output/probe_output.h>
@@ -102,6 +103,7 @@ namespace ThermoContact
     const double           end_time;
     const MPI_Comm         communicator;
     const bool             is_writer;
+    const CsvColumns<StepRecord> &columns; ///< of contact.csv
     FieldOutput<dim>       field_output;
     Timer                  field_timer;
     Timer                  since_flush;

@@ -69,6 +69,12 @@ namespace ThermoContact
                const bool                 only_the_first,
                std::vector<bool>         &is_active) const;
 
+    /** (M.64) of the stage that was solved last. */
+    double
+    algebraic_power(const State               &known,
+                    const double               tau,
+                    const std::vector<double> &pressure) const;
+
     void
     solve_prepared(const State      &known,
                    const ContactMode mode,

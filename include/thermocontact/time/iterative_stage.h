@@ -78,6 +78,13 @@ namespace ThermoContact
       return solution.block(field);
     }
 
+    /** What is left of the rows (M.50), without contact. */
+    const Vector &
+    unsolved(const Field::Block field) const
+    {
+      return residual.block(field);
+    }
+
     const MultigridLevels<dim> &
     multigrid_levels() const
     {
