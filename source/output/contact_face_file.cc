@@ -93,6 +93,7 @@ namespace ThermoContact
         auto &patch          = patches[c];
         patch.patch_index    = c;
         patch.n_subdivisions = 1;
+        patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
         patch.data.reinit(values.size(), n_corners);
         for (unsigned int i = 0; i < n_corners; ++i)
           {

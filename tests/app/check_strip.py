@@ -30,7 +30,9 @@ SINGLE = 2e-5
 FIELDS = ("temperature", "displacement", "velocity", "stress")
 EXEMPT = {("contact.csv/iterations", way) for way in
           ("one row late", "one row early", "zero in the last row")} | {
-              ("events.csv/velocity", "times 1.001")}
+              ("events.csv/velocity", "times 1.001"),
+              # a thousandth of 1e-11 of the energy is rounding
+              ("contact.csv/algebraic", "times 1.001")}
 check = Checks()
 
 
