@@ -111,14 +111,12 @@ namespace ThermoContact
       unsigned int rank =
         is_same ? Utilities::MPI::this_mpi_process(communicator) : 0;
       const unsigned int end = is_same ? rank + 1 : n_ranks;
-      simulation.restore(checkpoint.progress,
-                         n_ranks,
-                         [&](std::string &nodes) {
-                           if (rank == end)
-                             return false;
-                           nodes = read_nodes(checkpoint, rank++);
-                           return true;
-                         });
+      simulation.restore(checkpoint.progress, n_ranks, [&](std::string &nodes) {
+        if (rank == end)
+          return false;
+        nodes = read_nodes(checkpoint, rank++);
+        return true;
+      });
     }
 
 
@@ -258,8 +256,8 @@ namespace ThermoContact
   {
     const MPI_Comm communicator =
       DimensionTraits<dim>::communicator(MPI_COMM_WORLD);
-    const std::string directory    = output_directory(parameters, command);
-    const auto        entries      = entry_values(prm);
+    const std::string directory = output_directory(parameters, command);
+    const auto        entries   = entry_values(prm);
 
     std::optional<DirectoryLock> lock;
     std::optional<Checkpoint>    checkpoint;

@@ -46,7 +46,8 @@ namespace ThermoContact
 
 
 
-    /** One file of the contact face; a cell between nodes has its own points. */
+    /** One file of the contact face; a cell between nodes has its own points.
+     */
     double
     contact_face_bytes(const Parameters &parameters)
     {

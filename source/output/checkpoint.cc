@@ -86,9 +86,8 @@ namespace ThermoContact
                                        access(path.c_str(), F_OK) == 0))
           continue;
         std::string fault;
-        Checkpoint  checkpoint =
-          read_checkpoint_file(path, fault, communicator);
-        checkpoint.warning = faults;
+        Checkpoint checkpoint = read_checkpoint_file(path, fault, communicator);
+        checkpoint.warning    = faults;
         if (fault.empty())
           return checkpoint;
         faults += path + ": " + fault + "\n  ";

@@ -82,9 +82,9 @@ namespace ThermoContact
         0)
       return "";
 
-    const auto         &nodes     = body.contact_end().nodes();
-    const auto          corners   = contact_face_corners(nodes);
-    constexpr auto      n_corners = GeometryInfo<dim - 1>::vertices_per_cell;
+    const auto    &nodes     = body.contact_end().nodes();
+    const auto     corners   = contact_face_corners(nodes);
+    constexpr auto n_corners = GeometryInfo<dim - 1>::vertices_per_cell;
     constexpr std::array<unsigned int, 4> order = {{0, 1, 3, 2}}; // not VTK's
     std::vector<DataOutBase::Patch<dim - 1, dim>> patches(corners.size() /
                                                           n_corners);

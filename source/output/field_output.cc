@@ -212,8 +212,8 @@ namespace ThermoContact
     : directory(directory)
     , body(body)
     , discretization(body.discretization)
-    , is_writer(Utilities::MPI::this_mpi_process(
-                  discretization.communicator()) == 0)
+    , is_writer(
+        Utilities::MPI::this_mpi_process(discretization.communicator()) == 0)
     , fields(directory, "fields")
   {
     if (dim > 1 && body.law().is_active())
@@ -329,8 +329,7 @@ namespace ThermoContact
       write(directory + "/obstacle.vtu", obstacle_file(body.contact_end()));
     if constexpr (dim > 1)
       if (contact_face)
-        write(contact_face->next_path(),
-              contact_face_file(body, state, flags));
+        write(contact_face->next_path(), contact_face_file(body, state, flags));
     for (SnapshotSeries *series : all_series())
       {
         series->add(state.time);

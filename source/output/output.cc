@@ -55,11 +55,7 @@ namespace ThermoContact
     field_timer.reset();
     const std::string   &title = simulation.parameters().title;
     const OutputProgress sizes = progress ? *progress : OutputProgress();
-    open(columns,
-         contact_file,
-         "contact.csv",
-         title,
-         sizes.contact_size);
+    open(columns, contact_file, "contact.csv", title, sizes.contact_size);
     open(event_columns(), events_file, "events.csv", title, sizes.events_size);
     if (has_attempts)
       open(attempt_columns(), steps_file, "steps.csv", title, sizes.steps_size);

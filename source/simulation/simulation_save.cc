@@ -51,12 +51,12 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Simulation<dim>::restore(const std::string                  &progress,
-                           const unsigned int                  n_ranks,
+  Simulation<dim>::restore(const std::string                        &progress,
+                           const unsigned int                        n_ranks,
                            const std::function<bool(std::string &)> &next_nodes)
   {
-    const MPI_Comm     communicator = discretization().communicator();
-    const unsigned int n = Utilities::MPI::n_mpi_processes(communicator);
+    const MPI_Comm         communicator = discretization().communicator();
+    const unsigned int     n = Utilities::MPI::n_mpi_processes(communicator);
     RetainedFactorizations retained;
     SolverCounters         of_integrator, of_tracker;
     std::string            fault;
@@ -106,11 +106,11 @@ namespace ThermoContact
 
 
 
-#define INSTANTIATE(dim)                                   \
-  template SavedRun Simulation<dim>::save() const;         \
-  template void     Simulation<dim>::restore(              \
-    const std::string &,                               \
-    const unsigned int,                                \
+#define INSTANTIATE(dim)                           \
+  template SavedRun Simulation<dim>::save() const; \
+  template void     Simulation<dim>::restore(      \
+    const std::string &,                       \
+    const unsigned int,                        \
     const std::function<bool(std::string &)> &)
 
   INSTANTIATE(1);

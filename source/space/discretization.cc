@@ -20,8 +20,7 @@
 namespace ThermoContact
 {
   template <int dim>
-  Discretization<dim>::Discretization(const Scene   &scene,
-                                      const MPI_Comm all)
+  Discretization<dim>::Discretization(const Scene &scene, const MPI_Comm all)
     : communicator_(DimensionTraits<dim>::communicator(all))
     , geometry_(scene)
     , triangulation(DimensionTraits<dim>::make_triangulation(communicator_))

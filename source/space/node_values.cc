@@ -60,12 +60,12 @@ namespace ThermoContact
             cell = parent;
           }
         for (unsigned int d = 0; d < dim; ++d)
-          result[d] |= static_cast<std::uint64_t>(
-                         std::lower_bound(corners[d].begin(),
-                                          corners[d].end(),
-                                          cell->vertex(0)[d]) -
-                         corners[d].begin())
-                       << n_refinements;
+          result[d] |=
+            static_cast<std::uint64_t>(std::lower_bound(corners[d].begin(),
+                                                        corners[d].end(),
+                                                        cell->vertex(0)[d]) -
+                                       corners[d].begin())
+            << n_refinements;
         return result;
       }
 
@@ -83,8 +83,8 @@ namespace ThermoContact
     , has_displacement(discretization.has_field(Field::displacement))
     , n_values((has_temperature ? 1 : 0) + (has_displacement ? 2 * dim : 0))
   {
-    const FiniteElement<dim> &fe     = discretization.finite_element();
-    const unsigned int        degree = discretization.degree();
+    const FiniteElement<dim>       &fe     = discretization.finite_element();
+    const unsigned int              degree = discretization.degree();
     const std::vector<unsigned int> place_of_node =
       FETools::hierarchic_to_lexicographic_numbering<dim>(degree);
     const Triangulation<dim> &mesh =

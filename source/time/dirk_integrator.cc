@@ -167,7 +167,7 @@ namespace ThermoContact
 
     result.work = result.dissipation = result.algebraic = result.impulse = 0.;
     result.n_iterations                                                  = 0;
-    result.is_prescribed                                                 = false;
+    result.is_prescribed = false;
     for (unsigned int i = 0; i < tableau.n_stages(); ++i)
       {
         const bool   is_last = i + 1 == tableau.n_stages();
@@ -193,14 +193,14 @@ namespace ThermoContact
             accelerations[i].add(-1., known.velocity);
             accelerations[i] /= tau;
           }
+        result.algebraic +=
+          tableau.b()[i] * time_step.size * stage.algebraic_power;
         known.time                 = time;
         known.velocity             = stage.velocity;
         known.contact_pressure     = stage.pressure;
         known.exchange_coefficient = stage.exchange_coefficient;
         known.temperature.add(tau, stage.temperature_rate);
         known.displacement.add(tau, stage.velocity);
-        result.algebraic +=
-          tableau.b()[i] * time_step.size * stage.algebraic_power;
         book(known, tableau.b()[i] * time_step.size, result);
       }
     result.state = known;
@@ -211,8 +211,8 @@ namespace ThermoContact
     result.numerical_dissipation =
       tableau.n_stages() == 1 ?
         body.energy.numerical_dissipation(state, result.state) :
-        old_energy - result.energy.sum() + result.work -
-          result.dissipation + result.algebraic;
+        old_energy - result.energy.sum() + result.work - result.dissipation +
+          result.algebraic;
   }
 
 

@@ -9,8 +9,10 @@ For each time of contact.pvd, which are those of fields.pvd: max_pressure, min_g
 contact_area are sums of the pressure and of in_contact with the weights of the nodes,
 integrals of their Gauss-Lobatto polynomials, products of those along y and along z; the
 temperature is that of the fields at the points that both have, the corners of the cells.
-The places are those of the nodes, on x = 1. Single precision: 1e-6.
+The places are those of the nodes, on x = 1. Single precision: 1e-6. And the forecast of
+their size.
 """
+import re
 import sys
 from pathlib import Path
 
@@ -76,6 +78,16 @@ def check_face(run, time, face, body, row):
             yield f"temperature at t = {time}"
 
 
+def check_forecast(run, n_files):
+    """The size of the files, which the log says before the run, within a factor of 1.5."""
+    match = re.search(r"; contact face: as many, about (\S+) (B|kB|MB)", run.log)
+    if not n_files or not match:
+        return [] if not n_files and not match else ["no forecast, or one of nothing"]
+    size = sum(path.stat().st_size for path in run.directory.glob("fields/contact-*.vtu"))
+    ratio = float(match[1]) * {"B": 1, "kB": 1e3, "MB": 1e6}[match[2]] / size
+    return [] if 1 / 1.5 < ratio < 1.5 else [f"{match[0]}, found {size} bytes"]
+
+
 class Faces(Run):
     """A run with the snapshots of its contact face."""
 
@@ -105,6 +117,7 @@ def main():
         i = int(numpy.argmin(abs(c["time"] - time)))
         row = {name: c[name][i] for name in c.names}
         faults += check_face(run, time, face, body, row)
+    faults += check_forecast(run, len(faces))
     partial = [int(0 < area < 1) for area in c["contact_area"]]
     print("contact face:", "none" if not faces else
           f"{len(faces)} times, some of it closed {int(any(partial))},",

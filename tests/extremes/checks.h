@@ -301,7 +301,7 @@ namespace ThermoContact
     check_audit(const Simulation<dim> &simulation)
     {
       const StepRecord &record = simulation.record();
-      const double defect = first.energy + record.work + record.algebraic -
+      const double      defect = first.energy + record.work + record.algebraic -
                             record.energy - record.dissipation -
                             record.numerical_dissipation;
       rounding += step_rounding;

@@ -3,19 +3,21 @@
 // Bytes between ranks, and checkpoints, on two ranks.
 //
 // 1. 1000 bytes travel in ceil(1000/n) pieces of n bytes, in order, to rank 0,
-//    also if it is rank 0 itself that has them: 143 pieces of 7, one of 1000 and
-//    of 1001. 0 bytes are 0 pieces. Of a run of a study the result travels and
-//    the plan stays.
+//    also if it is rank 0 itself that has them: 143 pieces of 7, one of 1000
+//    and of 1001. 0 bytes are 0 pieces. Of a run of a study the result travels
+//    and the plan stays.
 // 2. Files of a part from each rank: the parts in order, whichever of them is
 //    empty; an older, longer file leaves nothing behind. A disk that is full
 //    (/dev/full) for rank 1 alone, which has bytes where rank 0 has none, is
 //    told to both, with the path. What cannot be put in place leaves the older
 //    file and nothing else.
-// 3. Checkpoints whose nodes are 1000 bytes on rank 0 and 80 MiB on rank 1: each
+// 3. Checkpoints whose nodes are 1000 bytes on rank 0 and 80 MiB on rank 1:
+// each
 //    rank reads its own, and each can read that of the other. The peak of the
-//    memory of rank 0 grows by less than half of what rank 1 has, since it never
-//    holds all of it (measured: 1 MiB).
-// 4. One byte of any part otherwise, a byte less or more at the end: the file is
+//    memory of rank 0 grows by less than half of what rank 1 has, since it
+//    never holds all of it (measured: 1 MiB).
+// 4. One byte of any part otherwise, a byte less or more at the end: the file
+// is
 //    damaged, and the previous checkpoint is read. With both damaged there is
 //    none. A file that cannot be written leaves the earlier ones alone.
 // 5. A checkpoint of one rank, read on two: the number of ranks is told, and
@@ -177,7 +179,7 @@ namespace
     checkpoint.n_ranks               = n_ranks;
     checkpoint.parameters            = {{"Time/End time", "1"}};
     checkpoint.output.snapshot_times = {0., 0.5};
-    checkpoint.progress   = "progress " + std::to_string(step);
+    checkpoint.progress              = "progress " + std::to_string(step);
     checkpoint.nodes = pattern(rank() == 0 ? 1000 : size_of_last, step);
     return checkpoint;
   }
@@ -247,8 +249,8 @@ namespace
     const Checkpoint last  = make_checkpoint(3, 500);
     write_checkpoint(directory, first, MPI_COMM_WORLD);
     write_checkpoint(directory, last, MPI_COMM_WORLD);
-    const std::string  path = directory + "/checkpoint.bin";
-    const std::string  text   = contents(path);
+    const std::string path   = directory + "/checkpoint.bin";
+    const std::string text   = contents(path);
     const auto        change = [&text](const std::size_t from_end) {
       std::string changed = text;
       changed[changed.size() - from_end] ^= 1;

@@ -2,10 +2,10 @@
 //
 // States saved by some ranks and restored by others, on two ranks. The state
 // that is saved has the values of three functions of the place, different for
-// each component: theta = 1 + x + 10 y + 100 z, u_d = (d + 2) theta, v = -u. What
-// is restored must have them at each support point, exactly, since both are
-// computed at the same points to the same bits but for the order of sums: to
-// 1e-13.
+// each component: theta = 1 + x + 10 y + 100 z, u_d = (d + 2) theta, v = -u.
+// What is restored must have them at each support point, exactly, since both
+// are computed at the same points to the same bits but for the order of sums:
+// to 1e-13.
 //
 // Saved by both ranks together and by one alone, restored by each of them alone
 // and by both. Meshes: cells of different sizes along the body and across,
@@ -57,8 +57,7 @@ namespace
         for (unsigned int i = 0; i < dofs.size(); ++i)
           {
             const unsigned int c = fe.system_to_component_index(i).first;
-            const bool         is_heat =
-              space.has_field(Field::temperature) && c == 0;
+            const bool is_heat = space.has_field(Field::temperature) && c == 0;
             const Field::Block field =
               is_heat ? Field::temperature : Field::displacement;
             const auto      dof   = dofs[i] - space.first_dof(field);
@@ -149,12 +148,12 @@ namespace
   {
     const auto space = [](const std::string &cells, const std::string &fields) {
       static std::vector<std::unique_ptr<Scene>> scenes;
-      scenes.push_back(std::make_unique<Scene>(
-        read_parameters("",
-                        {"Dimension=2",
-                         "Mesh/Degree=2",
-                         "Mesh/Cells=" + cells,
-                         "Model/Fields=" + fields})));
+      scenes.push_back(
+        std::make_unique<Scene>(read_parameters("",
+                                                {"Dimension=2",
+                                                 "Mesh/Degree=2",
+                                                 "Mesh/Cells=" + cells,
+                                                 "Model/Fields=" + fields})));
       return std::make_unique<Discretization<2>>(*scenes.back(), MPI_COMM_SELF);
     };
     const std::string both = "temperature and displacement";

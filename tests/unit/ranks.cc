@@ -2,8 +2,8 @@
 //
 // The same numbers on one rank and on two, to 1e-10 of the largest value of the
 // column, in every column of every step: each rank runs the scene alone
-// (MPI_COMM_SELF) and both run it together (MPI_COMM_WORLD). Dimensions 2 and 3;
-// elastic and rigid obstacle; the paper's iteration; sources. A rod is not
+// (MPI_COMM_SELF) and both run it together (MPI_COMM_WORLD). Dimensions 2 and
+// 3; elastic and rigid obstacle; the paper's iteration; sources. A rod is not
 // shared: its numbers are the same bit for bit. Contact occurs in all of them.
 
 #include <thermocontact/simulation/simulation.h>

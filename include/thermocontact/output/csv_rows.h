@@ -12,8 +12,8 @@
 namespace ThermoContact
 {
   /**
-   * The columns of contact.csv; a body in 2-D or 3-D has some more, and one more
-   * if its stages are solved iteratively.
+   * The columns of contact.csv; a body in 2-D or 3-D has some more, and one
+   * more if its stages are solved iteratively.
    */
   const CsvColumns<StepRecord> &
   contact_columns(const unsigned int dim, const bool is_iterative = false);

@@ -61,7 +61,7 @@ namespace ThermoContact
     double       work                  = 0.; ///< sum of (M.25)
     double       temperature_mean      = 0.;
     double       algebraic             = 0.; ///< sum of (M.64)
-    FaceRecord   face;         ///< of a body in 2-D or 3-D
+    FaceRecord   face;                       ///< of a body in 2-D or 3-D
     EnergyTerms  energy_terms; ///< the terms of energy; not in the file
 
     template <class Archive>

@@ -99,8 +99,8 @@ namespace ThermoContact
      * @throw InputError if that is not of such a run
      */
     void
-    restore(const std::string                  &progress,
-            const unsigned int                  n_ranks,
+    restore(const std::string                        &progress,
+            const unsigned int                        n_ranks,
             const std::function<bool(std::string &)> &next_nodes);
 
     /** The state that was accepted last. */

@@ -82,7 +82,9 @@ namespace ThermoContact
     /** Calls visit(value) for each value of a node, in order. */
     template <typename SomeState, typename Visit>
     void
-    for_each_value(const Node &node, SomeState &state, const Visit &visit) const;
+    for_each_value(const Node  &node,
+                   SomeState   &state,
+                   const Visit &visit) const;
   };
 } // namespace ThermoContact
 

@@ -28,7 +28,7 @@ namespace ThermoContact
     /** Power of what a linear solver has left unsolved, (M.64). */
     double algebraic_power = 0.;
 
-    std::string         failure;          ///< empty: solved
+    std::string failure; ///< empty: solved
   };
 
 

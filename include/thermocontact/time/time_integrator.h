@@ -38,8 +38,8 @@ namespace ThermoContact
     std::string failure; ///< empty: the step is solved
 
     /**
-     * All ranks take work, dissipation, $A$ and impulse of rank 0, as energies are,
-     * and the failure of any, so that they decide alike. Collective.
+     * All ranks take work, dissipation, $A$ and impulse of rank 0, as energies
+     * are, and the failure of any, so that they decide alike. Collective.
      */
     void
     agree(const MPI_Comm communicator);
