@@ -5,7 +5,6 @@ from pathlib import Path
 import numpy
 from paraview import servermanager
 from paraview.simple import XMLUnstructuredGridReader
-from paraview_space_time import triangles_of
 from plot_common import new_figure, save
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -13,12 +12,23 @@ FIELDS = {"contact_pressure": ("contact pressure  $p$", "viridis"),
           "gap": ("gap  $g - u$", "viridis_r")}
 
 
-def draw_face(figure, axes, points, triangles, values, label, colours):
+def triangles_of(grid, n_points):
+    """Corners of the quadrilaterals, and four triangles of each around its middle, which
+    is a point behind the others; two of them would prefer a diagonal."""
+    quads = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)
+    middle = n_points + numpy.arange(len(quads))
+    return quads, numpy.concatenate([numpy.stack([quads[:, i], quads[:, (i + 1) % 4],
+                                                  middle], axis=1) for i in range(4)])
+
+
+def draw_face(figure, axes, points, cells, values, label, colours):
     """A map of the face of a block, y to the right and z upwards."""
+    quads, triangles = cells
+    y, z, shown = (numpy.concatenate([v, v[quads].mean(axis=1)])
+                   for v in (points[:, 1], points[:, 2], values))
     high = max(values.max(), values.min() + 1e-9)
-    shown = axes.tripcolor(points[:, 1], points[:, 2], triangles, values, cmap=colours,
-                           vmin=values.min(), vmax=high, shading="gouraud",
-                           rasterized=True)
+    shown = axes.tripcolor(y, z, triangles, shown, cmap=colours, vmin=values.min(),
+                           vmax=high, shading="gouraud", rasterized=True)
     axes.set_aspect("equal")
     axes.set_xlabel("$y$")
     axes.set_ylabel("$z$")
@@ -48,6 +58,7 @@ def draw(path, time, picture, width):
         if is_line:
             draw_line(axes, points[:, 1], values, label)
         else:
-            draw_face(figure, axes, points, triangles_of(grid), values, label, colours)
+            draw_face(figure, axes, points, triangles_of(grid, len(points)), values, label,
+                      colours)
     figure.suptitle(f"contact end, t = {time:.3g}", fontsize="medium")
     save(figure, Path(picture), width / figure.get_figwidth())
