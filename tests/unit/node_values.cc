@@ -90,9 +90,11 @@ namespace
   save(const Discretization<dim> &space)
   {
     State state = space.make_state();
-    for_each_entry(space, state, [](Vector &vector, auto i, double value) {
-      vector.begin()[i] = value;
-    });
+    for_each_entry(space,
+                   state,
+                   [](ThermoContact::Vector &vector, auto i, double value) {
+                     vector.begin()[i] = value;
+                   });
     return Utilities::MPI::all_gather(space.communicator(),
                                       NodeValues<dim>(space).save(state));
   }
@@ -111,9 +113,10 @@ namespace
     for (const std::string &part : parts)
       n_set += values.restore(part, state);
     double error = n_set == values.n_nodes() ? 0. : INFINITY;
-    for_each_entry(space, state, [&](Vector &vector, auto i, double value) {
-      raise(error, std::abs(vector.begin()[i] - value) / std::abs(value));
-    });
+    for_each_entry(
+      space, state, [&](ThermoContact::Vector &vector, auto i, double value) {
+        raise(error, std::abs(vector.begin()[i] - value) / std::abs(value));
+      });
     return Utilities::MPI::max(error, MPI_COMM_WORLD);
   }
 
