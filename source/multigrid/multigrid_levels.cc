@@ -34,18 +34,24 @@ namespace ThermoContact
     std::vector<Parameters>
     coarse_scenes(const Scene &scene)
     {
-      Parameters finest = scene.parameters;
-      // coarse nodes are farther apart, but what they stand for is the same
-      finest.contact.massless_nodes =
-        scene.contact.has_massless_nodes ? "on" : "off";
+      Parameters finest           = scene.parameters;
       finest.solver.linear_solver = "iterative";
 
       std::vector<Parameters> result;
       for (std::optional<Parameters> next = coarsened(finest); next;
            next                           = coarsened(*next))
-        result.insert(result.begin(), *next);
+        {
+                                    // A coarse node stands for nodes with mass, too: without, residuals
+          // of those would move it without resistance in a short stage
+          next->contact.massless_nodes = "off";
+          result.insert(result.begin(), *next);
+        }
       if (result.empty())
-        result.push_back(finest);
+        {
+          result.push_back(finest);
+          result.back().contact.massless_nodes =
+            scene.contact.has_massless_nodes ? "on" : "off";
+        }
       result.front().solver.linear_solver = "direct";
       return result;
     }
@@ -66,8 +72,10 @@ namespace ThermoContact
     levels.back().products       = body.equations.matrix_free();
     coarse_operator_ = std::make_unique<const ThermoviscoelasticOperator<dim>>(
       *levels[0].own_scene, *levels[0].discretization);
+    make_vectors(levels[0]);
     for (unsigned int l = 1; l < levels.size(); ++l)
       {
+        make_vectors(levels[l]);
         compute_diagonals(levels[l]);
         connect(levels[l - 1], levels[l]);
       }
@@ -96,6 +104,22 @@ namespace ThermoContact
       std::make_unique<const MatrixFreeOperator<dim>>(*level.own_scene,
                                                       *level.discretization);
     level.products = level.own_products.get();
+  }
+
+
+
+  template <int dim>
+  void
+  MultigridLevels<dim>::make_vectors(Level &level) const
+  {
+    for (const Field::Block field : all_fields)
+      if (level.discretization->has_field(field))
+        {
+          LevelField<dim> &of_field = level.fields[field];
+          of_field.right            = level.spaces->make_vector(field);
+          of_field.solution         = of_field.right;
+          of_field.residual         = of_field.right;
+        }
   }
 
 

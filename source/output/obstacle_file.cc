@@ -5,6 +5,7 @@
 #include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/obstacle_file.h>
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -12,6 +13,24 @@ namespace ThermoContact
 {
   namespace
   {
+    /** All nodes of the end, sorted by z, then by y. */
+    template <int dim>
+    std::vector<ContactNode<dim>>
+    sorted_nodes(const ContactEnd<dim> &end)
+    {
+      std::vector<ContactNode<dim>> nodes(end.all_nodes());
+      // those without weight, on an axis, stand behind the others
+      if (dim == 2)
+        std::sort(nodes.begin(),
+                  nodes.end(),
+                  [](const ContactNode<dim> &a, const ContactNode<dim> &b) {
+                    return a.position[dim - 1] < b.position[dim - 1];
+                  });
+      return nodes;
+    }
+
+
+
     std::string
     array(const std::string                              &attributes,
           const unsigned int                              n,
@@ -30,7 +49,7 @@ namespace ThermoContact
   std::string
   obstacle_file(const ContactEnd<dim> &end)
   {
-    const auto        &nodes   = end.nodes();
+    const auto         nodes   = sorted_nodes(end);
     const auto         corners = contact_face_corners(nodes);
     const unsigned int n_nodes = nodes.size(), n_corners = dim > 2 ? 4 : 2,
                        n_cells = corners.size() / n_corners;

@@ -40,7 +40,7 @@ namespace ThermoContact
     if constexpr (dim > 1)
       if (!scene.linear_solver.has_matrices())
         {
-          matrix_free_ = std::make_shared<const MatrixFreeSpaces<dim>>(*this);
+          matrix_free_ = std::make_unique<const MatrixFreeSpaces<dim>>(*this);
           for (const Field::Block field : all_fields)
             if (has_field(field))
               prototypes[field].reinit(matrix_free_->make_vector(field));
@@ -48,6 +48,11 @@ namespace ThermoContact
     contact_end_ =
       std::make_unique<const ContactEnd<dim>>(*this, *contact_gap<dim>(scene));
   }
+
+
+
+  template <int dim>
+  Discretization<dim>::~Discretization() = default;
 
 
 

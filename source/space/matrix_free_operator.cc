@@ -233,6 +233,60 @@ namespace ThermoContact
 
   template <int dim>
   void
+  MatrixFreeOperator<dim>::contact_stiffness(Vector &y, const Vector &x) const
+  {
+    const MatrixFree<dim> &cells = spaces.cells();
+    Vectorial              u(cells, spaces.index(Field::displacement));
+    y = 0.;
+    x.update_ghost_values();
+    for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
+      if (contact_cells.contain(batch))
+        {
+          u.reinit(batch);
+          u.read_dof_values(x);
+          momentum_on_cell({0., 1., 0.}, u);
+          u.distribute_local_to_global(y);
+        }
+    x.zero_out_ghost_values();
+    y.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  Vector
+  MatrixFreeOperator<dim>::contact_stiffness_diagonal() const
+  {
+    const MatrixFree<dim> &cells = spaces.cells();
+    Vectorial              u(cells, spaces.index(Field::displacement));
+    const unsigned int     n = u.dofs_per_cell;
+
+    AlignedVector<VectorizedArray<double>> diagonal(n);
+    Vector result = spaces.make_vector(Field::displacement);
+    for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
+      if (contact_cells.contain(batch))
+        {
+          u.reinit(batch);
+          VectorizedArray<double> *values = u.begin_dof_values();
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              for (unsigned int j = 0; j < n; ++j)
+                values[j] = i == j ? 1. : 0.;
+              momentum_on_cell({0., 1., 0.}, u);
+              diagonal[i] = values[i];
+            }
+          for (unsigned int i = 0; i < n; ++i)
+            values[i] = diagonal[i];
+          u.distribute_local_to_global(result);
+        }
+    result.compress(VectorOperation::add);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
   MatrixFreeOperator<dim>::divergence(Vector &heat, const Vector &u) const
   {
     const EvaluationFlags::EvaluationFlags vector_flags =

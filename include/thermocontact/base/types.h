@@ -25,7 +25,10 @@ namespace ThermoContact
 {
   using namespace dealii;
 
-  /** Values of one field (temperature or displacement), without ghosts. */
+  /**
+   * Values of one field (temperature or displacement); with the ghosts that
+   * products without matrices need, where a body has no matrices.
+   */
   using Vector = LinearAlgebra::distributed::Vector<double>;
 
   /** Both fields, where something needs values of cells: with ghosts. */
@@ -73,6 +76,9 @@ namespace ThermoContact
       return all;
     }
 
+    /** A factorisation costs about as much as a step, or less. */
+    static constexpr bool has_cheap_factors = false;
+
     static std::unique_ptr<Triangulation>
     make_triangulation(const MPI_Comm communicator)
     {
@@ -98,6 +104,8 @@ namespace ThermoContact
     {
       return MPI_COMM_SELF;
     }
+
+    static constexpr bool has_cheap_factors = true;
 
     static std::unique_ptr<Triangulation>
     make_triangulation(const MPI_Comm communicator)

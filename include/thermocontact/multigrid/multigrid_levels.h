@@ -25,6 +25,11 @@ namespace ThermoContact
     Vector mass;
     Vector stiffness;
     Vector viscous_stiffness;
+
+    /** What a V-cycle works with, of all stage lengths in turn. */
+    mutable Vector right;
+    mutable Vector solution;
+    mutable Vector residual;
   };
 
 
@@ -108,6 +113,9 @@ namespace ThermoContact
 
     void
     make_level(const Parameters &parameters, Level &level) const;
+
+    void
+    make_vectors(Level &level) const;
 
     void
     compute_diagonals(Level &level) const;

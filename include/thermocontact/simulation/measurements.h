@@ -60,7 +60,7 @@ namespace ThermoContact
     unsigned int iterations            = 0;
     double       work                  = 0.; ///< sum of (M.25)
     double       temperature_mean      = 0.;
-    double       algebraic             = 0.; ///< sum of (M.64)
+    double       algebraic             = 0.; ///< sum of (M.65)
     FaceRecord   face;                       ///< of a body in 2-D or 3-D
     EnergyTerms  energy_terms; ///< the terms of energy; not in the file
 

@@ -54,6 +54,17 @@ namespace ThermoContact
     void
     momentum(const MomentumFactors &factors, Vector &y, const Vector &x) const;
 
+    /**
+     * @p y $=Sx$ at the nodes of the contact end, for @p x that is zero at all
+     * others, by the cells at that end alone.
+     */
+    void
+    contact_stiffness(Vector &y, const Vector &x) const;
+
+    /** The diagonal of $S$ at the nodes of the contact end. */
+    Vector
+    contact_stiffness_diagonal() const;
+
     /** @p heat $=Du$. */
     void
     divergence(Vector &heat, const Vector &u) const;

@@ -24,7 +24,7 @@ namespace ThermoContact
     double       work                  = 0.; ///< $W$
     double       dissipation           = 0.; ///< $D$
     double       numerical_dissipation = 0.; ///< $N$
-    double       algebraic             = 0.; ///< $A$, (M.64)
+    double       algebraic             = 0.; ///< $A$, (M.65)
     double       impulse               = 0.; ///< of the contact force
     unsigned int n_iterations          = 0;  ///< of the stages, added up
     bool         is_prescribed = false;      ///< the paper's first step, (M.26)
