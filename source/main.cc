@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/first_rank_alone.h>
 #include <thermocontact/base/log.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
@@ -113,7 +114,11 @@ namespace ThermoContact
       switch (parameters.dimension)
         {
           case 1:
-            return run_scene<1>(parameters, prm, command, since_start, log);
+            return on_first_rank_alone(
+              [&]() {
+                run_scene<1>(parameters, prm, command, since_start, log);
+              },
+              MPI_COMM_WORLD);
           case 2:
             return run_scene<2>(parameters, prm, command, since_start, log);
           default:

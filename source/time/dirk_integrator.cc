@@ -169,9 +169,9 @@ namespace ThermoContact
     const double tau   = tableau.gamma() * time_step.size;
     const bool   holds = holds_closing_nodes(mode);
 
-    result.work = result.dissipation = result.impulse = 0.;
-    result.n_iterations                               = 0;
-    result.is_prescribed                              = false;
+    result.work = result.dissipation = result.algebraic = result.impulse = 0.;
+    result.n_iterations                                                  = 0;
+    result.is_prescribed = false;
     for (unsigned int i = 0; i < tableau.n_stages(); ++i)
       {
         const bool   is_last = i + 1 == tableau.n_stages();
@@ -198,6 +198,8 @@ namespace ThermoContact
                            stage.velocity,
                            known.velocity);
           }
+        result.algebraic +=
+          tableau.b()[i] * time_step.size * stage.algebraic_power;
         known.time = time;
         set_equal(known.velocity, stage.velocity);
         known.contact_pressure     = stage.pressure;
@@ -220,7 +222,8 @@ namespace ThermoContact
     result.numerical_dissipation =
       tableau.n_stages() == 1 ?
         body.energy.numerical_dissipation(state, result.state) :
-        old_energy - result.energy.sum() + result.work - result.dissipation;
+        old_energy - result.energy.sum() + result.work - result.dissipation +
+          result.algebraic;
   }
 
 
@@ -303,7 +306,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < penetration.size(); ++i)
       result.state.contact_pressure[i] = body.law().pressure(penetration[i]);
 
-    result.work = result.dissipation = result.impulse = 0.;
+    result.work = result.dissipation = result.algebraic = result.impulse = 0.;
     book(result.state, tau, result);
     result.energy                = body.energy.energy(result.state);
     result.numerical_dissipation = body.energy.energy(state).sum() -

@@ -336,9 +336,10 @@ namespace ThermoContact
     result.n_iterations  = rates.n_iterations;
     result.is_prescribed = false;
     result.dissipation   = size * body.energy.dissipation_rate(midpoint);
-    result.work    = body.energy.has_work() ? work(size, result.state) : 0.;
-    result.impulse = size * body.contact_end().mean(rates.pressure);
-    result.energy  = body.energy.energy(result.state);
+    result.work      = body.energy.has_work() ? work(size, result.state) : 0.;
+    result.impulse   = size * body.contact_end().mean(rates.pressure);
+    result.algebraic = 0.;
+    result.energy    = body.energy.energy(result.state);
     result.numerical_dissipation =
       old_energy - result.energy.sum() + result.work - result.dissipation;
   }

@@ -261,11 +261,14 @@ def check_wall_times(run):
             yield f"{name}: {seconds} s, in the log {log[name]}"
 
 
-@key("peak_memory_mb")
+@key("peak_memory_mb", "peak_memory_mb_per_rank")
 def check_memory(run):
-    """Between 10 MB and 2 GB on each rank"""
-    if not 10 < run.summary["peak_memory_mb"] / run.summary["ranks"] < 2000:
-        yield "not megabytes"
+    """Between 10 MB and 2 GB on each rank; the sum"""
+    ranks = run.summary["peak_memory_mb_per_rank"]
+    if len(ranks) != run.summary["ranks"] or not all(10 < m < 2000 for m in ranks):
+        yield "not megabytes of each rank"
+    if not nearly(run.summary["peak_memory_mb"], float(sum(ranks)), 1e-12):
+        yield "not the sum of the ranks"
 
 
 @check("summary.json/max_contact_force", "contact.csv/contact_force")

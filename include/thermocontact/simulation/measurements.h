@@ -60,7 +60,8 @@ namespace ThermoContact
     unsigned int iterations            = 0;
     double       work                  = 0.; ///< sum of (M.25)
     double       temperature_mean      = 0.;
-    FaceRecord   face;         ///< of a body in 2-D or 3-D
+    double       algebraic             = 0.; ///< sum of (M.65)
+    FaceRecord   face;                       ///< of a body in 2-D or 3-D
     EnergyTerms  energy_terms; ///< the terms of energy; not in the file
 
     template <class Archive>
@@ -71,7 +72,7 @@ namespace ThermoContact
         &velocity_end &stress_end &gap &penetration &contact_force
           &contact_impulse &temperature_end &heat_flux_end &energy &dissipation
             &numerical_dissipation &in_contact &iterations &work
-              &temperature_mean &face &energy_terms;
+              &temperature_mean &algebraic &face &energy_terms;
     }
   };
 

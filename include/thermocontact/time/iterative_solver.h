@@ -100,6 +100,12 @@ namespace ThermoContact
                const bool                 only_the_first,
                std::vector<bool>         &is_active) const;
 
+    /** (M.65) of the stage that was solved last. */
+    double
+    algebraic_power(const State               &known,
+                    const double               tau,
+                    const std::vector<double> &pressure) const;
+
     /** The stage that was prepared, from the pressures of @p known on. */
     void
     solve_prepared(const State      &known,

@@ -25,7 +25,11 @@ namespace ThermoContact
     std::vector<double> exchange_coefficient; ///< $k_i$ there
     std::vector<bool>   is_held; ///< in: nodes that stay closed; empty: none
     unsigned int        n_iterations = 0; ///< active sets or fixed point
-    std::string         failure;          ///< empty: solved
+
+    /** Power of what a linear solver has left unsolved, (M.65). */
+    double algebraic_power = 0.;
+
+    std::string failure; ///< empty: solved
 
     /** What a solver begins with: no pressures, nothing of the last stage. */
     void
