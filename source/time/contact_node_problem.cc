@@ -15,7 +15,7 @@ namespace ThermoContact
 {
   namespace
   {
-    constexpr unsigned int max_block_sets = 20;
+    constexpr unsigned int n_sets_at_once = 20;
 
     double
     largest_of(const std::vector<double> &values)
@@ -176,7 +176,7 @@ namespace ThermoContact
             pressure[i] =
               is_active[i] ? (load[i] - force[i]) / end.nodes()[i].weight : 0.;
           }
-        if (!update_set(can_touch, pressure, reach, n_sets > max_block_sets))
+        if (!update_set(can_touch, pressure, reach, n_sets > n_sets_at_once))
           {
             for (double &p : pressure)
               p = std::max(p, 0.);
