@@ -11,8 +11,7 @@
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/scene_run.h>
-#include <thermocontact/study/study.h>
-#include <thermocontact/study/study_report.h>
+#include <thermocontact/sweep.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
@@ -28,48 +27,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Runs a scene many times. */
-    void
-    run_study(const Parameters              &parameters,
-              ParameterHandler              &prm,
-              const std::vector<Assignment> &assignments,
-              const CommandLine             &command,
-              Log                           &log)
-    {
-      if (command.is_resumed)
-        throw InputError("--resume: a study has no checkpoints\n  remedy:  run "
-                         "it anew, without --resume");
-      const MPI_Comm    communicator = MPI_COMM_WORLD;
-      Study             study(assignments, parameters.study);
-      const std::string directory = output_directory(parameters, command);
-      check_output_directory(directory, communicator);
-      const std::string plan =
-        "  study     " + std::to_string(study.runs().size()) +
-        " runs, reference: " + parameters.study.reference;
-      if (command.check_only)
-        {
-          log.line(plan);
-          return;
-        }
-      const DirectoryLock lock(directory, false, communicator);
-      prepare_output_directory(directory, communicator);
-      write_used_parameters(directory,
-                            omitted_entries(parameters),
-                            prm,
-                            communicator);
-      throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt"),
-                                         communicator);
-      if (!parameters.title.empty())
-        log.line(parameters.title);
-      log.line(plan);
-      study.run(directory);
-      write_study(directory, parameters.title, study);
-      report_study(study, log);
-      log.line("  files     " + directory);
-    }
-
-
-
     void
     print_parameters(ParameterHandler &prm, const std::string &format)
     {
@@ -220,7 +177,7 @@ namespace ThermoContact
       try
         {
           if (parameters.study.is_active())
-            return run_study(parameters, prm, assignments, command, log);
+            return run_sweep(parameters, prm, assignments, command, log);
           check_unused_entries(parameters, prm);
           check_scene(parameters);
           run_dimension(parameters, prm, command, since_start, log);

@@ -95,21 +95,6 @@ namespace ThermoContact
 
 
 
-    /** The command that goes on with a run. */
-    std::string
-    resume_command(const CommandLine &command,
-                   const std::string &directory,
-                   const MPI_Comm     communicator)
-    {
-      const unsigned int n_ranks =
-        Utilities::MPI::n_mpi_processes(communicator);
-      return (n_ranks > 1 ? "mpirun -n " + std::to_string(n_ranks) + " " : "") +
-             for_shell(command.program_name) + " --resume " +
-             for_shell(directory + "/used.prm");
-    }
-
-
-
     /** Writes what is left of a run that has failed or was interrupted. */
     template <int dim>
     void
@@ -204,6 +189,19 @@ namespace ThermoContact
       return parameters.output.directory;
     return "results/" +
            std::filesystem::path(command.file_name).stem().string();
+  }
+
+
+
+  std::string
+  resume_command(const CommandLine &command,
+                 const std::string &directory,
+                 const MPI_Comm     communicator)
+  {
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    return (n_ranks > 1 ? "mpirun -n " + std::to_string(n_ranks) + " " : "") +
+           for_shell(command.program_name) + " --resume " +
+           for_shell(directory + "/used.prm");
   }
 
 

@@ -51,12 +51,13 @@ namespace ThermoContact
                       land_on_times,
                       "Steps are shortened to end on the multiples of the "
                       "intervals; costs solves.");
-    prm.add_parameter("Checkpoint interval",
-                      checkpoint_interval,
-                      "Wall-clock seconds between checkpoints, from which "
-                      "--resume goes on; also at the start and the end; 0: "
-                      "none, but for one when SIGTERM or SIGINT ends the run.",
-                      Double(0., 1e9));
+    prm.add_parameter(
+      "Checkpoint interval",
+      checkpoint_interval,
+      "Wall-clock seconds between checkpoints, from which "
+      "--resume goes on; also at the start and the end; 0: "
+      "none, but for one when SIGTERM, SIGINT or SIGHUP ends the run.",
+      Double(0., 1e9));
     prm.leave_subsection();
   }
 

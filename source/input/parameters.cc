@@ -305,8 +305,9 @@ namespace ThermoContact
     add_number_or_word(prm,
                        "Linear tolerance",
                        "automatic",
-                       "Residual of a stage relative to its right-hand side at "
-                       "which the iterative solver stops.",
+                       "Residual at which the iterative solver stops, relative "
+                       "to the terms of the equations of a stage: at least "
+                       "1e-14 and below 0.01; automatic: 1e-9.",
                        [this](const double *number) {
                          linear_tolerance = number ?
                                               std::optional<double>(*number) :

@@ -34,18 +34,24 @@ namespace ThermoContact
     std::vector<Parameters>
     coarse_scenes(const Scene &scene)
     {
-      Parameters finest = scene.parameters;
-      // coarse nodes are farther apart, but what they stand for is the same
-      finest.contact.massless_nodes =
-        scene.contact.has_massless_nodes ? "on" : "off";
+      Parameters finest           = scene.parameters;
       finest.solver.linear_solver = "iterative";
 
       std::vector<Parameters> result;
       for (std::optional<Parameters> next = coarsened(finest); next;
            next                           = coarsened(*next))
-        result.insert(result.begin(), *next);
+        {
+                                    // A coarse node stands for nodes with mass, too: without, residuals
+          // of those would move it without resistance in a short stage
+          next->contact.massless_nodes = "off";
+          result.insert(result.begin(), *next);
+        }
       if (result.empty())
-        result.push_back(finest);
+        {
+          result.push_back(finest);
+          result.back().contact.massless_nodes =
+            scene.contact.has_massless_nodes ? "on" : "off";
+        }
       result.front().solver.linear_solver = "direct";
       return result;
     }

@@ -8,11 +8,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Coarsest systems up to this size are factorised. */
-    constexpr types::global_dof_index max_factorized = 6000;
-
-
-
     /** Restricts contact rows to the next coarser level. */
     template <int dim>
     ContactRows
@@ -175,87 +170,73 @@ namespace ThermoContact
         level.smoother->initialize(*level.block, data);
         level.smoother->estimate_eigenvalues(levels.field(l, field).right);
       }
-    coarse_matrix = std::make_unique<SparseMatrix>(
+    coarse_without_contact = std::make_unique<CoarseSolver<dim>>(
+      levels,
+      field,
       field == Field::temperature ?
         levels.coarse_operator().heat_stage_matrix(tau) :
         levels.coarse_operator().momentum_stage_matrix(tau));
-    set_coarse(nullptr);
   }
 
 
 
   template <int dim>
   void
-  StageMultigrid<dim>::set_contact(const ContactRows *rows)
+  StageMultigrid<dim>::set_rows(const ContactRows &rows)
   {
-    ContactRows of_level = rows != nullptr ? *rows : ContactRows();
+    coarse_rows = rows;
     for (unsigned int l = levels.n_levels() - 1; l >= 1; --l)
       {
         Level &level = fine[l - 1];
-        level.block->set_contact(of_level);
+        level.block->set_contact(coarse_rows);
         Vector &diagonal = level.inverse_diagonal->get_vector();
         diagonal         = level.block->diagonal();
         for (double &value : diagonal)
           value = 1. / value;
-        of_level = restricted(of_level,
-                              levels.field(l, field).transfer,
-                              levels.field(l - 1, field).right,
-                              levels.discretization(l).contact_end());
+        coarse_rows = restricted(coarse_rows,
+                                 levels.field(l, field).transfer,
+                                 levels.field(l - 1, field).right,
+                                 levels.discretization(l).contact_end());
       }
-    set_coarse(rows != nullptr ? &of_level : nullptr);
   }
 
 
 
   template <int dim>
   void
-  StageMultigrid<dim>::set_coarse(const ContactRows *rows)
+  StageMultigrid<dim>::set_contact(const ContactRows *rows,
+                                   const bool         are_as_before)
   {
-    SparseMatrix matrix;
-    matrix.copy_from(*coarse_matrix);
-    coarse_prescribed = levels.discretization(0).constrained_entries(field);
-    if (rows != nullptr)
+    if (rows == nullptr)
       {
-        const IndexSet owned =
-          levels.field(0, field).right.locally_owned_elements();
-        std::vector<types::global_dof_index> held;
-        for (unsigned int i = 0; i < owned.n_elements(); ++i)
-          {
-            const types::global_dof_index row = owned.nth_index_in_set(i);
-            if (rows->springs.size() > 0 && rows->springs.local_element(i) > 0.)
-              matrix.add(row, row, rows->springs.local_element(i));
-            if (rows->held.size() > 0 && rows->held.local_element(i) > 0.)
-              {
-                held.push_back(row);
-                coarse_prescribed.push_back(i);
-              }
-          }
-        matrix.compress(VectorOperation::add);
-        matrix.clear_rows(held, 1.);
-      }
-    coarse_solver.reset();
-    coarse_amg.reset();
-    if (matrix.m() <= max_factorized)
-      {
-        coarse_solver = std::make_unique<DirectSolver>(std::move(matrix));
+        if (has_contact)
+          set_rows(ContactRows());
+        has_contact = false;
         return;
       }
-    TrilinosWrappers::PreconditionAMG::AdditionalData data;
-    data.smoother_sweeps = 2;
-    data.constant_modes.assign(
-      field == Field::temperature ? 1 : dim,
-      std::vector<bool>(levels.field(0, field).right.locally_owned_size(),
-                        true));
-    if (field == Field::displacement)
-      {
-        const DoFHandler<dim> &handler = levels.spaces(0).dof_handler(field);
-        data.constant_modes.clear();
-        DoFTools::extract_constant_modes(handler,
-                                         ComponentMask(dim, true),
-                                         data.constant_modes);
-      }
-    coarse_amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
-    coarse_amg->initialize(matrix, data);
+    has_contact = true;
+    set_rows(*rows);
+    if (are_as_before && coarse_with_contact)
+      return;
+    coarse_with_contact.reset(); // its memory, before there are other factors
+    coarse_with_contact = std::make_unique<CoarseSolver<dim>>(
+      levels,
+      field,
+      with_contact(coarse_without_contact->matrix(), coarse_rows));
+  }
+
+
+
+  template <int dim>
+  void
+  StageMultigrid<dim>::zero_coarse(Vector &vector) const
+  {
+    for (const unsigned int entry :
+         levels.discretization(0).constrained_entries(field))
+      vector.local_element(entry) = 0.;
+    for (unsigned int i = 0; i < coarse_rows.held.locally_owned_size(); ++i)
+      if (coarse_rows.held.local_element(i) > 0.)
+        vector.local_element(i) = 0.;
   }
 
 
@@ -267,12 +248,10 @@ namespace ThermoContact
     const LevelField<dim> &vectors = levels.field(l, field);
     if (l == 0)
       {
-        for (const unsigned int entry : coarse_prescribed)
-          vectors.right.local_element(entry) = 0.;
-        if (coarse_solver)
-          coarse_solver->solve(vectors.solution, vectors.right);
-        else
-          coarse_amg->vmult(vectors.solution, vectors.right);
+        zero_coarse(vectors.right);
+        (has_contact ? coarse_with_contact : coarse_without_contact)
+          ->solve(vectors.solution, vectors.right);
+        zero_coarse(vectors.solution);
         return;
       }
     const Level                           &level  = fine[l - 1];
@@ -310,16 +289,6 @@ namespace ThermoContact
     vectors.right.copy_locally_owned_data_from(r);
     cycle(finest);
     z.copy_locally_owned_data_from(vectors.solution);
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  StageMultigrid<dim>::n_products() const
-  {
-    const unsigned int degree = field == Field::temperature ? 2 : 3;
-    return 2 * degree;
   }
 
 

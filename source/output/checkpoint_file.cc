@@ -26,7 +26,7 @@ namespace ThermoContact
   namespace
   {
     /** Changes whenever an older program could not read the file. */
-    const std::string format = "thermocontact checkpoint 3";
+    const std::string format = "thermocontact checkpoint 4";
 
 
 

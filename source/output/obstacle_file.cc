@@ -4,6 +4,7 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/output/obstacle_file.h>
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -11,7 +12,25 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Nodes along y; the nodes are sorted by z, then by y. */
+    /** All nodes of the end, sorted by z, then by y. */
+    template <int dim>
+    std::vector<ContactNode<dim>>
+    sorted_nodes(const ContactEnd<dim> &end)
+    {
+      std::vector<ContactNode<dim>> nodes(end.all_nodes());
+      // those without weight, on an axis, stand behind the others
+      if (dim == 2)
+        std::sort(nodes.begin(),
+                  nodes.end(),
+                  [](const ContactNode<dim> &a, const ContactNode<dim> &b) {
+                    return a.position[dim - 1] < b.position[dim - 1];
+                  });
+      return nodes;
+    }
+
+
+
+    /** Nodes along y. */
     template <int dim>
     unsigned int
     n_along_y(const std::vector<ContactNode<dim>> &nodes)
@@ -63,7 +82,7 @@ namespace ThermoContact
   std::string
   obstacle_file(const ContactEnd<dim> &end)
   {
-    const auto        &nodes   = end.nodes();
+    const auto         nodes   = sorted_nodes(end);
     const auto         corners = corners_of_cells(nodes);
     const unsigned int n_nodes = nodes.size(), n_corners = dim > 2 ? 4 : 2,
                        n_cells = corners.size() / n_corners;

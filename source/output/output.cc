@@ -2,12 +2,9 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/multiples.h>
-#include <thermocontact/base/version.h>
 #include <thermocontact/output/csv_rows.h>
 #include <thermocontact/output/output.h>
 #include <thermocontact/output/output_directory.h>
-
-#include <deal.II/base/revision.h>
 
 #include <filesystem>
 
@@ -17,17 +14,6 @@ namespace ThermoContact
   {
     /** Rows after which a fault of the file is looked for on all ranks. */
     constexpr unsigned int rows_between_checks = 1000;
-
-
-
-    /** Lines at the top of every table. */
-    std::string
-    head_comments(const std::string &title)
-    {
-      return "# " + title + "\n# thermocontact " + version() + ", deal.II " +
-             DEAL_II_PACKAGE_VERSION + '\n';
-    }
-
   } // namespace
 
 
@@ -88,7 +74,7 @@ namespace ThermoContact
     if (size > 0)
       return file.reopen(directory + "/" + name, size);
     file.open(directory + "/" + name);
-    file.write_row(head_comments(title) + csv_head(columns));
+    file.write_row(csv_comments(title) + csv_head(columns));
   }
 
 
@@ -102,7 +88,7 @@ namespace ThermoContact
     if (!Utilities::trim(parameters.probes).empty())
       {
         probe_output = std::make_unique<ProbeOutput<dim>>(directory, body);
-        probe_output->open(head_comments(simulation.parameters().title),
+        probe_output->open(csv_comments(simulation.parameters().title),
                            sizes.probes_size);
       }
     if (parameters.space_time_interval > 0.)

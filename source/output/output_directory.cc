@@ -37,6 +37,7 @@ namespace ThermoContact
                                      "space-time.vtu",
                                      "steps.csv",
                                      "study.csv",
+                                     "study.md",
                                      "study.txt",
                                      "summary.json"};
 

@@ -2,9 +2,9 @@
 
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/report/key_results.h>
 #include <thermocontact/report/result_report.h>
 #include <thermocontact/report/scene_report.h>
-#include <thermocontact/report/summary.h>
 
 #include <algorithm>
 #include <cmath>

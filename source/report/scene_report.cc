@@ -56,10 +56,11 @@ namespace ThermoContact
         line += text(line.empty() ? "" : " + ",
                      space.n_displacement_dofs(),
                      " displacement");
-      return line + text(simulation.scene().linear_solver.is_iterative ?
-                           "; on the coarsest level, factorised: " :
-                           "; factorised at once: ",
-                         simulation.n_factorized_unknowns());
+      const types::global_dof_index n = simulation.n_factorized_unknowns();
+      if (!simulation.scene().linear_solver.is_iterative)
+        return line + text("; factorised at once: ", n);
+      return line + "; on the coarsest level, factorised: " +
+             (n > 0 ? text(n) : "none, algebraic multigrid instead");
     }
 
 

@@ -7,6 +7,7 @@
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/forecast/steady_state.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/report/key_results.h>
 #include <thermocontact/report/summary.h>
 #include <thermocontact/scene/scene_terms.h>
 
@@ -49,14 +50,8 @@ namespace ThermoContact
            {"temperature_end", state.temperature_end},
            {"in_contact", state.in_contact},
            {"is_stable", state.is_stable}});
-      if (states.empty())
-        return;
-      const unsigned int nearest = nearest_state(states, end);
-      const double       distance =
-        std::abs(states[nearest].temperature_end - end.temperature_end);
-      if (distance <= 1e-3 * std::abs(scene.heat.fixed_end_temperature -
-                                      scene.heat.obstacle_temperature))
-        entries["reached_state_of_rest"] = nearest + 1;
+      if (const unsigned int state = reached_state_of_rest(states, end, scene))
+        entries["reached_state_of_rest"] = state;
     }
 
 
@@ -115,17 +110,6 @@ namespace ThermoContact
 
 
 
-  unsigned int
-  n_contact_begins(const std::vector<ContactEvent> &events)
-  {
-    unsigned int n = 0;
-    for (const ContactEvent &event : events)
-      n += event.kind == ContactEvent::begin;
-    return n;
-  }
-
-
-
   template <int dim>
   void
   write_summary(const std::string     &file_name,
@@ -161,6 +145,10 @@ namespace ThermoContact
       {"active_set_iterations", counters.active_set_iterations},
       {"contact_begins", n_contact_begins(events)},
       {"first_contact_time", nullptr},
+      {"contact_duration",
+       contact_duration(events, record.in_contact, record.time)},
+      {"contact_impulse", record.contact_impulse},
+      {"restitution", restitution(events)},
       {"max_penetration", simulation.history().max_penetration},
       {"max_contact_force", simulation.history().max_contact_force},
       {"final_time", record.time},

@@ -23,7 +23,9 @@ namespace ThermoContact
     , controller(parameters.time,
                  parameters.output,
                  scene_.scheme.order,
-                 parameters.dimension == 1 ? 4 : 1)
+                 DimensionTraits<dim>::has_cheap_factors ?
+                   StepLadder{4, false} :
+                   StepLadder{1, true})
     , error_norm(body_.energy.steady_profile_energy())
     , energy_watch(scene_)
   {

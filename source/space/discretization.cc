@@ -41,7 +41,7 @@ namespace ThermoContact
     if constexpr (dim > 1)
       if (!scene.linear_solver.has_matrices())
         {
-          matrix_free_ = std::make_shared<const MatrixFreeSpaces<dim>>(*this);
+          matrix_free_ = std::make_unique<const MatrixFreeSpaces<dim>>(*this);
           for (const Field::Block field : all_fields)
             if (has_field(field))
               prototypes[field].reinit(matrix_free_->make_vector(field));
@@ -49,6 +49,11 @@ namespace ThermoContact
     contact_end_ =
       std::make_unique<const ContactEnd<dim>>(*this, *contact_gap<dim>(scene));
   }
+
+
+
+  template <int dim>
+  Discretization<dim>::~Discretization() = default;
 
 
 

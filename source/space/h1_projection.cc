@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/h1_projection.h>
 #include <thermocontact/space/linear_map.h>
 #include <thermocontact/space/matrix_free_operator.h>
@@ -10,7 +11,6 @@
 
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <deal.II/numerics/vector_tools_interpolate.h>
@@ -90,14 +90,15 @@ namespace ThermoContact
         value = 1. / value;
       for (const unsigned int entry : fixed)
         diagonal.local_element(entry) = 1.;
-      const unsigned int max_iterations = 20000;
-      SolverControl      control(max_iterations, allowed, false, false);
-      Vector             correction(rhs);
+      Vector correction(rhs);
       correction = 0.;
-      SolverCG<Vector>(control).solve(FixedProduct{product, fixed},
-                                      correction,
-                                      rhs,
-                                      DiagonalMatrix<Vector>(diagonal));
+      conjugate_gradients("the projection of the initial values",
+                          FixedProduct{product, fixed},
+                          correction,
+                          rhs,
+                          DiagonalMatrix<Vector>(diagonal),
+                          allowed / rhs.l2_norm(),
+                          20000);
       values += correction;
     }
   } // namespace

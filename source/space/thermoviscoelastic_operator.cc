@@ -82,13 +82,13 @@ namespace ThermoContact
 
 
     template <int dim>
-    std::shared_ptr<const MatrixFreeOperator<dim>>
+    std::unique_ptr<const MatrixFreeOperator<dim>>
     make_matrix_free(const Scene               &scene,
                      const Discretization<dim> &discretization)
     {
       if constexpr (dim > 1)
         if (!scene.linear_solver.has_matrices())
-          return std::make_shared<const MatrixFreeOperator<dim>>(
+          return std::make_unique<const MatrixFreeOperator<dim>>(
             scene, discretization);
       return nullptr;
     }
@@ -193,6 +193,11 @@ namespace ThermoContact
     , heat_scratch(discretization.make_vector(Field::temperature))
     , momentum_scratch(discretization.make_vector(Field::displacement))
   {}
+
+
+
+  template <int dim>
+  ThermoviscoelasticOperator<dim>::~ThermoviscoelasticOperator() = default;
 
 
 

@@ -194,26 +194,38 @@ namespace ThermoContact
     std::vector<double> free_penetration(s.begin(), s.begin() + end.n_nodes());
     for (unsigned int i = 0; i < end.n_nodes(); ++i)
       free_penetration[i] -= end.nodes()[i].gap;
-    std::vector<double> &p = state.contact_pressure;
-    ContactSolver(body.law())
-      .solve(between_pressures(receptance), free_penetration, p);
+    std::vector<double>     &p      = state.contact_pressure;
+    const FullMatrix<double> square = between_pressures(receptance);
+    const ContactSolver      solver(body.law());
+    solver.solve(square, free_penetration, p);
 
     body.equations.stiffness().vmult(force, state.velocity);
     force *= -1.;
     const std::vector<double> s_rate =
       moved_by_force(end, flexibility, force, state.velocity);
+    std::vector<bool> has_pressure;
+    for (const double pressure : p)
+      has_pressure.push_back(pressure > 0.);
+    const std::vector<double> p_rate =
+      solver.solve_linearized(square,
+                              p,
+                              has_pressure,
+                              std::vector<double>(s_rate.begin(),
+                                                  s_rate.begin() + p.size()));
     for (const auto &[node, entry] : end.all_entries(Field::displacement))
       {
-        // where there is pressure, the law is exact to rounding of u
         double displacement = s[node], velocity = s_rate[node];
         for (unsigned int j = 0; j < p.size(); ++j)
-          displacement -= receptance(node, j) * p[j];
-        if (node < p.size() && p[node] > 0.)
           {
-            const double tangent = body.law().tangent(p[node]);
+            displacement -= receptance(node, j) * p[j];
+            velocity -= receptance(node, j) * p_rate[j];
+          }
+        if (node < p.size() && has_pressure[node])
+          {
+            // the law, exact to rounding of u
             displacement =
               end.nodes()[node].gap + body.law().penetration(p[node]);
-            velocity *= tangent / (tangent + receptance(node, node));
+            velocity = body.law().tangent(p[node]) * p_rate[node];
           }
         state.displacement.begin()[entry] = displacement;
         state.velocity.begin()[entry]     = velocity;

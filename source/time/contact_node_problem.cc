@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/matrix_free_operator.h>
 #include <thermocontact/time/contact_node_problem.h>
 
 #include <deal.II/lac/diagonal_matrix.h>
-#include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/solver_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +14,7 @@ namespace ThermoContact
 {
   namespace
   {
-    constexpr unsigned int n_sets_at_once = 20;
+    constexpr unsigned int max_sets_of_many_changes = 20;
 
     double
     largest_of(const std::vector<double> &values)
@@ -112,11 +111,14 @@ namespace ThermoContact
           b(i) -= stiffness * penetration[i];
         inverse(i) = is_held(i) ? 1. : 1. / (diagonal[i] + spring(i));
       }
-    const unsigned int max_iterations = 10000;
-    SolverControl control(max_iterations, 1e-13 * b.l2_norm(), false, false);
     if (b.linfty_norm() > 0.)
-      SolverCG<dealii::Vector<double>>(control).solve(
-        *this, x, b, DiagonalMatrix<dealii::Vector<double>>(inverse));
+      conjugate_gradients("the equilibrium of the contact nodes",
+                          *this,
+                          x,
+                          b,
+                          DiagonalMatrix<dealii::Vector<double>>(inverse),
+                          1e-13,
+                          10000);
     std::vector<double> change(x.begin(), x.end());
     for (unsigned int i = 0; i < n; ++i)
       change[i] += held[i];
@@ -176,7 +178,8 @@ namespace ThermoContact
             pressure[i] =
               is_active[i] ? (load[i] - force[i]) / end.nodes()[i].weight : 0.;
           }
-        if (!update_set(can_touch, pressure, reach, n_sets > n_sets_at_once))
+        if (!update_set(
+              can_touch, pressure, reach, n_sets > max_sets_of_many_changes))
           {
             for (double &p : pressure)
               p = std::max(p, 0.);

@@ -43,6 +43,9 @@ namespace ThermoContact
       "without inertia there is no energy of motion to conserve";
     scheme.needs_linear_contact =
       "the scheme knows the potential of linear laws only";
+    scheme.needs_constant_exchange =
+      "the scheme finds its pressures before it knows the temperatures";
+    scheme.needs_factors = true;
     scheme.cannot_hold_contact =
       "the scheme conserves energy through contact in steps of any size";
     scheme.step_exponent = 0.5;

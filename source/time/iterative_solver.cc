@@ -40,19 +40,12 @@ namespace ThermoContact
   {
     const Discretization<dim> &coarsest =
       stage.multigrid_levels().discretization(0);
-    return std::max(coarsest.n_temperature_dofs(),
-                    coarsest.n_displacement_dofs());
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeSolver<dim>::provide_hierarchy(const double tau)
-  {
-    const StopWatch watch(counters_.factorization_seconds);
-    if (stage.preconditioners().provide(tau))
-      ++counters_.factorizations;
+    types::global_dof_index largest = 0;
+    for (const types::global_dof_index n :
+         {coarsest.n_temperature_dofs(), coarsest.n_displacement_dofs()})
+      if (CoarseSolver<dim>::is_factorised(n))
+        largest = std::max(largest, n);
+    return largest;
   }
 
 
@@ -63,8 +56,12 @@ namespace ThermoContact
   {
     RetainedFactorizations retained;
     retained.counters = counters_;
-    retained.taus     = stage.preconditioners().lengths();
-    retained.has_response.assign(retained.taus.size(), false);
+    for (const auto &hierarchy : stage.preconditioners().all())
+      {
+        retained.taus.push_back(hierarchy.tau);
+        retained.has_response.push_back(false);
+        retained.active_sets.push_back(hierarchy.last_contact);
+      }
     return retained;
   }
 
@@ -76,7 +73,7 @@ namespace ThermoContact
   {
     stage.preconditioners().clear();
     for (unsigned int i = retained.taus.size(); i-- > 0;)
-      provide_hierarchy(retained.taus[i]);
+      stage.restore(retained.taus[i], retained.active_sets[i]);
     counters_ = retained.counters;
   }
 
@@ -143,9 +140,7 @@ namespace ThermoContact
                                        StageRates       &rates)
   {
     const unsigned int n = body.contact_end().n_nodes();
-    rates.failure.clear();
-    rates.pressure.assign(n, 0.);
-    rates.exchange_coefficient = known.exchange_coefficient;
+    rates.start(known);
     std::vector<bool> is_active(n, false), is_held(rates.is_held);
     is_held.resize(n, false);
     if (body.law().is_active() && mode != ContactMode::open)
@@ -204,6 +199,35 @@ namespace ThermoContact
 
   template <int dim>
   void
+  IterativeSolver<dim>::solve_fields(const State      &known,
+                                     const double      tau,
+                                     const Vector     &heat_load,
+                                     const Vector     &momentum_load,
+                                     const ContactMode mode,
+                                     const bool        with_heat,
+                                     StageRates       &rates)
+  {
+    const StopWatch    watch(counters_.solve_seconds);
+    const unsigned int n_made = stage.preconditioners().n_made();
+    {
+      const StopWatch watch_of_hierarchy(counters_.factorization_seconds);
+      stage.preconditioners().provide(tau);
+    }
+    stage.prepare(known, tau, heat_load, momentum_load, with_heat);
+    solve_prepared(known, mode, rates);
+    counters_.factorizations += stage.preconditioners().n_made() - n_made;
+    ++counters_.solves;
+    if (with_heat)
+      rates.temperature_rate.equ(1. / tau, stage.unknowns(Field::temperature));
+    if (body.scene.fields.has_displacement)
+      rates.velocity.copy_locally_owned_data_from(
+        stage.unknowns(Field::displacement));
+  }
+
+
+
+  template <int dim>
+  void
   IterativeSolver<dim>::keep_contact(const std::vector<bool> &is_closed,
                                      const std::vector<double> & /*pressure*/,
                                      State &difference)
@@ -220,9 +244,11 @@ namespace ThermoContact
                      difference.displacement.linfty_norm())
       return;
 
-    const StopWatch watch(counters_.solve_seconds);
+    const StopWatch    watch(counters_.solve_seconds);
+    const unsigned int n_made = stage.preconditioners().n_made();
     stage.prepare_displacement(displacement);
     stage.set_active(is_closed);
+    counters_.factorizations += stage.preconditioners().n_made() - n_made;
     count(
       stage.solve(estimate_tolerance, IterativeStage<dim>::Measure::of_start));
     const double  tau       = stage.length();
@@ -245,16 +271,13 @@ namespace ThermoContact
                               const ContactMode mode,
                               StageRates       &rates)
   {
-    const StopWatch watch(counters_.solve_seconds);
-    provide_hierarchy(tau);
-    stage.prepare(known, tau, heat_load, momentum_load, true);
-    solve_prepared(known, mode, rates);
-    ++counters_.solves;
-    if (body.scene.fields.has_temperature)
-      rates.temperature_rate.equ(1. / tau, stage.unknowns(Field::temperature));
-    if (body.scene.fields.has_displacement)
-      rates.velocity.copy_locally_owned_data_from(
-        stage.unknowns(Field::displacement));
+    solve_fields(known,
+                 tau,
+                 heat_load,
+                 momentum_load,
+                 mode,
+                 body.scene.fields.has_temperature,
+                 rates);
   }
 
 
@@ -268,13 +291,7 @@ namespace ThermoContact
                                        const ContactMode mode,
                                        StageRates       &rates)
   {
-    const StopWatch watch(counters_.solve_seconds);
-    provide_hierarchy(tau);
-    stage.prepare(known, tau, heat_load, momentum_load, false);
-    solve_prepared(known, mode, rates);
-    ++counters_.solves;
-    rates.velocity.copy_locally_owned_data_from(
-      stage.unknowns(Field::displacement));
+    solve_fields(known, tau, heat_load, momentum_load, mode, false, rates);
   }
 
 
@@ -290,7 +307,6 @@ namespace ThermoContact
   {
     const StopWatch watch(counters_.solve_seconds);
     const double    tau = 1.; // its matrix is (zeta + 1) S
-    provide_hierarchy(tau);
     stage.prepare(known, tau, heat_load, momentum_load, false);
     stage.set_penetrations(std::vector<double>(is_closed.size(), 0.));
     std::vector<bool> is_active(is_closed.size(), false), is_away(is_closed);

@@ -327,8 +327,9 @@ namespace ThermoContact
 
     end_exchange.pressure    = known.contact_pressure;
     end_exchange.coefficient = known.exchange_coefficient;
-    rates.n_iterations = exchange_solver.solve(response, mode, end_exchange);
-    rates.pressure     = end_exchange.pressure;
+    rates.n_iterations =
+      exchange_solver.solve(response, mode, end_exchange, rates.is_held);
+    rates.pressure             = end_exchange.pressure;
     rates.exchange_coefficient = end_exchange.coefficient;
     apply_pressure(rates);
     subtract_responses(Field::temperature, end_exchange.flux, rates);
@@ -345,6 +346,7 @@ namespace ThermoContact
                                                StageRates   &rates)
   {
     const StopWatch watch(counters_.solve_seconds);
+    rates.start(known);
     provide_factorization(tau);
     body.equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
@@ -353,11 +355,6 @@ namespace ThermoContact
                                         rates.temperature_rate,
                                         rates.velocity);
     ++counters_.solves;
-
-    rates.failure.clear();
-    rates.n_iterations = 0;
-    rates.pressure.assign(body.contact_end().n_nodes(), 0.);
-    rates.exchange_coefficient = known.exchange_coefficient;
   }
 
 

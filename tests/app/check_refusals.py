@@ -145,6 +145,8 @@ SCENES = [
      ("Contact/Massless nodes=off", "Contact/Condition=normal compliance")),
     ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=0",
      "Solver/Linear tolerance=1e-12", "Solver/Linear tolerance=automatic"),
+    ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=9.9e-15",
+     "Solver/Linear tolerance=1e-14"),
     ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=0.01",
      "Solver/Linear tolerance=0.0099"),
     ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=-1e-9",

@@ -30,6 +30,10 @@ AUTOMATIC = ("Time/Scheme=sdirk4", "Time/Step size=automatic",
              "Time/Tolerance=0.01", "Time/End time=6")
 ELASTIC = ("Contact/Condition=normal compliance", "Contact/Compliance=1e-4")
 
+VARYING = ("Model/Fields=temperature and displacement",
+           "Boundary/Fixed end temperature=0", "Initial values/Temperature=0")
+STRIP = ELASTIC + ("Dimension=2", "Mesh/Cells across=1")
+
 # overrides, energy that is allowed at once and per step, remedy if it is due
 ENERGY = [
     ((), 1e-3, 0, SMALLER + MASSLESS + CONSERVING),  # 27 times what is allowed
@@ -45,6 +49,13 @@ ENERGY = [
     (ELASTIC, 1e-3, 0, SMALLER + MASSLESS + CONSERVING),
     (AUTOMATIC, 1e-9, 0.02, TOLERANCE + MASSLESS + CONSERVING),
     (AUTOMATIC + ELASTIC, 1e-9, 0.02, None),  # 9.6 times 1e-3
+    # the other scheme has neither a heat exchange that varies nor the iterative
+    # solver, which is asked for
+    (VARYING + ("Boundary/Heat exchange=1+0*gap",), 1e-3, 0, SMALLER + MASSLESS),
+    (VARYING + ("Boundary/Heat exchange=1",), 1e-3, 0,
+     SMALLER + MASSLESS + CONSERVING),
+    (STRIP + ("Solver/Linear solver=iterative",), 1e-3, 0, SMALLER + MASSLESS),
+    (STRIP, 1e-3, 0, SMALLER + MASSLESS + CONSERVING),
     # a force does work
     (("Sources/Body force=0.1",), None, 0, None),
 ]

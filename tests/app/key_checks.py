@@ -107,6 +107,24 @@ def check_contacts(run):
                              "first_contact_time": float(begins[0]) if begins else None})
 
 
+@key("contact_duration", "restitution", "contact_impulse")
+def check_contact(run):
+    """Sums over the events; the last release over the first impact; the last row"""
+    begins, ends = (run.events["time"][numpy.array(run.events["kind"]) == kind]
+                    if len(run.events) else numpy.array([]) for kind in ("begin", "end"))
+    open_end = [run.contact["time"][-1]] * int(run.contact["in_contact"][-1])
+    velocities = dict(zip(run.events["kind"][::-1], run.events["velocity"][::-1]))
+    last = dict(zip(run.events["kind"], run.events["velocity"]))
+    impact, release = velocities.get("begin", math.nan), last.get("end", math.nan)
+    ratio = -release / impact if impact > 0 else math.nan
+    yield from compare(run, {"restitution": None if math.isnan(ratio) else float(ratio)},
+                       1e-12)
+    yield from compare(run, {
+        "contact_duration": float(sum([*ends, *open_end]) - sum(begins)),
+        "contact_impulse": float(run.contact["contact_impulse"][-1])}, 1e-9)
+
+
+
 @key("max_penetration", "max_contact_force", "max_energy_increase")
 def check_maxima(run):
     """The largest values of the columns, which have a row for every step."""

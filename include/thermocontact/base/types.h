@@ -25,7 +25,10 @@ namespace ThermoContact
 {
   using namespace dealii;
 
-  /** Values of one field (temperature or displacement), without ghosts. */
+  /**
+   * Values of one field (temperature or displacement); with the ghosts that
+   * products without matrices need, where a body has no matrices.
+   */
   using Vector = LinearAlgebra::distributed::Vector<double>;
 
   /** Both fields, where something needs values of cells: with ghosts. */
@@ -66,6 +69,9 @@ namespace ThermoContact
   {
     using Triangulation = parallel::distributed::Triangulation<dim>;
 
+    /** A factorisation costs about as much as a step, or less. */
+    static constexpr bool has_cheap_factors = false;
+
     static std::unique_ptr<Triangulation>
     make_triangulation(const MPI_Comm communicator)
     {
@@ -84,6 +90,8 @@ namespace ThermoContact
   struct DimensionTraits<1>
   {
     using Triangulation = parallel::shared::Triangulation<1>;
+
+    static constexpr bool has_cheap_factors = true;
 
     static std::unique_ptr<Triangulation>
     make_triangulation(const MPI_Comm communicator)

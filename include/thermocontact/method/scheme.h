@@ -36,6 +36,12 @@ namespace ThermoContact
     /** Why it treats linear contact laws alone; empty: it treats all. */
     std::string needs_linear_contact;
 
+    /** Why its heat exchange cannot depend on the contact; empty: it can. */
+    std::string needs_constant_exchange;
+
+    /** Its steps need responses to unit pressures, and so sparse factors. */
+    bool needs_factors = false;
+
     /** The viscosity acts on its contact nodes. */
     bool has_viscous_contact = true;
 

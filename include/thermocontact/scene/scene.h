@@ -94,7 +94,10 @@ namespace ThermoContact
     double                              fixed_end_temperature; ///< $\theta_A$
     double obstacle_temperature; ///< $\theta_{obs}$
 
-    /** $k_s$ of the steady profile: $k$ at the gap of the undeformed body. */
+    /**
+     * $k_s$ of the steady profile: $k$ at the gap of the undeformed body, or at
+     * gap 0 if that is an expression. The profile is a reference: any will do.
+     */
     double reference_coefficient;
 
     /** False if no heat is exchanged. */
@@ -194,6 +197,9 @@ namespace ThermoContact
     bool        is_iterative;
     double      tolerance; ///< relative residual; of the iterative one
     std::string reason;    ///< of the choice
+
+    /** What of the scene needs sparse factors; empty: nothing does. */
+    std::string needs_factors;
 
     std::string
     name() const

@@ -46,6 +46,8 @@ namespace ThermoContact
   public:
     Discretization(const Scene &scene, const MPI_Comm communicator);
 
+    ~Discretization();
+
     const Geometry<dim> &
     geometry() const
     {
@@ -213,8 +215,8 @@ namespace ThermoContact
     }
 
     /**
-     * A vector of zeros for one field or for the whole system. All of them
-     * share one map, which makes their assignment a copy instead of an import.
+     * A vector of zeros for one field or for the whole system. Those of a
+     * field share one partitioner: their assignment is a copy.
      */
     Vector
     make_vector(const Field::Block field) const
@@ -278,7 +280,7 @@ namespace ThermoContact
     std::vector<Vector>                          prototypes;
     SystemVector                                 system_prototype;
     std::unique_ptr<const ContactEnd<dim>>       contact_end_;
-    std::shared_ptr<const MatrixFreeSpaces<dim>> matrix_free_;
+    std::unique_ptr<const MatrixFreeSpaces<dim>> matrix_free_;
     std::vector<IndexSet>                        constrained_;
     std::vector<std::vector<unsigned int>>       constrained_entries_;
 

@@ -17,7 +17,10 @@ namespace ThermoContact
 
 
 
-  /** Products with the field matrices; those of absent fields are null. */
+  /**
+   * Products with the field matrices. With assembled matrices, those of absent
+   * fields and terms are null; without, they are there and must not be used.
+   */
   struct FieldMaps
   {
     std::unique_ptr<const LinearMap> heat_mass, conduction, divergence,
@@ -38,8 +41,8 @@ namespace ThermoContact
    *
    * Field matrices are assembled once, without constraints, or not at all if
    * the scene has an iterative solver; the constrained rows of stage matrices
-   * and right-hand sides say that rates vanish. Vectors have the layout of
-   * their block, without ghosts.
+   * and right-hand sides say that rates vanish. Vectors come from
+   * Discretization::make_vector().
    */
   template <int dim>
   class ThermoviscoelasticOperator
@@ -48,6 +51,8 @@ namespace ThermoContact
     /** Both references are borrowed and must outlive this object. */
     ThermoviscoelasticOperator(const Scene               &scene,
                                const Discretization<dim> &discretization);
+
+    ~ThermoviscoelasticOperator();
 
     /** $M$, $\int\eta_i\eta_j$. */
     const LinearMap &
@@ -175,7 +180,7 @@ namespace ThermoContact
     const bool                 has_own_viscous_stiffness;
     /** One of the two is there. */
     const std::unique_ptr<const FieldMatrices<dim>>      matrices;
-    const std::shared_ptr<const MatrixFreeOperator<dim>> matrix_free_;
+    const std::unique_ptr<const MatrixFreeOperator<dim>> matrix_free_;
     const FieldMaps                                      maps;
     mutable Vector                                       heat_scratch;
     mutable Vector                                       momentum_scratch;

@@ -65,7 +65,7 @@ namespace ThermoContact
                  const std::vector<double> &pressure,
                  State                     &difference) override;
 
-    /** The coarsest level, of one field. */
+    /** The coarsest level, of one field; zero without factors. */
     types::global_dof_index
     n_factorized_unknowns() const override;
 
@@ -78,9 +78,6 @@ namespace ThermoContact
   private:
     const Body<dim>    &body;
     IterativeStage<dim> stage;
-
-    void
-    provide_hierarchy(const double tau);
 
     /** Solves for the present set to a relative residual. */
     void
@@ -102,6 +99,16 @@ namespace ThermoContact
     solve_prepared(const State      &known,
                    const ContactMode mode,
                    StageRates       &rates);
+
+    /** A stage with or without its temperature: solve() or solve_momentum(). */
+    void
+    solve_fields(const State      &known,
+                 const double      tau,
+                 const Vector     &heat_load,
+                 const Vector     &momentum_load,
+                 const ContactMode mode,
+                 const bool        with_heat,
+                 StageRates       &rates);
 
     /** The same by active sets, from @p is_active on. */
     void

@@ -79,11 +79,20 @@ namespace ThermoContact
     };
 
     /**
+     * Makes the preconditioners of a stage length again.
+     *
+     * @param last_contact of StageHierarchies::Hierarchy
+     */
+    void
+    restore(const double stage_length, const std::vector<bool> &last_contact);
+
+    /**
      * Solves for the present set.
      *
      * @param tolerance relative residual, (M.53)
      * @return number of iterations
-     * @throw ComputationError if there are too many
+     * @throw ComputationError if there are too many, or if the residual of the
+     *   solution is above twice the tolerance
      */
     unsigned int
     solve(const double tolerance, const Measure measure = Measure::of_terms);
@@ -136,9 +145,15 @@ namespace ThermoContact
     BlockVector         correction;
     BlockVector         scaled_residual;
 
+    double largest_residual = 0.; ///< of the present stage, at the start
+
     /** Makes residuals relative: one over the size of the terms of a row. */
     void
     set_weights(const State &known);
+
+    /** Springs and held nodes, and preconditioners that heed them. */
+    void
+    set_rows(const std::vector<bool> &is_active);
 
     /** @p y = the matrix of the stage without contact times @p x. */
     void
@@ -147,6 +162,23 @@ namespace ThermoContact
     /** If it is not there. */
     void
     compute_residual();
+
+    /**
+     * The residual of the present set, with contact and scaled.
+     *
+     * @return what rounding of springs contributes to its norm
+     */
+    double
+    compute_scaled_residual();
+
+    /** Improves the solution until the estimate of GMRES is small enough. */
+    unsigned int
+    add_correction(const double tolerance);
+
+    [[noreturn]] void
+    give_up(const double       residual,
+            const double       tolerance,
+            const unsigned int n_iterations) const;
 
     class Matrix;
     class Preconditioner;
