@@ -124,16 +124,31 @@ namespace ThermoContact
           y(i) = is_held[i] ? x(i) : result[i] + springs[i] * x(i);
       }
 
-      /** Solves for what is not held, which has zeros in @p load. */
+      /**
+       * The displacements by forces, with given ones where nodes are held.
+       *
+       * @param load forces; those on held nodes are of no account
+       * @param held displacements of the nodes that are held, else zero
+       * @param offset what springs are compressed by before
+       */
       std::vector<double>
-      solve(const std::vector<double> &load) const
+      solve(const std::vector<double> &load,
+            const std::vector<double> &held,
+            const std::vector<double> &offset) const
       {
-        dealii::Vector<double> b(load.begin(), load.end()), x(b.size());
+        const std::vector<double> by_held = forces(held);
+        dealii::Vector<double>    b(load.size()), x(load.size());
+        for (unsigned int i = 0; i < load.size(); ++i)
+          b(i) =
+            is_held[i] ? 0. : load[i] - by_held[i] - springs[i] * offset[i];
         SolverControl control(10000, 1e-13 * b.l2_norm(), false, false);
         if (b.linfty_norm() > 0.)
           SolverCG<dealii::Vector<double>>(control).solve(
             *this, x, b, PreconditionIdentity());
-        return std::vector<double>(x.begin(), x.end());
+        std::vector<double> result(held);
+        for (unsigned int i = 0; i < result.size(); ++i)
+          result[i] += x(i);
+        return result;
       }
     };
 
@@ -176,7 +191,7 @@ namespace ThermoContact
               "the active set of " + std::to_string(n) +
               " contact nodes did not settle at the start\n  remedy:  a larger "
               "Contact/Compliance or Solver/Linear solver = direct");
-          std::vector<double> held(n, 0.), b(load);
+          std::vector<double> held(n, 0.);
           for (unsigned int i = 0; i < n; ++i)
             {
               stiffness.is_held[i] = is_active[i] && body.law().is_rigid();
@@ -186,14 +201,7 @@ namespace ThermoContact
               if (stiffness.is_held[i])
                 held[i] = -penetration[i];
             }
-          const std::vector<double> by_held = stiffness.forces(held);
-          for (unsigned int i = 0; i < n; ++i)
-            b[i] = stiffness.is_held[i] ?
-                     0. :
-                     b[i] - by_held[i] - stiffness.springs[i] * penetration[i];
-          change = stiffness.solve(b);
-          for (unsigned int i = 0; i < n; ++i)
-            change[i] += held[i];
+          change = stiffness.solve(load, held, penetration);
           const std::vector<double> force = stiffness.forces(change);
           has_changed                     = false;
           for (unsigned int i = 0; i < n_pressures; ++i)
@@ -214,21 +222,17 @@ namespace ThermoContact
         stiffness.springs[i] = is_active[i] && !body.law().is_rigid() ?
                                  end.nodes()[i].weight / tangent :
                                  0.;
-      std::vector<double> velocity, b(rate_load), values(n);
+      std::vector<double> velocity, values(n);
       end.get_all_values(Field::displacement, state.velocity, velocity);
       std::vector<double> stop(n, 0.);
       for (unsigned int i = 0; i < n; ++i)
         if (stiffness.is_held[i])
           stop[i] = -velocity[i];
-      const std::vector<double> by_stop = stiffness.forces(stop);
-      for (unsigned int i = 0; i < n; ++i)
-        b[i] = stiffness.is_held[i] ?
-                 0. :
-                 b[i] - by_stop[i] - stiffness.springs[i] * velocity[i];
-      const std::vector<double> acceleration = stiffness.solve(b);
+      const std::vector<double> acceleration =
+        stiffness.solve(rate_load, stop, velocity);
       for (unsigned int i = 0; i < n; ++i)
         {
-          velocity[i] += stop[i] + acceleration[i];
+          velocity[i] += acceleration[i];
           // where there is pressure, the law is exact to rounding of u
           values[i] = i < n_pressures && p[i] > 0. ?
                         end.nodes()[i].gap + body.law().penetration(p[i]) :

@@ -173,6 +173,30 @@ namespace ThermoContact
 
   template <int dim>
   void
+  IterativeSolver<dim>::solve_fields(const State      &known,
+                                     const double      tau,
+                                     const Vector     &heat_load,
+                                     const Vector     &momentum_load,
+                                     const ContactMode mode,
+                                     const bool        with_heat,
+                                     StageRates       &rates)
+  {
+    const StopWatch watch(counters_.solve_seconds);
+    provide_hierarchy(tau);
+    stage.prepare(known, tau, heat_load, momentum_load, with_heat);
+    solve_prepared(known, mode, rates);
+    ++counters_.solves;
+    if (with_heat)
+      rates.temperature_rate.equ(1. / tau, stage.unknowns(Field::temperature));
+    if (body.scene.fields.has_displacement)
+      rates.velocity.copy_locally_owned_data_from(
+        stage.unknowns(Field::displacement));
+  }
+
+
+
+  template <int dim>
+  void
   IterativeSolver<dim>::solve(const State      &known,
                               const double      tau,
                               const Vector     &heat_load,
@@ -180,16 +204,13 @@ namespace ThermoContact
                               const ContactMode mode,
                               StageRates       &rates)
   {
-    const StopWatch watch(counters_.solve_seconds);
-    provide_hierarchy(tau);
-    stage.prepare(known, tau, heat_load, momentum_load, true);
-    solve_prepared(known, mode, rates);
-    ++counters_.solves;
-    if (body.scene.fields.has_temperature)
-      rates.temperature_rate.equ(1. / tau, stage.unknowns(Field::temperature));
-    if (body.scene.fields.has_displacement)
-      rates.velocity.copy_locally_owned_data_from(
-        stage.unknowns(Field::displacement));
+    solve_fields(known,
+                 tau,
+                 heat_load,
+                 momentum_load,
+                 mode,
+                 body.scene.fields.has_temperature,
+                 rates);
   }
 
 
@@ -203,13 +224,7 @@ namespace ThermoContact
                                        const ContactMode mode,
                                        StageRates       &rates)
   {
-    const StopWatch watch(counters_.solve_seconds);
-    provide_hierarchy(tau);
-    stage.prepare(known, tau, heat_load, momentum_load, false);
-    solve_prepared(known, mode, rates);
-    ++counters_.solves;
-    rates.velocity.copy_locally_owned_data_from(
-      stage.unknowns(Field::displacement));
+    solve_fields(known, tau, heat_load, momentum_load, mode, false, rates);
   }
 
 

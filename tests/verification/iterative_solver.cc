@@ -214,15 +214,19 @@ namespace
 
 
   void
+  compare(const std::string &name, const Overrides &overrides)
+  {
+    compare_solvers<2>(
+      name,
+      joined({"Mesh/Cells=8", "Mesh/Cells across=4", "Mesh/Degree=2"},
+             overrides));
+  }
+
+
+
+  void
   compare_strips()
   {
-    const Overrides strip{"Mesh/Cells=8",
-                          "Mesh/Cells across=4",
-                          "Mesh/Degree=2"};
-    const auto      compare = [&](const std::string &name,
-                             const Overrides   &overrides) {
-      compare_solvers<2>(name, joined(strip, overrides));
-    };
     compare("degree 1, epsilon = 1", {"Mesh/Degree=1", "Contact/Compliance=1"});
     compare("degree 2, epsilon = 1e-2", {"Contact/Compliance=1e-2"});
     compare("degree 4, epsilon = 1e-6",
@@ -263,13 +267,6 @@ namespace
   void
   compare_other_strips()
   {
-    const Overrides strip{"Mesh/Cells=8",
-                          "Mesh/Cells across=4",
-                          "Mesh/Degree=2"};
-    const auto      compare = [&](const std::string &name,
-                             const Overrides   &overrides) {
-      compare_solvers<2>(name, joined(strip, overrides));
-    };
     compare("rollers", {"Boundary/Lateral support=rollers"});
     compare("no heating, rigid",
             {"Model/Thermoelastic heating=false", "Contact/Condition=rigid"});

@@ -73,6 +73,16 @@ namespace ThermoContact
     solve_prepared(const State      &known,
                    const ContactMode mode,
                    StageRates       &rates);
+
+    /** A stage with or without its temperature: solve() or solve_momentum(). */
+    void
+    solve_fields(const State      &known,
+                 const double      tau,
+                 const Vector     &heat_load,
+                 const Vector     &momentum_load,
+                 const ContactMode mode,
+                 const bool        with_heat,
+                 StageRates       &rates);
   };
 } // namespace ThermoContact
 
