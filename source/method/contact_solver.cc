@@ -249,6 +249,7 @@ namespace ThermoContact
     std::vector<double>              &pressure) const
   {
     constexpr unsigned int max_iterations = 1000;
+    constexpr double       smallest_part  = 1e-6; // of a step
     const unsigned int     n              = pressure.size();
     Penetrations           nodes;
     for (unsigned int i = 0; i < n; ++i)
@@ -261,10 +262,17 @@ namespace ThermoContact
     evaluate_nodes(nodes);
     for (unsigned int iteration = 1; iteration <= max_iterations; ++iteration)
       {
-        Penetrations trial(nodes);
-        trial.penetration = newton_step(law, response, nodes);
-        evaluate_nodes(trial);
-        const bool is_better = trial.largest_defect < nodes.largest_defect;
+        const std::vector<double> aim = newton_step(law, response, nodes);
+        Penetrations              trial(nodes);
+        bool                      is_better = false;
+        for (double part = 1.; part > smallest_part && !is_better; part *= 0.5)
+          {
+            for (unsigned int i = 0; i < n; ++i)
+              trial.penetration[i] =
+                part * aim[i] + (1. - part) * nodes.penetration[i];
+            evaluate_nodes(trial);
+            is_better = trial.largest_defect < nodes.largest_defect;
+          }
         if (is_better)
           nodes = trial;
         if (nodes.largest_defect <= (is_better ? 1e-15 : 1e-13) * nodes.scale)

@@ -70,7 +70,7 @@ namespace
   void
   check_periodic()
   {
-    const double               w = 5., k = 2.;
+    const double               w = 5., k    = 2.;
     const std::complex<double> i(0., 1.), c = std::sqrt(i * w);
     const std::complex<double> A = k / (c * std::cosh(c) + k * std::sinh(c));
     double                     error = 0.;
@@ -86,8 +86,7 @@ namespace
             (A * std::sinh(c) * std::exp(i * w * r.time)).imag();
           raise(error, std::abs(r.temperature_end - theta));
           raise(error,
-                std::abs(r.heat_flux_end -
-                         k * (theta - std::sin(w * r.time))));
+                std::abs(r.heat_flux_end - k * (theta - std::sin(w * r.time))));
           ++n;
         }
     deallog << "periodic: many rows " << (n > 20)
@@ -99,18 +98,18 @@ namespace
   void
   check_jump()
   {
-    const Overrides scene = heat + euler + Overrides{"Time/End time=1"};
+    const Overrides  scene = heat + euler + Overrides{"Time/End time=1"};
     const StepRecord varying =
       run<1>("",
              scene + Overrides{"Boundary/Obstacle temperature="
                                "if(t<0.495,1,3)"})
         .back();
-    const StepRecord flux = run<1>("",
-                                   scene +
-                                     Overrides{"Boundary/Obstacle temperature=1",
-                                               "Sources/End heat flux="
-                                               "if(t<0.495,0,4)"})
-                              .back();
+    const StepRecord flux =
+      run<1>("",
+             scene + Overrides{"Boundary/Obstacle temperature=1",
+                               "Sources/End heat flux="
+                               "if(t<0.495,0,4)"})
+        .back();
     double error = 0.;
     raise(error, std::abs(varying.temperature_end / flux.temperature_end - 1.));
     raise(error,
@@ -129,10 +128,9 @@ namespace
   {
     const auto rows =
       run<1>("paper/experiment-1.prm",
-             euler +
-               Overrides{"Boundary/Obstacle temperature=5*sin(7*t)",
-                         "Time/Start=consistent",
-                         "Time/End time=2"});
+             euler + Overrides{"Boundary/Obstacle temperature=5*sin(7*t)",
+                               "Time/Start=consistent",
+                               "Time/End time=2"});
     double largest = 0., defect = 0.;
     for (unsigned int i = 1; i < rows.size(); ++i)
       {

@@ -88,8 +88,9 @@ namespace ThermoContact
     begins_without_stiffness() const;
 
     /**
-     * Newton's method in the penetrations, each step of which has to make the
-     * largest defect smaller; else one node after another meets the law.
+     * Newton's method in the penetrations. Each step, or a part of it, has to
+     * make the largest defect smaller; else one node after another meets the
+     * law.
      *
      * @param is_held nodes with pressures of either sign
      * @return,@throw as solve()
