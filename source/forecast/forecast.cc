@@ -84,7 +84,8 @@ namespace ThermoContact
       scales.emplace_back("wave", wave);
     if (material.has_viscosity())
       scales.emplace_back("viscous", material.viscosity);
-    if (law.is_active() && !law.is_rigid() && material.has_inertia())
+    if (law.is_active() && !law.is_rigid() && law.is_linear() &&
+        material.has_inertia())
       {
         const double impedance = law.tangent(1.) * wave;
         scales.emplace_back("contact",
@@ -138,7 +139,10 @@ namespace ThermoContact
     else
       {
         cost.steps    = time.n_steps();
-        cost.is_exact = !output.land_on_times && !scene.contact.locates_events;
+        cost.is_exact = !output.land_on_times && time.break_points.empty() &&
+                        !scene.contact.locates_events;
+        for (const double point : time.break_points)
+          cost.steps += point > 0. && point < T;
       }
     if (output.land_on_times)
       for (const double interval : {output.contact_interval,

@@ -60,6 +60,8 @@ namespace ThermoContact
     replace("[", "");
     replace("]", "");
     replace(" (inclusive)", "");
+    replace("List of <", "");
+    replace("> of length 0...100000 separated by <;>", ", ';' between them");
     replace(" -MAX_DOUBLE...MAX_DOUBLE", "");
     replace("...MAX_DOUBLE", " or more");
     replace("...", " to ");

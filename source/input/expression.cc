@@ -274,6 +274,18 @@ namespace ThermoContact
 
 
 
+  ExpressionNames
+  obstacle_names()
+  {
+    ExpressionNames names;
+    names.constants["pi"] = dealii::numbers::PI;
+    names.has_time        = true;
+    names.example         = "5*sin(2*pi*t)";
+    return names;
+  }
+
+
+
   template <int dim>
   std::unique_ptr<FunctionParser<dim>>
   make_function(const std::string &text, const ExpressionNames &names)

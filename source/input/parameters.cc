@@ -91,10 +91,18 @@ namespace ThermoContact
         heat_exchange       = number;
         exchange_expression = expression;
       });
-    prm.add_parameter("Obstacle temperature",
-                      obstacle_temperature,
-                      "Temperature theta_obs of the obstacle.",
-                      any_number);
+    add_number_or_expression(
+      prm,
+      "Obstacle temperature",
+      obstacle_temperature,
+      "y, z, t",
+      "Temperature theta_obs of the obstacle; an expression in t, and in y, z "
+      "for Dimension > 1, e.g. 5*sin(2*pi*t), if the heat exchange is a number.",
+      [this](const double number, const std::string &expression) {
+        obstacle_temperature = number;
+        obstacle_expression  = expression;
+      },
+      true);
     prm.add_parameter("Lateral support",
                       lateral_support,
                       "Lateral faces, for Dimension > 1: rollers (no normal "
@@ -127,8 +135,15 @@ namespace ThermoContact
     prm.add_parameter("Compliance",
                       compliance,
                       "Compliance epsilon > 0 of an elastic obstacle: pressure "
-                      "= penetration / epsilon.",
+                      "= penetration / epsilon, or a power of it.",
                       coefficient);
+    prm.add_parameter(
+      "Exponent",
+      exponent,
+      "Exponent m >= 1 of a power law: pressure = (penetration "
+      "/ epsilon)^m; 1.5 is Hertz's contact of a rounded end, 1 "
+      "is normal compliance.",
+      Double(1., 10.));
     add_number_or_expression(
       prm,
       "Gap",
@@ -270,6 +285,14 @@ namespace ThermoContact
                       "Steps end where contact begins or ends, which keeps the "
                       "order of the scheme; automatic: with automatic steps.",
                       Selection("automatic|true|false"));
+    prm.add_parameter("Break points",
+                      break_points,
+                      "Times, separated by ';', at which steps end, for loads "
+                      "that jump or bend there. Automatic steps find those "
+                      "of expressions in t by themselves, but for pulses "
+                      "shorter than T/30000 whose times are not in the "
+                      "expression. Times after T have no effect.",
+                      List(duration, 0, 100000, ";"));
     prm.leave_subsection();
   }
 

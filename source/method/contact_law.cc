@@ -23,6 +23,7 @@ namespace ThermoContact
   contact_laws()
   {
     static const std::vector<ContactLawKind> kinds = {normal_compliance(),
+                                                      power_law(),
                                                       rigid_obstacle(),
                                                       no_obstacle()};
     return kinds;

@@ -70,7 +70,7 @@ namespace ThermoContact
     std::vector<double>       change(pressure.size(), 0.);
     std::vector<unsigned int> active;
     for (unsigned int i = 0; i < is_active.size(); ++i)
-      if (is_active[i])
+      if (is_active[i] && std::isfinite(law.tangent(pressure[i])))
         active.push_back(i);
     if (active.empty())
       return change;
@@ -128,6 +128,171 @@ namespace ThermoContact
 
 
 
+  bool
+  ContactSolver::begins_without_stiffness() const
+  {
+    return !law.is_linear() && std::isinf(law.tangent(0.));
+  }
+
+
+
+  namespace
+  {
+    /** The nodes of (M.68): penetrations of either sign, and pressures. */
+    struct Penetrations
+    {
+      std::vector<double> penetration, pressure, defect;
+      double              largest_defect = 0.;
+      double              scale          = 0.; ///< of what a defect consists
+    };
+
+
+
+    double
+    pressure_at(const ContactLaw &law,
+                const double      penetration,
+                const bool        is_held)
+    {
+      return is_held && penetration < 0. ? -law.pressure(-penetration) :
+                                           law.pressure(penetration);
+    }
+
+
+
+    /** Pressures and defects of penetrations. */
+    void
+    evaluate(const ContactLaw                 &law,
+             const dealii::FullMatrix<double> &response,
+             const std::vector<double>        &free_penetration,
+             const std::vector<bool>          &is_held,
+             Penetrations                     &nodes)
+    {
+      const unsigned int n = nodes.penetration.size();
+      nodes.pressure.resize(n);
+      nodes.defect.resize(n);
+      for (unsigned int i = 0; i < n; ++i)
+        nodes.pressure[i] = pressure_at(law, nodes.penetration[i], is_held[i]);
+      nodes.largest_defect = nodes.scale = 0.;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double by_pressure = loss(response, nodes.pressure, i);
+          nodes.defect[i] =
+            nodes.penetration[i] + by_pressure - free_penetration[i];
+          // a NaN is no small defect
+          nodes.largest_defect =
+            std::abs(nodes.defect[i]) <= nodes.largest_defect ?
+              nodes.largest_defect :
+              std::abs(nodes.defect[i]);
+          nodes.scale = std::max({nodes.scale,
+                                  std::abs(free_penetration[i]),
+                                  std::abs(nodes.penetration[i]),
+                                  std::abs(by_pressure)});
+        }
+    }
+
+
+
+    /** A step of Newton's method in the penetrations. */
+    std::vector<double>
+    newton_step(const ContactLaw                 &law,
+                const dealii::FullMatrix<double> &response,
+                const Penetrations               &nodes)
+    {
+      const unsigned int         n = nodes.penetration.size();
+      dealii::FullMatrix<double> matrix(response);
+      dealii::Vector<double>     rhs(n), change(n);
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          const double stiffness = 1. / law.tangent(nodes.pressure[j]);
+          for (unsigned int i = 0; i < n; ++i)
+            matrix(i, j) *= stiffness;
+          matrix(j, j) += 1.;
+          rhs(j) = nodes.defect[j];
+        }
+      matrix.gauss_jordan();
+      matrix.vmult(change, rhs);
+      std::vector<double> penetration(nodes.penetration);
+      for (unsigned int i = 0; i < n; ++i)
+        penetration[i] -= change(i);
+      return penetration;
+    }
+
+
+
+    /** One node after another meets the law, by (M.17). */
+    void
+    sweep(const ContactLaw                 &law,
+          const dealii::FullMatrix<double> &response,
+          const std::vector<double>        &free_penetration,
+          const std::vector<bool>          &is_held,
+          Penetrations                     &nodes)
+    {
+      std::vector<double> &p = nodes.pressure;
+      for (unsigned int i = 0; i < p.size(); ++i)
+        {
+          const double reach =
+            free_penetration[i] - loss(response, p, i) + response(i, i) * p[i];
+          p[i] = is_held[i] ? law.local_closed_pressure(reach, response(i, i)) :
+                              law.local_pressure(reach, response(i, i));
+          nodes.penetration[i] = p[i] != 0. ? law.penetration(p[i]) : reach;
+        }
+    }
+  } // namespace
+
+
+
+  unsigned int
+  ContactSolver::solve_for_penetrations(
+    const dealii::FullMatrix<double> &response,
+    const std::vector<double>        &free_penetration,
+    const std::vector<bool>          &is_held,
+    std::vector<double>              &pressure) const
+  {
+    constexpr unsigned int max_iterations = 1000;
+    constexpr double       smallest_part  = 1e-6; // of a step
+    const unsigned int     n              = pressure.size();
+    Penetrations           nodes;
+    for (unsigned int i = 0; i < n; ++i)
+      nodes.penetration.push_back(
+        pressure[i] != 0. ? law.penetration(pressure[i]) :
+                            free_penetration[i] - loss(response, pressure, i));
+    const auto evaluate_nodes = [&](Penetrations &at) {
+      evaluate(law, response, free_penetration, is_held, at);
+    };
+    evaluate_nodes(nodes);
+    for (unsigned int iteration = 1; iteration <= max_iterations; ++iteration)
+      {
+        const std::vector<double> aim = newton_step(law, response, nodes);
+        Penetrations              trial(nodes);
+        bool                      is_better = false;
+        for (double part = 1.; part > smallest_part && !is_better; part *= 0.5)
+          {
+            for (unsigned int i = 0; i < n; ++i)
+              trial.penetration[i] =
+                part * aim[i] + (1. - part) * nodes.penetration[i];
+            evaluate_nodes(trial);
+            is_better = trial.largest_defect < nodes.largest_defect;
+          }
+        if (is_better)
+          nodes = trial;
+        if (nodes.largest_defect <= (is_better ? 1e-15 : 1e-13) * nodes.scale)
+          {
+            pressure = nodes.pressure;
+            return iteration;
+          }
+        if (!is_better)
+          {
+            sweep(law, response, free_penetration, is_held, nodes);
+            evaluate_nodes(nodes);
+          }
+      }
+    throw ComputationError("the pressures of " + std::to_string(n) +
+                           " contact nodes were not found\n  remedy:  a "
+                           "smaller Time/Step size");
+  }
+
+
+
   unsigned int
   ContactSolver::solve_closed(const dealii::FullMatrix<double> &response,
                               const std::vector<double> &free_penetration,
@@ -142,7 +307,9 @@ namespace ThermoContact
         return 1;
       }
     const std::vector<bool> all(n, true);
-    const double            rounding = 1e-13 * largest_size(free_penetration);
+    if (begins_without_stiffness())
+      return solve_for_penetrations(response, free_penetration, all, pressure);
+    const double rounding = 1e-13 * largest_size(free_penetration);
     for (unsigned int iteration = 1; iteration <= 50; ++iteration)
       {
         solve_on_active_set(response, free_penetration, all, pressure);
@@ -184,13 +351,16 @@ namespace ThermoContact
         return 1;
       }
 
+    std::vector<bool> held(is_held);
+    held.resize(n, false);
+    if (begins_without_stiffness())
+      return solve_for_penetrations(response, free_penetration, held, pressure);
+
     // Murty's rule needs at most 2^n changes in theory and about n in
     // practice; a body that needs this many has lost its P-matrix to rounding.
     const unsigned int max_block_iterations  = 20;
     const unsigned int max_single_iterations = 100 * n;
 
-    std::vector<bool> held(is_held);
-    held.resize(n, false);
     std::vector<bool> is_active(n);
     for (unsigned int i = 0; i < n; ++i)
       is_active[i] = held[i] || pressure[i] > 0.;

@@ -7,7 +7,9 @@
 #include <thermocontact/report/scene_report.h>
 #include <thermocontact/scene/scene_terms.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -123,6 +125,30 @@ namespace ThermoContact
                   ", ",
                   scene.parameters.solver.step_solver,
                   " solver");
+    }
+
+
+
+    /** What steps follow of the loads. */
+    std::string
+    describe_loads(const LoadHistory &loads)
+    {
+      unsigned int n_jumps = 0;
+      for (const LoadBreak &at : loads.breaks)
+        n_jumps += at.is_jump;
+      std::string line =
+        text("steps end at ",
+             n_jumps,
+             n_jumps == 1 ? " jump and " : " jumps and ",
+             loads.breaks.size() - n_jumps,
+             loads.breaks.size() - n_jumps == 1 ? " bend" : " bends");
+      double smallest = std::numeric_limits<double>::infinity();
+      for (const LoadStretch &stretch : loads.stretches)
+        smallest =
+          std::min(smallest, loads.largest_step(stretch.begin, smallest));
+      if (loads.stretches.size() > loads.breaks.size() + 1)
+        line += text(", and are at most ", smallest, " where loads change");
+      return line;
     }
 
 
@@ -308,10 +334,14 @@ namespace ThermoContact
                     ", ",
                     scene.heat.exchange->description(),
                     ", theta_obs = ",
-                    scene.heat.obstacle_temperature));
+                    scene.sources.has_varying_obstacle ?
+                      scene.parameters.boundary.obstacle_expression :
+                      text(scene.heat.obstacle_temperature)));
     if (scene.fields.has_displacement)
       log.line("  contact   " + describe_contact(simulation));
     log.line("  time      " + describe_time(scene));
+    if (!simulation.loads().is_empty())
+      log.line("  loads     " + describe_loads(simulation.loads()));
     report_forecast(scene, simulation.discretization().n_active_cells(), log);
     report_warnings(simulation.history().warnings, 0, log);
   }

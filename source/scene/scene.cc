@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/input/expression.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/scene/exchange_expression.h>
 #include <thermocontact/scene/scene.h>
@@ -38,16 +40,40 @@ namespace ThermoContact
 
 
 
+    /** Of an obstacle whose temperature varies, at $t=0$ and $y=z=0$. */
+    double
+    first_temperature(const BoundaryParameters &boundary)
+    {
+      const ExpressionNames names = obstacle_names();
+      check_expression<3>({"Boundary/Obstacle temperature",
+                           boundary.obstacle_expression},
+                          1,
+                          names);
+      return make_function<3>(boundary.obstacle_expression, names)
+        ->value(Point<3>(1., 0., 0.));
+    }
+
+
+
     SceneHeat
     resolve_heat(const BoundaryParameters &boundary, const double gap)
     {
       const std::string &expression = boundary.exchange_expression;
       SceneHeat          heat;
-      heat.exchange              = expression.empty() ?
-                                     constant_exchange(boundary.heat_exchange) :
-                                     exchange_by_expression(expression, std::max(gap, 1.));
+      heat.exchange = expression.empty() ?
+                        constant_exchange(boundary.heat_exchange) :
+                        exchange_by_expression(expression, std::max(gap, 1.));
+      if (!heat.exchange->is_constant() &&
+          !boundary.obstacle_expression.empty())
+        throw InputError(
+          "Boundary/Obstacle temperature = " + boundary.obstacle_expression +
+          "\n  allowed: a number, since Boundary/Heat exchange "
+          "is an expression\n  remedy:  a number for one of "
+          "them");
       heat.fixed_end_temperature = boundary.fixed_end_temperature;
-      heat.obstacle_temperature  = boundary.obstacle_temperature;
+      heat.obstacle_temperature  = boundary.obstacle_expression.empty() ?
+                                     boundary.obstacle_temperature :
+                                     first_temperature(boundary);
       heat.reference_coefficient = heat.exchange->coefficient(-gap, 0.);
       return heat;
     }
@@ -55,15 +81,21 @@ namespace ThermoContact
 
 
     SceneSources
-    resolve_sources(const SourceParameters &sources, const SceneFields &fields)
+    resolve_sources(const Parameters  &parameters,
+                    const SceneFields &fields,
+                    const SceneHeat   &heat)
     {
+      const SourceParameters &sources = parameters.sources;
+
       const auto acts = [](const bool has_field, const std::string &text) {
         return has_field && !equal_values(text, "0");
       };
       return {acts(fields.has_temperature, sources.heat_source),
               acts(fields.has_displacement, sources.body_force),
               acts(fields.has_displacement, sources.end_traction),
-              acts(fields.has_temperature, sources.end_heat_flux)};
+              acts(fields.has_temperature, sources.end_heat_flux),
+              fields.has_temperature && heat.linear_coefficient() > 0. &&
+                !parameters.boundary.obstacle_expression.empty()};
     }
 
 
@@ -237,7 +269,7 @@ namespace ThermoContact
                  .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, fields))
     , heat(resolve_heat(parameters.boundary, parameters.contact.gap))
-    , sources(resolve_sources(parameters.sources, fields))
+    , sources(resolve_sources(parameters, fields, heat))
     , scheme(ThermoContact::scheme(parameters.time.scheme))
     , has_prescribed_start(
         resolve_prescribed_start(parameters, fields, heat, scheme))

@@ -62,6 +62,8 @@ namespace ThermoContact
     terms.add_if(scene.sources.has_body_force, "body force");
     terms.add_if(scene.sources.has_end_traction, "end traction");
     terms.add_if(scene.sources.has_end_heat_flux, "end heat flux");
+    terms.add_if(scene.sources.has_varying_obstacle,
+                 "varying temperature of the obstacle");
     return terms.list;
   }
 } // namespace ThermoContact

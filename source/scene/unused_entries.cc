@@ -49,6 +49,7 @@ namespace ThermoContact
                      "Boundary/Fixed end support",
                      "Contact/Condition",
                      "Contact/Compliance",
+                     "Contact/Exponent",
                      "Contact/Gap",
                      "Contact/Massless nodes",
                      "Initial values/Displacement",

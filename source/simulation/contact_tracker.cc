@@ -175,6 +175,18 @@ namespace ThermoContact
 
 
 
+  template <int dim>
+  void
+  ContactTracker<dim>::jump(const State               &state,
+                            std::vector<ContactEvent> &events)
+  {
+    get_values(state, next);
+    locator.hold_nothing();
+    locator.accept(next, {}, events);
+  }
+
+
+
   template class ContactTracker<1>;
   template class ContactTracker<2>;
   template class ContactTracker<3>;

@@ -94,9 +94,11 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Measurements<dim>::measure(const State &state, StepRecord &record)
+  Measurements<dim>::measure(const State &state,
+                             const double load_time,
+                             StepRecord  &record)
   {
-    body.data.set_time(state.time);
+    body.data.set_time(load_time);
     record.time             = state.time;
     record.displacement_end = record.displacement_mid = record.velocity_end =
       record.stress_end = record.gap = record.temperature_end =
@@ -218,6 +220,11 @@ namespace ThermoContact
     for (unsigned int i = 0; i < contact_values.size(); ++i)
       contact_values[i] =
         body.scene.heat.flux(state.exchange_coefficient[i], contact_values[i]);
+    if (const Function<dim> *warming = body.data.obstacle_warming())
+      for (unsigned int i = 0; i < contact_values.size(); ++i)
+        contact_values[i] -=
+          state.exchange_coefficient[i] *
+          warming->value(body.contact_end().nodes()[i].position);
     record.heat_flux_end    = body.contact_end().mean(contact_values);
     record.temperature_mean = mean_weights * state.temperature;
   }

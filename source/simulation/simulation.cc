@@ -3,9 +3,12 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/method/load_samples.h>
 #include <thermocontact/scene/mass_checks.h>
 #include <thermocontact/simulation/initial_state.h>
+#include <thermocontact/simulation/load_jump.h>
 #include <thermocontact/simulation/simulation.h>
+#include <thermocontact/space/load_scan.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +33,12 @@ namespace ThermoContact
     , error_norm(body_.energy.steady_profile_energy())
     , energy_watch(scene_)
   {
+    std::vector<std::string> warnings; // after those of the initial state
+    controller.follow(load_history(scene_, body_.data, warnings));
     set_initial_state();
+    history_.warnings.insert(history_.warnings.end(),
+                             warnings.begin(),
+                             warnings.end());
   }
 
 
@@ -42,7 +50,15 @@ namespace ThermoContact
     state_ =
       initial_state(body_, controller.propose(0.).size, history_.warnings);
     StepRecord &record = history_.record;
-    measurements.measure(state_, record);
+    if (loads_jump_at(0.))
+      {
+        StepResult result;
+        result.state  = state_;
+        result.energy = body_.energy.energy(state_);
+        apply_load_jump(body_, integrator->stage_solver(), result);
+        state_.swap(result.state);
+      }
+    measurements.measure(state_, load_time(), record);
     if (const std::string warning = dispersion_warning(scene_);
         !warning.empty())
       history_.warnings.push_back(warning);
@@ -117,6 +133,10 @@ namespace ThermoContact
           attempt.reason      = name_of(time_step.target);
           attempt.is_accepted = true;
           controller.accept(time_step, attempt.error);
+          if (const LoadBreak *at =
+                controller.followed_loads().break_at(time_step.end);
+              at != nullptr && at->is_jump)
+            controller.restart_after_jump();
         }
       if (tracker.mode() != mode)
         controller.restart(tracker.mode() == ContactMode::closed);
@@ -139,7 +159,7 @@ namespace ThermoContact
   Simulation<dim>::accept(const TimeStep &time_step, StepResult &result)
   {
     state_.swap(result.state);
-    measurements.measure(state_, history_.record);
+    measurements.measure(state_, load_time(), history_.record);
     history_.add_step(time_step, result);
     history_.add_maxima();
     error_norm.add(result.energy);
@@ -238,7 +258,48 @@ namespace ThermoContact
           break;
       }
     tracker.accept(verdict, result, history_.events);
+    if (loads_jump_at(time_step.end))
+      jump(time_step, result);
     return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::loads_jump_at(const double time) const
+  {
+    const LoadBreak *at = controller.followed_loads().break_at(time);
+    return at != nullptr && at->is_jump && moves_at_jumps(scene_);
+  }
+
+
+
+  template <int dim>
+  double
+  Simulation<dim>::load_time() const
+  {
+    return loads_jump_at(state_.time) ? next_time(state_.time) : state_.time;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::jump(const TimeStep &time_step, StepResult &result)
+  {
+    try
+      {
+        apply_load_jump(body_, integrator->stage_solver(), result);
+      }
+    catch (const ComputationError &error)
+      {
+        result.failure = error.what();
+      }
+    result.agree(discretization().communicator());
+    if (!result.failure.empty())
+      give_up(time_step, result.failure);
+    tracker.jump(result.state, history_.events);
   }
 
 

@@ -25,6 +25,7 @@ namespace ThermoContact
                     ProblemData<dim>          &data)
     : discretization(discretization)
     , data(data)
+    , exchange_coefficient(scene.heat.linear_coefficient())
     , fe_values(discretization.mapping(),
                 discretization.finite_element(),
                 QGauss<dim>(n_points(discretization)),
@@ -59,11 +60,13 @@ namespace ThermoContact
 
     data.set_time(time);
     if (data.heat_source() != nullptr || data.body_force() != nullptr ||
-        data.end_heat_flux() != nullptr)
+        data.end_heat_flux() != nullptr || data.obstacle_warming() != nullptr)
       {
         sources = 0.;
         if (data.end_heat_flux() != nullptr)
           integrate_end_flux(*data.end_heat_flux());
+        if (data.obstacle_warming() != nullptr)
+          integrate_end_flux(*data.obstacle_warming(), exchange_coefficient);
         if (data.heat_source() != nullptr || data.body_force() != nullptr)
           integrate_volume();
         sources.compress(VectorOperation::add);
@@ -134,13 +137,14 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Loads<dim>::integrate_end_flux(const Function<dim> &flux)
+  Loads<dim>::integrate_end_flux(const Function<dim> &flux, const double factor)
   {
     for_each_contact_face<dim>(discretization.dof_handler(),
                                [&](const auto &cell, const unsigned int f) {
                                  cell_load = 0.;
                                  face_values.reinit(cell, f);
                                  add_scalar(face_values, flux);
+                                 cell_load *= factor;
                                  distribute(cell);
                                });
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/number_text.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/space/problem_data.h>
 
@@ -77,6 +78,28 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    template <int dim>
+    std::unique_ptr<FunctionParser<dim>>
+    make_obstacle_warming(const Scene &scene)
+    {
+      const ExpressionNames names = obstacle_names();
+      const std::string     expression =
+        check_expression<dim>({"Boundary/Obstacle temperature",
+                               scene.parameters.boundary.obstacle_expression},
+                              1,
+                              names);
+      return make_function<dim>("(" + expression + ")-(" +
+                                  significant(scene.heat.obstacle_temperature,
+                                              all_digits) +
+                                  ")",
+                                names);
+    }
+  } // namespace
+
+
+
   template <int dim>
   ProblemData<dim>::ProblemData(const Scene &scene)
   {
@@ -112,6 +135,8 @@ namespace ThermoContact
       make_source(scene.sources.has_end_heat_flux,
                   {"Sources/End heat flux", sources.end_heat_flux},
                   1);
+    if (scene.sources.has_varying_obstacle)
+      obstacle_warming_ = make_obstacle_warming<dim>(scene);
   }
 
 
@@ -171,10 +196,20 @@ namespace ThermoContact
 
 
   template <int dim>
+  const Function<dim> *
+  ProblemData<dim>::obstacle_warming() const
+  {
+    return obstacle_warming_.get();
+  }
+
+
+
+  template <int dim>
   bool
   ProblemData<dim>::has_sources() const
   {
-    return heat_source_ || body_force_ || end_traction_ || end_heat_flux_;
+    return heat_source_ || body_force_ || end_traction_ || end_heat_flux_ ||
+           obstacle_warming_;
   }
 
 
@@ -186,7 +221,8 @@ namespace ThermoContact
     for (FunctionParser<dim> *source : {heat_source_.get(),
                                         body_force_.get(),
                                         end_traction_.get(),
-                                        end_heat_flux_.get()})
+                                        end_heat_flux_.get(),
+                                        obstacle_warming_.get()})
       if (source != nullptr)
         source->set_time(time);
   }

@@ -184,7 +184,9 @@ namespace ThermoContact
           hold_closing_nodes(state, i);
         else
           stage.is_held.clear();
-        body.loads.assemble(time, heat_load, momentum_load);
+        body.loads.assemble(is_last ? time_step.last_loads : time,
+                            heat_load,
+                            momentum_load);
         solver->solve(known, tau, heat_load, momentum_load, mode, stage);
         result.failure = stage.failure;
         result.n_iterations += stage.n_iterations;
@@ -289,7 +291,7 @@ namespace ThermoContact
   {
     const double tau   = time_step.size;
     StageRates  &stage = stages[0];
-    body.loads.assemble(time_step.end, heat_load, momentum_load);
+    body.loads.assemble(time_step.last_loads, heat_load, momentum_load);
     if (body.scene.fields.has_temperature)
       solve_heat_alone(state, tau, stage.temperature_rate);
 

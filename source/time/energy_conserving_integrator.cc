@@ -310,7 +310,7 @@ namespace ThermoContact
   {
     const double size = time_step.size;
     midpoint.time     = state.time + 0.5 * size;
-    assemble_loads(state.time, time_step.end);
+    assemble_loads(time_step.first_loads, time_step.last_loads);
     solver->solve_without_contact(
       state, 0.5 * size, heat_load, momentum_load, rates);
     if (step_contact)

@@ -22,6 +22,8 @@ namespace ThermoContact
   {
     switch (target)
       {
+        case TimeStep::load:
+          return "load";
         case TimeStep::event:
           return "event";
         case TimeStep::output:
@@ -45,8 +47,8 @@ namespace ThermoContact
       message
         << "its error is " << attempt.error
         << " times the tolerance (1 is allowed, 0.2 after an event)"
-           "\n  remedy:  a larger Time/Tolerance, loads without jumps, or "
-           "a smaller Time/Minimum step size if one is given";
+           "\n  remedy:  a larger Time/Tolerance, Time/Break points where loads "
+           "jump, or a smaller Time/Minimum step size if one is given";
     else
       message << failure;
     return message.str();
@@ -127,6 +129,13 @@ namespace ThermoContact
         if (time != number * fixed_size)
           step.size = step.end - time;
       }
+    else if (const double largest = loads.largest_step(time, size);
+             largest < size)
+      {
+        step.size = std::max(rung_below(largest), std::min(minimum_size, size));
+        step.end  = time + step.size;
+        step.target = TimeStep::load;
+      }
     const double margin = multiple_slack * step.size;
     const auto   end_at = [&](const double end, const TimeStep::Target target) {
       const double remainder = end - time;
@@ -138,13 +147,30 @@ namespace ThermoContact
 
     if (step.end >= end_time - margin)
       end_at(end_time, TimeStep::finish);
+    if (const LoadBreak *next = loads.next_break(time);
+        next != nullptr && next->time < end_time - margin &&
+        next->time <= step.end + margin)
+      end_at(next->time, TimeStep::load);
     for (const double interval : landing_intervals)
       if (const double end = next_multiple(interval, time);
           end < step.end - margin)
         end_at(end, TimeStep::output);
     if (event_time && *event_time < step.end)
       end_at(*event_time, TimeStep::event);
+    set_load_times(time, step);
     return step;
+  }
+
+
+
+  void
+  StepController::set_load_times(const double time, TimeStep &step) const
+  {
+    step.first_loads =
+      loads.break_at(time) == nullptr ? time : std::nextafter(time, infinity);
+    step.last_loads = loads.break_at(step.end) == nullptr ?
+                        step.end :
+                        std::nextafter(step.end, 0.);
   }
 
 
@@ -224,6 +250,16 @@ namespace ThermoContact
     is_restarting = true;
     if (has_error_control)
       set_size((contact_begins ? 0.25 : 0.5) * size);
+  }
+
+
+
+  void
+  StepController::restart_after_jump()
+  {
+    is_restarting = true;
+    if (has_error_control)
+      set_size(0.5 * size);
   }
 
 

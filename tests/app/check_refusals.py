@@ -19,6 +19,7 @@ MASSLESS = ("Contact/Massless nodes=on",)
 STUDY = ("Study/Vary=Mesh/Cells = 4 | 8",)
 RIGID = ("Contact/Condition=rigid",)
 ITERATIVE = PLANE + ("Solver/Linear solver=iterative",)
+POWER = ("Contact/Condition=power law",)
 EXCHANGE = ("Boundary/Heat exchange=1+gap",)
 MIDPOINT = CONSERVING + ("Mesh/Mass matrix=midpoint",)
 WAVES = ("Mesh/Degree=1", "Model/Viscosity=0")
@@ -31,6 +32,26 @@ SCENES = [
      "Model/Poisson ratio=0.4999"),
     ("Contact/Compliance", (), "Contact/Compliance=0",
      "Contact/Compliance=1e-13"),
+    # power laws: their exponents, and what needs a linear one
+    ("Contact/Exponent", POWER, "Contact/Exponent=0.999", "Contact/Exponent=1",
+     "Contact/Exponent=10"),
+    ("Contact/Compliance", POWER, "Contact/Compliance=0", "Contact/Compliance=1e-13"),
+    *[(entry, scene, POWER[0], "Contact/Condition=normal compliance",
+       POWER + ("Contact/Exponent=1",)) for entry, scene in (
+           ("Time/Scheme", CONSERVING), ("Solver/Step solver", ITERATION),
+           ("Solver/Linear solver", ITERATIVE))],
+    # an obstacle whose temperature varies
+    ("Boundary/Obstacle temperature", (), "Boundary/Obstacle temperature=5*sin(t",
+     "Boundary/Obstacle temperature=5*sin(t)", "Boundary/Obstacle temperature=-5"),
+    ("Boundary/Obstacle temperature", (), "Boundary/Obstacle temperature=y*t",
+     ("Boundary/Obstacle temperature=y*t", "Dimension=2", "Mesh/Cells=1")),
+    ("Boundary/Obstacle temperature", EXCHANGE, "Boundary/Obstacle temperature=t",
+     "Boundary/Obstacle temperature=1",
+     ("Boundary/Obstacle temperature=t", "Boundary/Heat exchange=1")),
+    # times of steps
+    ("Time/Break points", (), "Time/Break points=0.5;-1", "Time/Break points=0.5;1"),
+    ("Time/Break points", (), "Time/Break points=0.5,1", "Time/Break points=0.5",
+     "Time/Break points= 0 ; 0.5 "),
     # (1 + dimension) x nodes of two fields, at most 1e9. The nearest ones that
     # are allowed would not fit into the memory of a test.
     ("Mesh/Cells", ("Mesh/Degree=25", "Mesh/Refinements=1"),

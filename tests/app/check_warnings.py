@@ -91,6 +91,24 @@ START = [
       "Mesh/Mass matrix = consistent"]),
 ]
 
+# Loads that are not followed: overrides and the expression of the warning. The
+# times at which loads are looked at are T/2^15 apart, so that T/2 is one of them;
+# what is after T is none of the run.
+PULSES = ("Time/Scheme=sdirk4", "Time/Step size=automatic", "Time/End time=0.25")
+HELP = (r": steps do not look for its jumps and pulses \(Time/Break points and "
+        r"Time/Maximum step size help them\)")
+LOADS = [
+    (PULSES + ("Sources/Body force=1e-3*sin(1e8*t)",),
+     [r"Sources/Body force changes too fast near t = [\d.e-]+ to be seen before "
+      "the run" + HELP]),
+    (PULSES + ("Sources/Body force=1e-3*sin(1e2*t)",), []),
+    (PULSES + ("Sources/End traction=1e-9/(t-0.125)",),
+     [r"Sources/End traction is not finite at t = 0\.125" + HELP]),
+    (PULSES + ("Sources/End traction=1e-9/(t-0.5)",), []),
+    # fixed steps follow nothing
+    (("Time/End time=0.25", "Sources/Body force=1e-3*sin(1e8*t)"), []),
+]
+
 
 def said(text):
     return re.findall(r"^  warning:  (.*)$", text, re.MULTILINE)
@@ -152,6 +170,16 @@ def check_start(case):
     return report(overrides, warnings, expected)
 
 
+def check_loads(case):
+    number, (overrides, patterns) = case
+    directory = Path(f"loads-{number}")
+    warnings = warnings_of(overrides, directory)
+    shutil.rmtree(directory, ignore_errors=True)
+    return ("" if len(warnings) == len(patterns) and
+            all(map(re.fullmatch, patterns, warnings)) else
+            f"{' '.join(overrides)}: {warnings}")
+
+
 def report(overrides, warnings, expected):
     return ("" if warnings == expected else
             f"{' '.join(overrides)}: {warnings}, expected {expected}")
@@ -159,15 +187,16 @@ def report(overrides, warnings, expected):
 
 def main():
     for what, check, cases in (("energy", check_energy, ENERGY),
-                               ("start", check_start, START)):
+                               ("start", check_start, START),
+                               ("loads", check_loads, LOADS)):
         faults = list(filter(None, for_all(check, enumerate(cases))))
         print(f"warnings about the {what}:", "; ".join(faults) or "as derived")
     places = sum(len(re.findall(r"\bwarnings_?\.push_back\(",
                                 without_comments(file)))
                  for file in source_files())
     # corner layer; contact at the start or preload; energy; dispersion; blocks that
-    # grow, noted by the solver of a stage and handed on
-    print("kinds of warnings in the sources:", "known" if places == 6 else places)
+    # grow, noted by the solver of a stage and handed on; loads
+    print("kinds of warnings in the sources:", "known" if places == 7 else places)
 
 
 main()

@@ -297,7 +297,7 @@ def check_reasons(run):
                    for interval in intervals)
 
     for i, reason in enumerate(s["reason"]):
-        is_known = reason in (("ok", "event", "output", "end") if s["accepted"][i] else
+        is_known = reason in (("ok", "load", "event", "output", "end") if s["accepted"][i] else
                               ("tolerance", "contact", "failed"))
         near_event = any(abs(ends[i] - events) < 1e-4)
         is_end = abs(ends[i] - end_time) < 1e-9

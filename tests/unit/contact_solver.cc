@@ -34,6 +34,12 @@
 //      one node alone, W = 2, free -3: p = 0, and -3/2 if it is held
 // 9. Small changes, (W + 1) dp = (3, 5) on a set, eps = 1. By hand:
 //      node 1: 3 dp = 3, dp = (1, 0); both: dp = (4, 12)/8; none: dp = 0
+// 10. Power laws with m = 1.2, 1.5, 2, 3, 6, eps = 0.01 to 10: the responses of
+//    3, times 1e-6 to 1e6 for short and long stages, and penetrations s of both
+//    signs that are drawn make the free penetrations s + W p(s). The solver
+//    has to find p(s), to 1e-9 of the largest, from zero and from large
+//    pressures, unilateral and held closed (p odd): 600 problems. One node
+//    alone: s_free = s + chi p(s) likewise, to 1e-12.
 
 #include <thermocontact/method/contact_solver.h>
 
@@ -157,6 +163,86 @@ namespace
             << (n_mixed > 100) << ", conditions hold to 1e-10 "
             << (worst < 1e-10) << ", solution is unique "
             << (worst_difference < 1e-10) << std::endl;
+  }
+
+
+
+  /** Largest error of the pressures of a power law, relative. */
+  double
+  error_of_power_law(const ContactLaw          &law,
+                     const FullMatrix<double>  &response,
+                     const std::vector<double> &penetration,
+                     const bool                 is_closed,
+                     const double               start)
+  {
+    const unsigned int  n = penetration.size();
+    std::vector<double> exact(n), free_penetration(penetration), p(n, start);
+    double              largest = 0.;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double s = penetration[i];
+        exact[i] = s > 0. || !is_closed ? law.pressure(s) : -law.pressure(-s);
+        raise(largest, std::abs(exact[i]));
+      }
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        free_penetration[i] += response(i, j) * exact[j];
+    if (is_closed)
+      ContactSolver(law).solve_closed(response, free_penetration, p);
+    else
+      ContactSolver(law).solve(response, free_penetration, p);
+    double error = 0.;
+    for (unsigned int i = 0; i < n; ++i)
+      raise(error, std::abs(p[i] - exact[i]));
+    return largest == 0. ? error : error / largest;
+  }
+
+
+
+  void
+  test_power_laws()
+  {
+    std::mt19937                           generator(3);
+    std::uniform_real_distribution<double> uniform(-1., 1.);
+    const double                           exponents[] = {1.2, 1.5, 2., 3., 6.};
+    double                                 worst = 0., worst_alone = 0.;
+    unsigned int                           n_found = 0;
+    for (unsigned int k = 0; k < 150; ++k)
+      {
+        const double       eps   = std::pow(10., -2. + 3. * (k % 4) / 3.);
+        const double       scale = std::pow(10., 6. * uniform(generator));
+        const auto         law   = power_law().make({eps, exponents[k % 5]});
+        const unsigned int n     = 6;
+        FullMatrix<double> factor(n, n), response(n, n), alone(1, 1);
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            factor(i, j) = uniform(generator);
+        factor.Tmmult(response, factor);
+        std::vector<double> penetration(n);
+        for (unsigned int j = 0; j < n; ++j)
+          {
+            response(j, j) += 0.01;
+            penetration[j] = eps * 2. * uniform(generator);
+          }
+        response *= scale;
+        alone(0, 0) = scale;
+        for (const bool is_closed : {false, true})
+          {
+            raise(
+              worst_alone,
+              error_of_power_law(*law, alone, {penetration[0]}, is_closed, 0.));
+            for (const double start : {0., 100.})
+              {
+                const double error = error_of_power_law(
+                  *law, response, penetration, is_closed, start);
+                raise(worst, error);
+                ++n_found;
+              }
+          }
+      }
+    deallog << "power laws: " << n_found << " problems, pressures to 1e-9 "
+            << (worst < 1e-9) << ", one node to 1e-12 " << (worst_alone < 1e-12)
+            << std::endl;
   }
 
 
@@ -329,6 +415,7 @@ main()
   test_one_node();
   test_two_nodes();
   test_random_problems();
+  test_power_laws();
   test_cycle();
   test_ties();
   test_laws();

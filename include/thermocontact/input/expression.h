@@ -40,6 +40,12 @@ namespace ThermoContact
 
 
 
+  /** Those of the temperature of the obstacle: x, y, z, t and pi. */
+  ExpressionNames
+  obstacle_names();
+
+
+
   /**
    * The function with the components that @p text separates by ';', not
    * checked.

@@ -43,9 +43,10 @@ namespace ThermoContact
     double      fixed_end_temperature = 10.; ///< $\theta_A$
     double      heat_exchange         = 1.;  ///< $k\ge0$ if it is a number,
     std::string exchange_expression;         ///< or else in gap, pressure
-    double      obstacle_temperature = 0.;   ///< $\theta_{obs}$
-    std::string lateral_support      = "rollers";
-    std::string fixed_end_support    = "clamped";
+    double      obstacle_temperature = 0.;   ///< $\theta_{obs}$, a number,
+    std::string obstacle_expression;         ///< or else in y, z, t
+    std::string lateral_support   = "rollers";
+    std::string fixed_end_support = "clamped";
 
     void
     add_parameters(ParameterHandler &prm);
@@ -151,6 +152,7 @@ namespace ThermoContact
     double                minimum_step_size = 0.;
     double      maximum_step_size     = std::numeric_limits<double>::infinity();
     std::string locate_contact_events = "automatic";
+    std::vector<double> break_points; ///< where steps end
 
     void
     add_parameters(ParameterHandler &prm);

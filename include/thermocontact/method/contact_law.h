@@ -73,7 +73,10 @@ namespace ThermoContact
     virtual double
     penetration(const double pressure) const = 0;
 
-    /** $ds/dp\ge0$, finite. */
+    /**
+     * $ds/dp\ge0$; finite, but for $p=0$ where contact begins without
+     * stiffness.
+     */
     virtual double
     tangent(const double pressure) const = 0;
 
@@ -134,6 +137,7 @@ namespace ThermoContact
   struct ContactLawParameters
   {
     double compliance = 0.01; ///< $\varepsilon>0$
+    double exponent   = 1.5;  ///< $m\ge1$
   };
 
 
@@ -168,6 +172,9 @@ namespace ThermoContact
   // the kinds, each in a file of its own
   ContactLawKind
   normal_compliance();
+
+  ContactLawKind
+  power_law();
 
   ContactLawKind
   rigid_obstacle();

@@ -21,8 +21,10 @@ namespace ThermoContact
    * with the law $s(p)$ of each node. The primal-dual active set method
    * (= semismooth Newton) solves it in a few iterations. With a linear law it
    * may cycle in theory; past a limit the least-index rule of Murty changes one
-   * node at a time, which ends for every P-matrix, and $W+s'$ is one. No mesh,
-   * no communication.
+   * node at a time, which ends for every P-matrix, and $W+s'$ is one. Laws
+   * whose contact begins without stiffness are solved for the penetrations
+   * instead, (M.68), since their $s'(0)$ is infinite. No mesh, no
+   * communication.
    */
   class ContactSolver
   {
@@ -80,6 +82,24 @@ namespace ThermoContact
 
   private:
     const ContactLaw &law;
+
+    /** True if the tangent is infinite without pressure. */
+    bool
+    begins_without_stiffness() const;
+
+    /**
+     * Newton's method in the penetrations. Each step, or a part of it, has to
+     * make the largest defect smaller; else one node after another meets the
+     * law.
+     *
+     * @param is_held nodes with pressures of either sign
+     * @return,@throw as solve()
+     */
+    unsigned int
+    solve_for_penetrations(const dealii::FullMatrix<double> &response,
+                           const std::vector<double>        &free_penetration,
+                           const std::vector<bool>          &is_held,
+                           std::vector<double>              &pressure) const;
 
     /** Newton's step for $r=0$ at the nodes of a set; $p=0$ elsewhere. */
     void

@@ -92,7 +92,9 @@ namespace ThermoContact
   {
     std::unique_ptr<const HeatExchange> exchange;
     double                              fixed_end_temperature; ///< $\theta_A$
-    double obstacle_temperature; ///< $\theta_{obs}$
+
+    /** $\theta_{obs}$; of one that varies that at $t=0$ and $y=z=0$. */
+    double obstacle_temperature;
 
     /**
      * $k_s$ of the steady profile: $k$ at the gap of the undeformed body, or at
@@ -228,12 +230,13 @@ namespace ThermoContact
     bool has_body_force;
     bool has_end_traction;
     bool has_end_heat_flux;
+    bool has_varying_obstacle; ///< its temperature
 
     bool
     any() const
     {
       return has_heat_source || has_body_force || has_end_traction ||
-             has_end_heat_flux;
+             has_end_heat_flux || has_varying_obstacle;
     }
   };
 

@@ -99,6 +99,13 @@ namespace ThermoContact
            StepResult                &result,
            std::vector<ContactEvent> &events);
 
+    /**
+     * The step that was accepted last ends where loads jump: contact in the
+     * state after it may be another one.
+     */
+    void
+    jump(const State &state, std::vector<ContactEvent> &events);
+
     /** What impacts have spent. */
     const SolverCounters &
     counters() const

@@ -50,6 +50,8 @@ namespace ThermoContact
    *     and s was missed too often:            m = the law
    *   contact changes at t':                   x' = I(x'); m = the other; done
    *     where nodes are in equilibrium:        x' anew with m = the law first
+   *   loads jump at t':                        x' = what is in equilibrium with
+   *                                            the new ones; done
    *   contact stays as m says:                 done
    * x = x'; t = t'
    * @endcode
@@ -128,6 +130,13 @@ namespace ThermoContact
     events() const
     {
       return history_.events;
+    }
+
+    /** What the steps follow of the loads. */
+    const LoadHistory &
+    loads() const
+    {
+      return controller.followed_loads();
     }
 
     /** Factorisations and solves so far. */
@@ -227,6 +236,18 @@ namespace ThermoContact
      */
     bool
     fits_contact(const TimeStep &time_step, StepResult &result);
+
+    /** True if a load jumps there and moves something at once. */
+    bool
+    loads_jump_at(const double time) const;
+
+    /** Time of the loads in the present state: after a jump that moves it. */
+    double
+    load_time() const;
+
+    /** What such a jump does at the end of a step that is accepted. */
+    void
+    jump(const TimeStep &time_step, StepResult &result);
 
     /** @throw ComputationError that says where and why the run ends. */
     [[noreturn]] void

@@ -52,6 +52,7 @@ namespace ThermoContact
   private:
     const Discretization<dim> &discretization;
     ProblemData<dim>          &data;
+    const double               exchange_coefficient; ///< if it is a number
     FEValues<dim>              fe_values;
     FEFaceValues<dim>          face_values;
     AffineConstraints<double>  unconstrained;
@@ -65,9 +66,10 @@ namespace ThermoContact
     void
     add_vector(const FEValuesBase<dim> &values, const Function<dim> &function);
 
-    /** Adds a heat flux through the contact end to the sources. */
+    /** Adds a heat flux through the contact end to the sources, times a factor.
+     */
     void
-    integrate_end_flux(const Function<dim> &flux);
+    integrate_end_flux(const Function<dim> &flux, const double factor = 1.);
 
     /** Adds heat source and body force. */
     void

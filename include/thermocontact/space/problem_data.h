@@ -71,6 +71,13 @@ namespace ThermoContact
     const Function<dim> *
     end_heat_flux() const;
 
+    /**
+     * By how much the obstacle is warmer than SceneHeat::obstacle_temperature;
+     * or nullptr if its temperature does not vary.
+     */
+    const Function<dim> *
+    obstacle_warming() const;
+
     /** True if any source is present. */
     bool
     has_sources() const;
@@ -86,6 +93,7 @@ namespace ThermoContact
     std::unique_ptr<FunctionParser<dim>> body_force_;
     std::unique_ptr<FunctionParser<dim>> end_traction_;
     std::unique_ptr<FunctionParser<dim>> end_heat_flux_;
+    std::unique_ptr<FunctionParser<dim>> obstacle_warming_;
   };
 } // namespace ThermoContact
 

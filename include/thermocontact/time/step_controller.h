@@ -4,6 +4,7 @@
 #define thermocontact_time_step_controller_h
 
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/method/load_history.h>
 
 #include <optional>
 #include <string>
@@ -42,6 +43,7 @@ namespace ThermoContact
     enum Target
     {
       none,   ///< nothing: its size is the controller's
+      load,   ///< a break of the loads, or as far as they let it go
       event,  ///< the instant where contact was seen to change
       output, ///< an output time
       finish  ///< $T$
@@ -50,11 +52,14 @@ namespace ThermoContact
     double size   = 0.; ///< $\Delta t$
     double end    = 0.; ///< time at its end
     Target target = none;
+
+    /** Times whose loads are those within the step at its begin and end. */
+    double first_loads = 0., last_loads = 0.;
   };
 
 
 
-  /** "ok", "event", "output" or "end", as steps.csv has it. */
+  /** "ok", "load", "event", "output" or "end", as steps.csv has it. */
   const char *
   name_of(const TimeStep::Target target);
 
@@ -83,9 +88,10 @@ namespace ThermoContact
    * above the tolerance; the next size follows from the last two errors
    * (Gustafsson's PI controller), or from the last one where sizes are to be
    * kept, rounded down to a rung of the ladder so that sizes, and their
-   * factorisations, come back. Steps of both kinds are
-   * shortened to end at $T$, at a contact event, at output times if these are
-   * to be hit; the size from which the next step is derived is not affected.
+   * factorisations, come back. Steps of both kinds are shortened to end at $T$,
+   * at a contact event, where loads are not smooth, at output times if these
+   * are to be hit; error-controlled steps besides to what the loads allow. The
+   * size from which the next step is derived is not affected.
    */
   class StepController
   {
@@ -99,6 +105,20 @@ namespace ThermoContact
                    const OutputParameters &output,
                    const unsigned int      order,
                    const StepLadder       &ladder = {});
+
+    /** Steps are to follow these loads. */
+    void
+    follow(const LoadHistory &history)
+    {
+      loads = history;
+    }
+
+    /** What steps follow. */
+    const LoadHistory &
+    followed_loads() const
+    {
+      return loads;
+    }
 
     /** The step to be tried from @p time on; @p time < $T$. */
     TimeStep
@@ -149,6 +169,10 @@ namespace ThermoContact
     void
     restart(const bool contact_begins);
 
+    /** A load has jumped: what follows may be faster than what was before. */
+    void
+    restart_after_jump();
+
     /**
      * True if there is nothing left to try after @p step, which was not
      * accurate enough or could not be computed: it was not above the smallest
@@ -177,11 +201,12 @@ namespace ThermoContact
     const unsigned int  order;
     const StepLadder    ladder;
     std::vector<double> landing_intervals;
+    LoadHistory         loads;
 
     double                size; ///< of the next step if nothing shortens it
     double                last_error;
     bool                  was_rejected;
-    bool                  is_restarting; ///< after begin or end of contact
+    bool                  is_restarting; ///< after contact or a load changed
     std::optional<double> event_time;
 
     double
@@ -189,6 +214,10 @@ namespace ThermoContact
     {
       return is_restarting ? 0.2 : 1.;
     }
+
+    /** The times whose loads a step has at its begin and end. */
+    void
+    set_load_times(const double time, TimeStep &step) const;
 
     /** The largest power of $2^{1/n}$ that is not above @p value. */
     double

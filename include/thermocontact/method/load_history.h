@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_method_load_history_h
+#define thermocontact_method_load_history_h
+
+#include <functional>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** A time at which a load is not smooth. */
+  struct LoadBreak
+  {
+    /** The last time with the old value. */
+    double time    = 0.;
+    bool   is_jump = false; ///< or else its slope jumps
+  };
+
+
+
+  /** A stretch of time in which loads are nearly linear. */
+  struct LoadStretch
+  {
+    double begin = 0.;
+    double end   = 0.;
+
+    /** Over this time loads are nearly linear around the stretch. */
+    double width = 0.;
+  };
+
+
+
+  /** What loads do in time, doc/model.md section 18. */
+  struct LoadHistory
+  {
+    std::vector<LoadBreak> breaks; ///< in order of time
+
+    /** Cover all of the time, in order. */
+    std::vector<LoadStretch> stretches;
+
+    /** Loads that all steps see the same way need no stretches. */
+    bool
+    is_empty() const
+    {
+      return breaks.empty() && stretches.empty();
+    }
+
+    /** Takes breaks that are listed, as jumps, where there are none so far. */
+    void
+    add_breaks(const std::vector<double> &times);
+
+    /** The history of these loads and of others together. */
+    void
+    add(const LoadHistory &other);
+
+    /** The first break after @p time, or nullptr. */
+    const LoadBreak *
+    next_break(const double time) const;
+
+    /** The break at @p time, or nullptr. */
+    const LoadBreak *
+    break_at(const double time) const;
+
+    /**
+     * The largest step from @p time on, not above @p size, that is no longer
+     * than some widths of the stretches that it crosses.
+     */
+    double
+    largest_step(const double time, const double size) const;
+  };
+
+
+
+  /** Values of a load at several places: out; as many at every time. */
+  using LoadSample =
+    std::function<void(const double time, std::vector<double> &values)>;
+
+
+
+  /** A load as it was seen. */
+  struct ScannedLoad
+  {
+    LoadHistory history;
+    bool        is_resolved = true; ///< false: it has no history
+
+    /** If it is not resolved: a time near which it is not. */
+    double time = 0.;
+
+    /** The value there is not finite. */
+    bool is_infinite = false;
+  };
+
+
+
+  /**
+   * Looks at a load over $[0,T]$: at times with the spacing $T/2^{15}$ and,
+   * ever closer, around those that are named; then between them where the load
+   * changes. Jumps are found to the last digit, jumps of the slope nearly so.
+   *
+   * @param end_time $T>0$
+   * @param named_times such as those in the expression
+   */
+  ScannedLoad
+  scan_load(const LoadSample          &load,
+            const double               end_time,
+            const std::vector<double> &named_times);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_load_scan_h
+#define thermocontact_space_load_scan_h
+
+#include <thermocontact/method/load_history.h>
+#include <thermocontact/space/problem_data.h>
+
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * What steps are to follow of the loads of a scene: the break points that are
+   * listed and, for error-controlled steps, what the expressions in t show up
+   * to the end time, each at some places. Costs nothing where nothing depends
+   * on t. The same on all ranks.
+   *
+   * @param data whose time is changed
+   * @param warnings out: loads that could not be resolved are appended
+   */
+  template <int dim>
+  LoadHistory
+  load_history(const Scene              &scene,
+               ProblemData<dim>         &data,
+               std::vector<std::string> &warnings);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/method/load_history.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /**
+     * Breaks that are closer, in parts of the time, are one: a kink is not
+     * found to the last digit.
+     */
+    constexpr double same_time = 1e-12;
+
+    /** Steps may be that much longer than a load is nearly linear. */
+    constexpr double widths_per_step = 3.;
+
+
+
+    /** Stretches that have the smaller width of both. */
+    std::vector<LoadStretch>
+    smaller_widths(const std::vector<LoadStretch> &a,
+                   const std::vector<LoadStretch> &b)
+    {
+      std::vector<LoadStretch> result;
+      for (unsigned int i = 0, j = 0; i < a.size() && j < b.size();)
+        {
+          const double begin = std::max(a[i].begin, b[j].begin);
+          const double end   = std::min(a[i].end, b[j].end);
+          if (end > begin)
+            result.push_back({begin, end, std::min(a[i].width, b[j].width)});
+          (a[i].end <= end ? i : j) += 1;
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  void
+  LoadHistory::add_breaks(const std::vector<double> &times)
+  {
+    for (const double time : times)
+      if (std::none_of(breaks.begin(), breaks.end(), [&](const LoadBreak &b) {
+            return std::abs(b.time - time) <= same_time * time;
+          }))
+        breaks.push_back({time, true});
+    std::sort(breaks.begin(),
+              breaks.end(),
+              [](const LoadBreak &a, const LoadBreak &b) {
+                return a.time < b.time;
+              });
+  }
+
+
+
+  void
+  LoadHistory::add(const LoadHistory &other)
+  {
+    std::vector<LoadBreak> all(breaks), merged;
+    all.insert(all.end(), other.breaks.begin(), other.breaks.end());
+    std::sort(all.begin(),
+              all.end(),
+              [](const LoadBreak &a, const LoadBreak &b) {
+                return a.time < b.time;
+              });
+    for (const LoadBreak &b : all)
+      if (merged.empty() || b.time - merged.back().time > same_time * b.time ||
+          (b.is_jump && merged.back().is_jump))
+        merged.push_back(b);
+      else if (b.is_jump)
+        merged.back() = b;
+    breaks    = merged;
+    stretches = stretches.empty() ? other.stretches :
+                other.stretches.empty() ?
+                                    stretches :
+                                    smaller_widths(stretches, other.stretches);
+  }
+
+
+
+  const LoadBreak *
+  LoadHistory::next_break(const double time) const
+  {
+    const auto next = std::upper_bound(breaks.begin(),
+                                       breaks.end(),
+                                       time,
+                                       [](const double t, const LoadBreak &b) {
+                                         return t < b.time;
+                                       });
+    return next == breaks.end() ? nullptr : &*next;
+  }
+
+
+
+  const LoadBreak *
+  LoadHistory::break_at(const double time) const
+  {
+    const auto at = std::lower_bound(breaks.begin(),
+                                     breaks.end(),
+                                     time,
+                                     [](const LoadBreak &b, const double t) {
+                                       return b.time < t;
+                                     });
+    return at == breaks.end() || at->time != time ? nullptr : &*at;
+  }
+
+
+
+  double
+  LoadHistory::largest_step(const double time, const double size) const
+  {
+    auto   stretch = std::upper_bound(stretches.begin(),
+                                    stretches.end(),
+                                    time,
+                                    [](const double t, const LoadStretch &s) {
+                                      return t < s.end;
+                                    });
+    double largest = size;
+    for (; stretch != stretches.end() && stretch->begin < time + largest;
+         ++stretch)
+      largest = std::max(std::min(largest, widths_per_step * stretch->width),
+                         stretch->begin - time);
+    return largest;
+  }
+} // namespace ThermoContact
