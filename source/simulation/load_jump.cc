@@ -70,7 +70,7 @@ namespace ThermoContact
           settle_contact_nodes(body, state);
       }
     else
-      complete_quasi_static_state(body, state);
+      QuasiStaticStart<dim>(body).complete(state);
     state.time    = time;
     result.energy = body.energy.energy(state);
     result.work += work;
