@@ -51,6 +51,13 @@ def read_study(path, error):
         runs=runs, drawn=[run for run in runs if not run["why not"]])
 
 
+def has_errors(path):
+    """Whether a run of the table has an error."""
+    _, header, rows = read_rows(path, ["run", "status"])
+    columns = [i for i, name in enumerate(header) if name.startswith("error_")]
+    return any(row[i] not in ("", "nan") for _, row in rows for i in columns)
+
+
 def note_on_left_out(study):
     """How many runs are not drawn and why; ends if none is."""
     reasons = collections.Counter(run["why not"] for run in study.runs)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/first_rank_alone.h>
 #include <thermocontact/base/log.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/command_line.h>
 #include <thermocontact/input/parameter_file.h>
@@ -11,8 +13,7 @@
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/scene_run.h>
-#include <thermocontact/study/study.h>
-#include <thermocontact/study/study_report.h>
+#include <thermocontact/sweep.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
@@ -22,54 +23,13 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <sstream>
 
 namespace ThermoContact
 {
   namespace
   {
-    /** Runs a scene many times. */
-    void
-    run_study(const Parameters              &parameters,
-              ParameterHandler              &prm,
-              const std::vector<Assignment> &assignments,
-              const CommandLine             &command,
-              Log                           &log)
-    {
-      if (command.is_resumed)
-        throw InputError("--resume: a study has no checkpoints\n  remedy:  run "
-                         "it anew, without --resume");
-      const MPI_Comm    communicator = MPI_COMM_WORLD;
-      Study             study(assignments, parameters.study);
-      const std::string directory = output_directory(parameters, command);
-      check_output_directory(directory, communicator);
-      const std::string plan =
-        "  study     " + std::to_string(study.runs().size()) +
-        " runs, reference: " + parameters.study.reference;
-      if (command.check_only)
-        {
-          log.line(plan);
-          return;
-        }
-      const DirectoryLock lock(directory, false, communicator);
-      prepare_output_directory(directory, communicator);
-      write_used_parameters(directory,
-                            omitted_entries(parameters),
-                            prm,
-                            communicator);
-      throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt"),
-                                         communicator);
-      if (!parameters.title.empty())
-        log.line(parameters.title);
-      log.line(plan);
-      study.run(directory);
-      write_study(directory, parameters.title, study);
-      report_study(study, log);
-      log.line("  files     " + directory);
-    }
-
-
-
     void
     print_parameters(ParameterHandler &prm, const std::string &format)
     {
@@ -154,7 +114,11 @@ namespace ThermoContact
       switch (parameters.dimension)
         {
           case 1:
-            return run_scene<1>(parameters, prm, command, since_start, log);
+            return on_first_rank_alone(
+              [&]() {
+                run_scene<1>(parameters, prm, command, since_start, log);
+              },
+              MPI_COMM_WORLD);
           case 2:
             return run_scene<2>(parameters, prm, command, since_start, log);
           default:
@@ -180,6 +144,27 @@ namespace ThermoContact
       setenv("OMPI_MCA_pml", "ob1", keep);
       setenv("OMPI_MCA_btl", "self", keep);
       setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+    }
+
+
+
+    /** What to do if memory is not enough, perhaps on this rank alone. */
+    [[noreturn]] void
+    refuse_size(const Parameters &parameters)
+    {
+      const unsigned int dim = parameters.dimension;
+      const std::string  message =
+        text("not enough memory for a mesh of ",
+             significant(parameters.mesh.n_nodes(dim), 3),
+             " nodes with ",
+             dim + 1,
+             " unknowns each\n  remedy:  fewer Mesh/Cells, a lower Mesh/Degree",
+             dim > 1 ? ", Solver/Linear solver = iterative" : "");
+      if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+        throw ComputationError(message);
+      std::cerr << "thermocontact: " << message << std::endl;
+      MPI_Abort(MPI_COMM_WORLD, 1); // the others wait
+      std::exit(1);
     }
 
 
@@ -220,7 +205,7 @@ namespace ThermoContact
       try
         {
           if (parameters.study.is_active())
-            return run_study(parameters, prm, assignments, command, log);
+            return run_sweep(parameters, prm, assignments, command, log);
           check_unused_entries(parameters, prm);
           check_scene(parameters);
           run_dimension(parameters, prm, command, since_start, log);
@@ -228,6 +213,10 @@ namespace ThermoContact
       catch (const InputError &error)
         {
           throw InputError(complete_message(error.what(), assignments, prm));
+        }
+      catch (const std::bad_alloc &)
+        {
+          refuse_size(parameters);
         }
     }
   } // namespace

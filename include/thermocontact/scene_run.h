@@ -7,6 +7,7 @@
 #include <thermocontact/input/command_line.h>
 #include <thermocontact/input/parameters.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
@@ -27,9 +28,16 @@ namespace ThermoContact
   std::set<std::string>
   omitted_entries(const Parameters &parameters);
 
+  /** The command, for a shell, that goes on with a run or a study. */
+  std::string
+  resume_command(const CommandLine &command,
+                 const std::string &directory,
+                 const MPI_Comm     communicator);
+
   /**
    * Sets up one scene, or goes on from a checkpoint, and runs it with all its
-   * files; or checks it, if the command says so. Collective on MPI_COMM_WORLD.
+   * files; or checks it, if the command says so. Collective on the ranks of
+   * MPI_COMM_WORLD that share the body: of a rod, one alone.
    *
    * @param prm is bound to @p parameters
    * @param since_start runs since the start of the program

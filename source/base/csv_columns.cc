@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/csv_columns.h>
+#include <thermocontact/base/version.h>
+
+#include <deal.II/base/revision.h>
 
 namespace ThermoContact
 {
@@ -18,5 +21,33 @@ namespace ThermoContact
       }
     if (is_quoted)
       row += '"';
+  }
+
+
+
+  std::string
+  csv_comments(const std::string &title)
+  {
+    return (title.empty() ? "#" : "# " + title) + "\n# thermocontact " +
+           version() + ", deal.II " + DEAL_II_PACKAGE_VERSION + '\n';
+  }
+
+
+
+  std::vector<std::string>
+  split_row(const std::string_view row)
+  {
+    std::vector<std::string> fields(1);
+    bool                     is_quoted = false;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (row[i] == '"' && is_quoted && i + 1 < row.size() && row[i + 1] == '"')
+        fields.back() += row[i++];
+      else if (row[i] == '"')
+        is_quoted = !is_quoted;
+      else if (row[i] == ',' && !is_quoted)
+        fields.emplace_back();
+      else
+        fields.back() += row[i];
+    return fields;
   }
 } // namespace ThermoContact

@@ -16,7 +16,7 @@ namespace ThermoContact
       struct sigaction settings = {}, present = {};
       settings.sa_handler = action;
       settings.sa_flags   = SA_RESTART;
-      for (const int signal : {SIGTERM, SIGINT})
+      for (const int signal : {SIGTERM, SIGINT, SIGHUP})
         // one that the caller ignores, as in the background, stays ignored
         if (sigaction(signal, nullptr, &present) == 0 &&
             present.sa_handler != SIG_IGN)
@@ -61,6 +61,8 @@ namespace ThermoContact
   std::string
   name_of_signal(const int signal)
   {
-    return signal == SIGINT ? "SIGINT" : "SIGTERM";
+    return signal == SIGINT ? "SIGINT" :
+           signal == SIGHUP ? "SIGHUP" :
+                              "SIGTERM";
   }
 } // namespace ThermoContact

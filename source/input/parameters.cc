@@ -318,18 +318,22 @@ namespace ThermoContact
                       "Iterations per step after which the run stops with an "
                       "error.",
                       Integer(1, 1000000));
-    prm.add_parameter("Linear solver",
-                      linear_solver,
-                      "direct: sparse factors of the stage matrix, one set for "
-                      "each step size; iterative: Krylov and multigrid without "
-                      "matrices, for large bodies in two and three dimensions; "
-                      "automatic: what is faster for the number of unknowns.",
-                      Selection("automatic|direct|iterative"));
+    prm.add_parameter(
+      "Linear solver",
+      linear_solver,
+      "direct: sparse factors of the stage matrix, one set for "
+      "each step size; iterative: Krylov and multigrid without "
+      "matrices, for large bodies in two and three dimensions; "
+      "automatic: blocks along the rod in one dimension and one "
+      "process, else what is faster for the number of "
+      "unknowns.",
+      Selection("automatic|direct|iterative"));
     add_number_or_word(prm,
                        "Linear tolerance",
                        "automatic",
-                       "Residual of a stage relative to its right-hand side at "
-                       "which the iterative solver stops.",
+                       "Residual at which the iterative solver stops, relative "
+                       "to the terms of the equations of a stage: at least "
+                       "1e-14 and below 0.01; automatic: 1e-9.",
                        [this](const double *number) {
                          linear_tolerance = number ?
                                               std::optional<double>(*number) :

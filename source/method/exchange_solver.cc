@@ -183,11 +183,12 @@ namespace ThermoContact
 
 
   unsigned int
-  ExchangeSolver::solve(const EndResponse &response,
-                        const ContactMode  mode,
-                        EndExchange       &end) const
+  ExchangeSolver::solve(const EndResponse       &response,
+                        const ContactMode        mode,
+                        EndExchange             &end,
+                        const std::vector<bool> &is_held) const
   {
-    ExchangeStage stage(law, exchange, response, mode, end.pressure);
+    ExchangeStage stage(law, exchange, response, mode, is_held, end.pressure);
     if (stage.n == 1)
       end.coefficient[0] = solve_node(stage, end.coefficient, 0);
     else if (!solve_smooth(stage, end.coefficient) &&

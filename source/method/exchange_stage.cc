@@ -38,17 +38,19 @@ namespace ThermoContact
 
 
 
-  ExchangeStage::ExchangeStage(const ContactLaw   &law,
-                               const HeatExchange &exchange,
-                               const EndResponse  &response,
-                               const ContactMode   mode,
-                               const Values       &pressure)
+  ExchangeStage::ExchangeStage(const ContactLaw        &law,
+                               const HeatExchange      &exchange,
+                               const EndResponse       &response,
+                               const ContactMode        mode,
+                               const std::vector<bool> &is_held,
+                               const Values            &pressure)
     : n(response.free_penetration.size())
     , pressure(pressure)
     , law(law)
     , exchange(exchange)
     , response(response)
     , mode(mode)
+    , is_held(is_held)
   {}
 
 
@@ -81,15 +83,17 @@ namespace ThermoContact
   void
   ExchangeStage::solve_contact()
   {
-    n_iterations = 0;
+    n_iterations     = 0;
+    bool is_in_reach = false;
+    for (unsigned int i = 0; i < n; ++i)
+      is_in_reach |= free_penetration[i] > 0. || stays_closed(i);
     if (mode == ContactMode::closed)
       ContactSolver(law).solve_closed(receptance, free_penetration, pressure);
-    else if (mode == ContactMode::unilateral &&
-             std::any_of(free_penetration.begin(),
-                         free_penetration.end(),
-                         [](const double s) { return s > 0.; }))
-      n_iterations =
-        ContactSolver(law).solve(receptance, free_penetration, pressure);
+    else if (mode == ContactMode::unilateral && is_in_reach)
+      n_iterations = ContactSolver(law).solve(receptance,
+                                              free_penetration,
+                                              pressure,
+                                              is_held);
     else
       pressure.assign(n, 0.);
   }

@@ -34,18 +34,24 @@ namespace ThermoContact
     std::vector<Parameters>
     coarse_scenes(const Scene &scene)
     {
-      Parameters finest = scene.parameters;
-      // coarse nodes are farther apart, but what they stand for is the same
-      finest.contact.massless_nodes =
-        scene.contact.has_massless_nodes ? "on" : "off";
+      Parameters finest           = scene.parameters;
       finest.solver.linear_solver = "iterative";
 
       std::vector<Parameters> result;
       for (std::optional<Parameters> next = coarsened(finest); next;
            next                           = coarsened(*next))
-        result.insert(result.begin(), *next);
+        {
+                                    // A coarse node stands for nodes with mass, too: without, residuals
+          // of those would move it without resistance in a short stage
+          next->contact.massless_nodes = "off";
+          result.insert(result.begin(), *next);
+        }
       if (result.empty())
-        result.push_back(finest);
+        {
+          result.push_back(finest);
+          result.back().contact.massless_nodes =
+            scene.contact.has_massless_nodes ? "on" : "off";
+        }
       result.front().solver.linear_solver = "direct";
       return result;
     }
@@ -66,8 +72,10 @@ namespace ThermoContact
     levels.back().products       = body.equations.matrix_free();
     coarse_operator_ = std::make_unique<const ThermoviscoelasticOperator<dim>>(
       *levels[0].own_scene, *levels[0].discretization);
+    make_vectors(levels[0]);
     for (unsigned int l = 1; l < levels.size(); ++l)
       {
+        make_vectors(levels[l]);
         compute_diagonals(levels[l]);
         connect(levels[l - 1], levels[l]);
       }
@@ -102,6 +110,22 @@ namespace ThermoContact
 
   template <int dim>
   void
+  MultigridLevels<dim>::make_vectors(Level &level) const
+  {
+    for (const Field::Block field : all_fields)
+      if (level.discretization->has_field(field))
+        {
+          LevelField<dim> &of_field = level.fields[field];
+          of_field.right            = level.spaces->make_vector(field);
+          of_field.solution         = of_field.right;
+          of_field.residual         = of_field.right;
+        }
+  }
+
+
+
+  template <int dim>
+  void
   MultigridLevels<dim>::compute_diagonals(Level &level) const
   {
     const MatrixFreeOperator<dim> &products = *level.products;
@@ -114,12 +138,8 @@ namespace ThermoContact
     if (body.scene.fields.has_displacement)
       {
         LevelField<dim> &momentum = level.fields[Field::displacement];
-        momentum.mass             = products.momentum_diagonal({1., 0., 0.});
-        momentum.stiffness        = products.momentum_diagonal({0., 1., 0.});
-        momentum.viscous_stiffness =
-          body.scene.has_elastic_contact_nodes() ?
-            products.momentum_diagonal({0., 0., 1.}) :
-            momentum.stiffness;
+        momentum.mass             = products.momentum_diagonal({1., 0.});
+        momentum.stiffness        = products.momentum_diagonal({0., 1.});
       }
   }
 

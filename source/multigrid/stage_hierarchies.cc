@@ -21,7 +21,7 @@ namespace ThermoContact
 
 
   template <int dim>
-  bool
+  void
   StageHierarchies<dim>::provide(const double tau)
   {
     const auto known =
@@ -31,11 +31,11 @@ namespace ThermoContact
     if (known != hierarchies.end())
       {
         hierarchies.splice(hierarchies.begin(), hierarchies, known);
-        return false;
+        return;
       }
     while (hierarchies.size() >= max_hierarchies)
       hierarchies.pop_back();
-    hierarchies.push_front({tau, nullptr, nullptr, {}});
+    hierarchies.push_front({tau, nullptr, nullptr, {}, {}, {}});
     Hierarchy         &hierarchy = hierarchies.front();
     const unsigned int finest    = levels.n_levels() - 1;
     for (const Field::Block field : all_fields)
@@ -47,19 +47,32 @@ namespace ThermoContact
           hierarchy.diagonals[field] =
             StageBlock<dim>(levels, finest, field, tau).diagonal();
         }
-    return true;
+    ++n_made_;
   }
 
 
 
   template <int dim>
-  std::vector<double>
-  StageHierarchies<dim>::lengths() const
+  void
+  StageHierarchies<dim>::set_contact(const std::vector<bool> &active_set,
+                                     const ContactRows       &rows)
   {
-    std::vector<double> result;
-    for (const Hierarchy &hierarchy : hierarchies)
-      result.push_back(hierarchy.tau);
-    return result;
+    Hierarchy &hierarchy = hierarchies.front();
+    if (!hierarchy.momentum || hierarchy.active_set == active_set)
+      return;
+    hierarchy.active_set.clear(); // if the following fails
+    if (std::find(active_set.begin(), active_set.end(), true) ==
+        active_set.end())
+      hierarchy.momentum->set_contact(nullptr);
+    else
+      {
+        const bool is_last = hierarchy.last_contact == active_set;
+        hierarchy.momentum->set_contact(&rows, is_last);
+        hierarchy.last_contact = active_set;
+        if (!is_last)
+          ++n_made_;
+      }
+    hierarchy.active_set = active_set;
   }
 
 

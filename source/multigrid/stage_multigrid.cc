@@ -8,11 +8,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Coarsest systems up to this size are factorised. */
-    constexpr types::global_dof_index max_factorized = 6000;
-
-
-
     /** Restricts contact rows to the next coarser level. */
     template <int dim>
     ContactRows
@@ -89,7 +84,7 @@ namespace ThermoContact
       levels.products(level).heat({1., tau}, y, scratch);
     else
       levels.products(level).momentum(
-        {material.inertia, tau * tau, tau * material.viscosity}, y, scratch);
+        {material.inertia, tau * (tau + material.viscosity)}, y, scratch);
     for (const auto &[entry, spring] : springs)
       y.local_element(entry) += spring * scratch.local_element(entry);
     for (const unsigned int entry : prescribed)
@@ -107,9 +102,8 @@ namespace ThermoContact
     Vector                 result(scratch);
     const bool             is_heat = field == Field::temperature;
     result.equ(is_heat ? 1. : material.inertia, parts.mass);
-    result.add(is_heat ? tau : tau * tau, parts.stiffness);
-    if (!is_heat)
-      result.add(tau * material.viscosity, parts.viscous_stiffness);
+    result.add(is_heat ? tau : tau * (tau + material.viscosity),
+               parts.stiffness);
     for (const auto &[entry, spring] : springs)
       result.local_element(entry) += spring;
     for (const unsigned int entry : prescribed)
@@ -156,11 +150,6 @@ namespace ThermoContact
     , tau(tau)
     , fine(levels.n_levels() - 1)
   {
-    for (unsigned int l = 0; l < levels.n_levels(); ++l)
-      {
-        right.push_back(levels.spaces(l).make_vector(field));
-        solution.push_back(right.back());
-      }
     for (unsigned int l = 1; l < levels.n_levels(); ++l)
       {
         Level &level = fine[l - 1];
@@ -170,7 +159,6 @@ namespace ThermoContact
         diagonal               = level.block->diagonal();
         for (double &value : diagonal)
           value = 1. / value;
-        level.residual = right[l];
 
         typename Smoother::AdditionalData data;
         data.degree              = field == Field::temperature ? 2 : 3;
@@ -179,87 +167,75 @@ namespace ThermoContact
         data.preconditioner      = level.inverse_diagonal;
         level.smoother           = std::make_unique<Smoother>();
         level.smoother->initialize(*level.block, data);
-        level.smoother->estimate_eigenvalues(right[l]);
+        level.smoother->estimate_eigenvalues(levels.field(l, field).right);
       }
-    coarse_matrix = std::make_unique<SparseMatrix>(
+    coarse_without_contact = std::make_unique<CoarseSolver<dim>>(
+      levels,
+      field,
       field == Field::temperature ?
         levels.coarse_operator().heat_stage_matrix(tau) :
         levels.coarse_operator().momentum_stage_matrix(tau));
-    set_coarse(nullptr);
   }
 
 
 
   template <int dim>
   void
-  StageMultigrid<dim>::set_contact(const ContactRows *rows)
+  StageMultigrid<dim>::set_rows(const ContactRows &rows)
   {
-    ContactRows of_level = rows != nullptr ? *rows : ContactRows();
+    coarse_rows = rows;
     for (unsigned int l = levels.n_levels() - 1; l >= 1; --l)
       {
         Level &level = fine[l - 1];
-        level.block->set_contact(of_level);
+        level.block->set_contact(coarse_rows);
         Vector &diagonal = level.inverse_diagonal->get_vector();
         diagonal         = level.block->diagonal();
         for (double &value : diagonal)
           value = 1. / value;
-        of_level = restricted(of_level,
-                              levels.field(l, field).transfer,
-                              right[l - 1],
-                              levels.discretization(l).contact_end());
+        coarse_rows = restricted(coarse_rows,
+                                 levels.field(l, field).transfer,
+                                 levels.field(l - 1, field).right,
+                                 levels.discretization(l).contact_end());
       }
-    set_coarse(rows != nullptr ? &of_level : nullptr);
   }
 
 
 
   template <int dim>
   void
-  StageMultigrid<dim>::set_coarse(const ContactRows *rows)
+  StageMultigrid<dim>::set_contact(const ContactRows *rows,
+                                   const bool         are_as_before)
   {
-    SparseMatrix matrix;
-    matrix.copy_from(*coarse_matrix);
-    coarse_prescribed = levels.discretization(0).constrained_entries(field);
-    if (rows != nullptr)
+    if (rows == nullptr)
       {
-        const IndexSet owned = right[0].locally_owned_elements();
-        std::vector<types::global_dof_index> held;
-        for (unsigned int i = 0; i < owned.n_elements(); ++i)
-          {
-            const types::global_dof_index row = owned.nth_index_in_set(i);
-            if (rows->springs.size() > 0 && rows->springs.local_element(i) > 0.)
-              matrix.add(row, row, rows->springs.local_element(i));
-            if (rows->held.size() > 0 && rows->held.local_element(i) > 0.)
-              {
-                held.push_back(row);
-                coarse_prescribed.push_back(i);
-              }
-          }
-        matrix.compress(VectorOperation::add);
-        matrix.clear_rows(held, 1.);
-      }
-    coarse_solver.reset();
-    coarse_amg.reset();
-    if (matrix.m() <= max_factorized)
-      {
-        coarse_solver = std::make_unique<DirectSolver>(std::move(matrix));
+        if (has_contact)
+          set_rows(ContactRows());
+        has_contact = false;
         return;
       }
-    TrilinosWrappers::PreconditionAMG::AdditionalData data;
-    data.smoother_sweeps = 2;
-    data.constant_modes.assign(field == Field::temperature ? 1 : dim,
-                               std::vector<bool>(right[0].locally_owned_size(),
-                                                 true));
-    if (field == Field::displacement)
-      {
-        const DoFHandler<dim> &handler = levels.spaces(0).dof_handler(field);
-        data.constant_modes.clear();
-        DoFTools::extract_constant_modes(handler,
-                                         ComponentMask(dim, true),
-                                         data.constant_modes);
-      }
-    coarse_amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
-    coarse_amg->initialize(matrix, data);
+    has_contact = true;
+    set_rows(*rows);
+    if (are_as_before && coarse_with_contact)
+      return;
+    coarse_with_contact.reset(); // its memory, before there are other factors
+    coarse_with_contact = std::make_unique<CoarseSolver<dim>>(
+      levels,
+      field,
+      with_contact(coarse_without_contact->matrix(), coarse_rows));
+  }
+
+
+
+  template <int dim>
+  void
+  StageMultigrid<dim>::zero_coarse(Vector &vector) const
+  {
+    for (const unsigned int entry :
+         levels.discretization(0).constrained_entries(field))
+      vector.local_element(entry) = 0.;
+    for (unsigned int i = 0; i < coarse_rows.held.locally_owned_size(); ++i)
+      if (coarse_rows.held.local_element(i) > 0.)
+        vector.local_element(i) = 0.;
   }
 
 
@@ -268,37 +244,37 @@ namespace ThermoContact
   void
   StageMultigrid<dim>::cycle(const unsigned int l) const
   {
+    const LevelField<dim> &vectors = levels.field(l, field);
     if (l == 0)
       {
-        for (const unsigned int entry : coarse_prescribed)
-          right[0].local_element(entry) = 0.;
-        if (coarse_solver)
-          coarse_solver->solve(solution[0], right[0]);
-        else
-          coarse_amg->vmult(solution[0], right[0]);
+        zero_coarse(vectors.right);
+        (has_contact ? coarse_with_contact : coarse_without_contact)
+          ->solve(vectors.solution, vectors.right);
+        zero_coarse(vectors.solution);
         return;
       }
-    const Level                           &level = fine[l - 1];
-    const MGTwoLevelTransfer<dim, Vector> &transfer =
-      levels.field(l, field).transfer;
-    level.smoother->vmult(solution[l], right[l]);
-    level.block->vmult(level.residual, solution[l]);
-    level.residual.sadd(-1., right[l]);
-    level.block->zero_prescribed(level.residual);
-    level.residual.update_ghost_values();
-    right[l - 1] = 0.;
-    transfer.restrict_and_add(right[l - 1], level.residual);
-    level.residual.zero_out_ghost_values();
+    const Level                           &level  = fine[l - 1];
+    const LevelField<dim>                 &coarse = levels.field(l - 1, field);
+    Vector                                &residual = vectors.residual;
+    const MGTwoLevelTransfer<dim, Vector> &transfer = vectors.transfer;
+    level.smoother->vmult(vectors.solution, vectors.right);
+    level.block->vmult(residual, vectors.solution);
+    residual.sadd(-1., vectors.right);
+    level.block->zero_prescribed(residual);
+    residual.update_ghost_values();
+    coarse.right = 0.;
+    transfer.restrict_and_add(coarse.right, residual);
+    residual.zero_out_ghost_values();
     if (l > 1)
-      fine[l - 2].block->zero_prescribed(right[l - 1]);
+      fine[l - 2].block->zero_prescribed(coarse.right);
     cycle(l - 1);
-    solution[l - 1].update_ghost_values();
-    level.residual = 0.;
-    transfer.prolongate_and_add(level.residual, solution[l - 1]);
-    solution[l - 1].zero_out_ghost_values();
-    level.block->zero_prescribed(level.residual);
-    solution[l] += level.residual;
-    level.smoother->step(solution[l], right[l]);
+    coarse.solution.update_ghost_values();
+    residual = 0.;
+    transfer.prolongate_and_add(residual, coarse.solution);
+    coarse.solution.zero_out_ghost_values();
+    level.block->zero_prescribed(residual);
+    vectors.solution += residual;
+    level.smoother->step(vectors.solution, vectors.right);
   }
 
 
@@ -307,20 +283,11 @@ namespace ThermoContact
   void
   StageMultigrid<dim>::vmult(Vector &z, const Vector &r) const
   {
-    const unsigned int finest = levels.n_levels() - 1;
-    right[finest].copy_locally_owned_data_from(r);
+    const unsigned int     finest  = levels.n_levels() - 1;
+    const LevelField<dim> &vectors = levels.field(finest, field);
+    vectors.right.copy_locally_owned_data_from(r);
     cycle(finest);
-    z.copy_locally_owned_data_from(solution[finest]);
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  StageMultigrid<dim>::n_products() const
-  {
-    const unsigned int degree = field == Field::temperature ? 2 : 3;
-    return 2 * degree;
+    z.copy_locally_owned_data_from(vectors.solution);
   }
 
 

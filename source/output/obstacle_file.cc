@@ -2,8 +2,10 @@
 
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/obstacle_file.h>
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -11,36 +13,20 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Nodes along y; the nodes are sorted by z, then by y. */
+    /** All nodes of the end, sorted by z, then by y. */
     template <int dim>
-    unsigned int
-    n_along_y(const std::vector<ContactNode<dim>> &nodes)
+    std::vector<ContactNode<dim>>
+    sorted_nodes(const ContactEnd<dim> &end)
     {
-      unsigned int n = 1;
-      while (dim > 1 && n < nodes.size() &&
-             nodes[n].position[dim > 1 ? 1 : 0] >
-               nodes[n - 1].position[dim > 1 ? 1 : 0])
-        ++n;
-      return n;
-    }
-
-
-
-    /** The corners of each cell, cell after cell. */
-    template <int dim>
-    std::vector<unsigned int>
-    corners_of_cells(const std::vector<ContactNode<dim>> &nodes)
-    {
-      const unsigned int        n = n_along_y(nodes);
-      std::vector<unsigned int> corners;
-      for (unsigned int j = 0; j + (dim > 2 ? n : 0) < nodes.size(); j += n)
-        for (unsigned int i = j; i + 1 < j + n; ++i)
-          {
-            corners.insert(corners.end(), {i, i + 1});
-            if (dim > 2)
-              corners.insert(corners.end(), {i + 1 + n, i + n});
-          }
-      return corners;
+      std::vector<ContactNode<dim>> nodes(end.all_nodes());
+      // those without weight, on an axis, stand behind the others
+      if (dim == 2)
+        std::sort(nodes.begin(),
+                  nodes.end(),
+                  [](const ContactNode<dim> &a, const ContactNode<dim> &b) {
+                    return a.position[dim - 1] < b.position[dim - 1];
+                  });
+      return nodes;
     }
 
 
@@ -63,8 +49,8 @@ namespace ThermoContact
   std::string
   obstacle_file(const ContactEnd<dim> &end)
   {
-    const auto        &nodes   = end.nodes();
-    const auto         corners = corners_of_cells(nodes);
+    const auto         nodes   = sorted_nodes(end);
+    const auto         corners = contact_face_corners(nodes);
     const unsigned int n_nodes = nodes.size(), n_corners = dim > 2 ? 4 : 2,
                        n_cells = corners.size() / n_corners;
     const auto number          = [](const double value) {

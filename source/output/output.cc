@@ -2,12 +2,9 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/multiples.h>
-#include <thermocontact/base/version.h>
 #include <thermocontact/output/csv_rows.h>
 #include <thermocontact/output/output.h>
 #include <thermocontact/output/output_directory.h>
-
-#include <deal.II/base/revision.h>
 
 #include <filesystem>
 
@@ -17,17 +14,6 @@ namespace ThermoContact
   {
     /** Rows after which a fault of the file is looked for on all ranks. */
     constexpr unsigned int rows_between_checks = 1000;
-
-
-
-    /** Lines at the top of every table. */
-    std::string
-    head_comments(const std::string &title)
-    {
-      return "# " + title + "\n# thermocontact " + version() + ", deal.II " +
-             DEAL_II_PACKAGE_VERSION + '\n';
-    }
-
   } // namespace
 
 
@@ -41,6 +27,8 @@ namespace ThermoContact
     , end_time(simulation.parameters().time.end_time)
     , communicator(simulation.discretization().communicator())
     , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
+    , columns(
+        contact_columns(dim, simulation.scene().linear_solver.is_iterative))
     , field_output(directory, simulation.body())
     , has_attempts(simulation.parameters().time.has_error_control() ||
                    simulation.parameters().time.locates_contact_events())
@@ -53,11 +41,7 @@ namespace ThermoContact
     field_timer.reset();
     const std::string   &title = simulation.parameters().title;
     const OutputProgress sizes = progress ? *progress : OutputProgress();
-    open(contact_columns(dim),
-         contact_file,
-         "contact.csv",
-         title,
-         sizes.contact_size);
+    open(columns, contact_file, "contact.csv", title, sizes.contact_size);
     open(event_columns(), events_file, "events.csv", title, sizes.events_size);
     if (has_attempts)
       open(attempt_columns(), steps_file, "steps.csv", title, sizes.steps_size);
@@ -88,7 +72,7 @@ namespace ThermoContact
     if (size > 0)
       return file.reopen(directory + "/" + name, size);
     file.open(directory + "/" + name);
-    file.write_row(head_comments(title) + csv_head(columns));
+    file.write_row(csv_comments(title) + csv_head(columns));
   }
 
 
@@ -102,7 +86,7 @@ namespace ThermoContact
     if (!Utilities::trim(parameters.probes).empty())
       {
         probe_output = std::make_unique<ProbeOutput<dim>>(directory, body);
-        probe_output->open(head_comments(simulation.parameters().title),
+        probe_output->open(csv_comments(simulation.parameters().title),
                            sizes.probes_size);
       }
     if (parameters.space_time_interval > 0.)
@@ -180,7 +164,7 @@ namespace ThermoContact
         is_due(parameters.contact_interval, record.time, next_contact))
       {
         if (is_writer)
-          add_row(contact_columns(dim), record, contact_file);
+          add_row(columns, record, contact_file);
         if (probe_output)
           probe_output->write(simulation.state());
       }
@@ -280,14 +264,12 @@ namespace ThermoContact
   Output<dim>::sync()
   {
     OutputProgress progress;
-    std::string    fault;
+    std::string    fault = field_output.sync();
     if (is_writer)
       {
         for (TableFile *file : tables())
           if (const std::string message = file->sync(); fault.empty())
             fault = message;
-        if (fault.empty())
-          fault = field_output.sync();
         progress.contact_size = contact_file.size();
         progress.events_size  = events_file.size();
         progress.steps_size   = steps_file.size();

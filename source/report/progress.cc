@@ -7,25 +7,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /** 75 s as "1:15", two hours as "2:00:00". */
-    std::string
-    clock_time(const double seconds)
-    {
-      if (!(seconds < 3.6e6))
-        return "1000 h or more";
-      const auto whole      = static_cast<unsigned int>(seconds + 0.5);
-      const auto two_digits = [](const unsigned int n) {
-        return align_right(text(n), 2, '0');
-      };
-      const unsigned int minutes = whole / 60;
-      return (whole < 3600 ?
-                text(minutes) :
-                text(minutes / 60, ':', two_digits(minutes % 60))) +
-             ':' + two_digits(whole % 60);
-    }
-
-
-
     double
     seconds_between(const std::chrono::steady_clock::time_point from,
                     const std::chrono::steady_clock::time_point to)
@@ -40,7 +21,7 @@ namespace ThermoContact
     energy_at_first(const StepRecord &record)
     {
       return record.energy + record.dissipation + record.numerical_dissipation -
-             record.work;
+             record.work - record.algebraic;
     }
   } // namespace
 

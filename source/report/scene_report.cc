@@ -58,10 +58,11 @@ namespace ThermoContact
         line += text(line.empty() ? "" : " + ",
                      space.n_displacement_dofs(),
                      " displacement");
-      return line + text(simulation.scene().linear_solver.is_iterative ?
-                           "; on the coarsest level, factorised: " :
-                           "; factorised at once: ",
-                         simulation.n_factorized_unknowns());
+      const types::global_dof_index n = simulation.n_factorized_unknowns();
+      if (!simulation.scene().linear_solver.is_iterative)
+        return line + text("; factorised at once: ", n);
+      return line + "; on the coarsest level, factorised: " +
+             (n > 0 ? text(n) : "none, algebraic multigrid instead");
     }
 
 
@@ -246,6 +247,8 @@ namespace ThermoContact
       if (cost.snapshots > 0.)
         line += "; fields: " + count(cost.snapshots) + " snapshots, " +
                 describe_bytes(cost.snapshot_bytes);
+      if (cost.face_bytes > 0.)
+        line += "; contact face: as many, " + describe_bytes(cost.face_bytes);
       return line;
     }
 

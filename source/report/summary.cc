@@ -7,6 +7,7 @@
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/forecast/steady_state.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/report/key_results.h>
 #include <thermocontact/report/summary.h>
 #include <thermocontact/scene/scene_terms.h>
 
@@ -16,19 +17,20 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace ThermoContact
 {
   namespace
   {
-    /** Largest memory so far, of all ranks together, in MB. */
-    double
-    peak_memory(const MPI_Comm communicator)
+    /** Largest memory so far of each rank in MB; on rank 0. */
+    std::vector<double>
+    peak_memory_per_rank(const MPI_Comm communicator)
     {
       Utilities::System::MemoryStats memory;
       Utilities::System::get_memory_stats(memory);
-      return Utilities::MPI::sum(memory.VmHWM / 1024., communicator);
+      return Utilities::MPI::gather(communicator, memory.VmHWM / 1024.);
     }
 
 
@@ -49,14 +51,8 @@ namespace ThermoContact
            {"temperature_end", state.temperature_end},
            {"in_contact", state.in_contact},
            {"is_stable", state.is_stable}});
-      if (states.empty())
-        return;
-      const unsigned int nearest = nearest_state(states, end);
-      const double       distance =
-        std::abs(states[nearest].temperature_end - end.temperature_end);
-      if (distance <= 1e-3 * std::abs(scene.heat.fixed_end_temperature -
-                                      scene.heat.obstacle_temperature))
-        entries["reached_state_of_rest"] = nearest + 1;
+      if (const unsigned int state = reached_state_of_rest(states, end, scene))
+        entries["reached_state_of_rest"] = state;
     }
 
 
@@ -115,17 +111,6 @@ namespace ThermoContact
 
 
 
-  unsigned int
-  n_contact_begins(const std::vector<ContactEvent> &events)
-  {
-    unsigned int n = 0;
-    for (const ContactEvent &event : events)
-      n += event.kind == ContactEvent::begin;
-    return n;
-  }
-
-
-
   template <int dim>
   void
   write_summary(const std::string     &file_name,
@@ -139,6 +124,9 @@ namespace ThermoContact
     const auto          &space      = simulation.discretization();
     const auto          &events     = simulation.events();
 
+    const std::vector<double> memory =
+      peak_memory_per_rank(space.communicator());
+
     nlohmann::ordered_json summary = {
       {"title", parameters.title},
       {"status", status},
@@ -150,7 +138,7 @@ namespace ThermoContact
       {"dofs", space.n_temperature_dofs() + space.n_displacement_dofs()},
       {"factorized_unknowns", simulation.n_factorized_unknowns()},
       {"scheme", simulation.scene().scheme.name},
-      {"linear_solver", simulation.scene().linear_solver.name()},
+      {"linear_solver", simulation.linear_solver()},
       {"steps", record.step},
       {"rejected_steps", simulation.history().n_rejected_steps},
       {"factorizations", counters.factorizations},
@@ -161,6 +149,10 @@ namespace ThermoContact
       {"active_set_iterations", counters.active_set_iterations},
       {"contact_begins", n_contact_begins(events)},
       {"first_contact_time", nullptr},
+      {"contact_duration",
+       contact_duration(events, record.in_contact, record.time)},
+      {"contact_impulse", record.contact_impulse},
+      {"restitution", restitution(events)},
       {"max_penetration", simulation.history().max_penetration},
       {"max_contact_force", simulation.history().max_contact_force},
       {"final_time", record.time},
@@ -175,7 +167,8 @@ namespace ThermoContact
       {"contact_seconds", counters.contact_seconds},
       {"output_seconds", times.output},
       {"wall_seconds", times.wall},
-      {"peak_memory_mb", peak_memory(space.communicator())},
+      {"peak_memory_mb", std::accumulate(memory.begin(), memory.end(), 0.)},
+      {"peak_memory_mb_per_rank", memory},
       {"warnings", simulation.history().warnings}};
     if (!events.empty())
       summary["first_contact_time"] = events.front().time;

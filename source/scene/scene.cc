@@ -129,10 +129,10 @@ namespace ThermoContact
     {
       const MeshParameters  &mesh  = parameters.mesh;
       const ModelParameters &model = parameters.model;
-      const bool             has_other_nodes =
-        mesh.degree * std::ldexp(mesh.cells, mesh.refinements) > 1.;
-      if (!law.is_active() || model.inertia == 0. || !has_other_nodes)
+      if (!law.is_active() || model.inertia == 0. || mesh.n_nodes(1) == 2.)
         return false;
+      if (mesh.mass_matrix == "midpoint")
+        return false; // the rule knows no single nodes
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
       if (has_prescribed_start)
@@ -177,49 +177,86 @@ namespace ThermoContact
         contact.law->is_active() && parameters.time.locates_contact_events();
       return contact;
     }
+
+
+
+    /** LinearSolver::needs_factors. */
+    std::string
+    reason_for_factors(const Parameters   &parameters,
+                       const SceneHeat    &heat,
+                       const Scheme       &scheme,
+                       const SceneContact &contact,
+                       const bool          is_fixed_point,
+                       const bool          has_prescribed_start)
+    {
+      if (parameters.dimension == 1)
+        return "Dimension = 1";
+      if (scheme.needs_factors)
+        return "Time/Scheme = " + scheme.name;
+      if (is_fixed_point)
+        return "Solver/Step solver = fixed point";
+      if (has_prescribed_start)
+        return "Time/Start = paper";
+      const std::string condition =
+        "Contact/Condition = " + parameters.contact.condition;
+      if (!contact.law->is_linear())
+        return condition;
+      if (contact.has_impacts())
+        return "Contact/Massless nodes = off and " + condition;
+      if (!heat.exchange->is_constant())
+        return "Boundary/Heat exchange depends on the contact";
+      return "";
+    }
+
+
+
     /**
-     * Factors are faster for bodies of few unknowns, and cost memory and time
-     * that grow faster than the number of unknowns, the more so the more
-     * dimensions a body has.
+     * Unknowns up to which factors are faster, doc/bodies.md. Their cost grows
+     * faster than the number of unknowns, the more so the more dimensions a
+     * body has; chosen step sizes take some of them, each with a response for
+     * each contact node.
      */
+    double
+    largest_for_factors(const Parameters   &parameters,
+                        const SceneContact &contact)
+    {
+      const double limit = parameters.dimension == 2 ? 2e5 : 1e4;
+      if (!parameters.time.has_error_control())
+        return limit;
+      return contact.law->is_active() ? limit / 4. : limit / 2.;
+    }
+
+
+
     LinearSolver
     resolve_linear_solver(const Parameters   &parameters,
                           const SceneFields  &fields,
-                          const SceneHeat    &heat,
-                          const Scheme       &scheme,
                           const SceneContact &contact,
-                          const bool          is_fixed_point,
-                          const bool          has_prescribed_start)
+                          const std::string  &needs_factors)
     {
       const SolverParameters &solver = parameters.solver;
       const unsigned int      dim    = parameters.dimension;
       const double tolerance         = solver.linear_tolerance.value_or(1e-9);
-      const auto   direct            = [&](const std::string &reason) {
-        return LinearSolver{false, tolerance, reason};
-      };
       if (solver.linear_solver != "automatic")
         return {solver.linear_solver == "iterative",
+                false,
                 tolerance,
-                "Solver/Linear solver = " + solver.linear_solver};
-      if (dim == 1)
-        return direct("Dimension = 1");
-      if (!scheme.needs_linear_contact.empty())
-        return direct("Time/Scheme = " + scheme.name);
-      if (is_fixed_point)
-        return direct("Solver/Step solver = fixed point");
-      if (has_prescribed_start)
-        return direct("Time/Start = paper");
-      if (contact.has_impacts() || !contact.law->is_linear())
-        return direct("Contact/Condition = " + parameters.contact.condition);
-      if (!heat.exchange->is_constant())
-        return direct("Boundary/Heat exchange depends on the contact");
+                "Solver/Linear solver = " + solver.linear_solver,
+                needs_factors};
+      if (!needs_factors.empty())
+        return {false, dim == 1, tolerance, needs_factors, needs_factors};
       const double n_unknowns =
         parameters.mesh.n_nodes(dim) * fields.n_components(dim);
-      const double limit = dim == 2 ? 2e5 : 1.5e4;
-      return {
-        n_unknowns > limit,
-        tolerance,
-        text(significant(n_unknowns, 3), " unknowns in ", dim, " dimensions")};
+      const double limit = largest_for_factors(parameters, contact);
+      return {n_unknowns > limit,
+              false,
+              tolerance,
+              text(significant(n_unknowns, 3),
+                   " unknowns in ",
+                   dim,
+                   " dimensions, direct up to ",
+                   significant(limit, 3)),
+              needs_factors};
     }
   } // namespace
 
@@ -244,13 +281,17 @@ namespace ThermoContact
     , has_rollers(parameters.boundary.lateral_support == "rollers")
     , has_sliding_end(parameters.boundary.fixed_end_support == "sliding")
     , has_lumped_mass(parameters.mesh.mass_matrix == "lumped")
+    , has_midpoint_mass(parameters.mesh.mass_matrix == "midpoint")
     , is_fixed_point(parameters.solver.step_solver == "fixed point")
-    , linear_solver(resolve_linear_solver(parameters,
-                                          fields,
-                                          heat,
-                                          scheme,
-                                          contact,
-                                          is_fixed_point,
-                                          has_prescribed_start))
+    , linear_solver(
+        resolve_linear_solver(parameters,
+                              fields,
+                              contact,
+                              reason_for_factors(parameters,
+                                                 heat,
+                                                 scheme,
+                                                 contact,
+                                                 is_fixed_point,
+                                                 has_prescribed_start)))
   {}
 } // namespace ThermoContact

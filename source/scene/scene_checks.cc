@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/probe_positions.h>
+#include <thermocontact/scene/mass_checks.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
 
@@ -80,7 +81,7 @@ namespace ThermoContact
                  scene.scheme.needs_inertia);
       if (!scene.contact.law->is_active())
         return;
-      if (scene.scheme.needs_massless_contact &&
+      if (scene.scheme.needs_massless_contact && !scene.has_midpoint_mass &&
           parameters.contact.massless_nodes == "off")
         refuse("Contact/Massless nodes",
                parameters.contact.massless_nodes,
@@ -116,12 +117,12 @@ namespace ThermoContact
                     "Contact/Condition = " + parameters.contact.condition :
                     "Model/Fields = " + parameters.model.fields),
                "there is neither gap nor pressure");
-      if (!scene.scheme.needs_linear_contact.empty())
+      if (!scene.scheme.needs_constant_exchange.empty())
         refuse("Boundary/Heat exchange",
                expression,
                "a number, since Time/Scheme = " + scene.scheme.name,
                "Time/Scheme = " + default_scheme().name + ": " +
-                 scene.scheme.needs_linear_contact);
+                 scene.scheme.needs_constant_exchange);
     }
 
 
@@ -218,11 +219,7 @@ namespace ThermoContact
     void
     check_number_of_unknowns(const MeshParameters &mesh, const unsigned int dim)
     {
-      const double along =
-        mesh.degree * std::ldexp(mesh.cells, mesh.refinements);
-      const double across =
-        mesh.degree * std::ldexp(mesh.cells_across, mesh.refinements);
-      if ((1. + dim) * (along + 1.) * std::pow(across + 1., dim - 1.) > 1e9)
+      if ((1. + dim) * mesh.n_nodes(dim) > 1e9)
         refuse("Mesh/Cells",
                mesh.cells,
                "at most 1e9 unknowns with Mesh/Degree = " +
@@ -242,50 +239,37 @@ namespace ThermoContact
     {
       const Parameters     &parameters = scene.parameters;
       const MeshParameters &mesh       = parameters.mesh;
-      if (mesh.degree * std::ldexp(mesh.cells, mesh.refinements) == 1. &&
-          scene.contact.law->is_active() && scene.material.has_inertia() &&
+      if (mesh.n_nodes(1) == 2. && scene.contact.law->is_active() &&
+          scene.material.has_inertia() &&
           (parameters.contact.massless_nodes == "on" ||
-           scene.scheme.needs_massless_contact))
+           (scene.scheme.needs_massless_contact && !scene.has_midpoint_mass)))
         refuse("Mesh/Cells",
                mesh.cells,
                "at least 2, or Mesh/Degree above 1, for massless contact nodes",
                "a finer mesh: their mass moves to nodes that are not held");
     }
-    /** What needs the factors of a matrix, or its responses to pressures. */
+
+
+
+    /** What needs factors has to have them; a tolerance has to be reached. */
     void
     check_linear_solver(const Scene &scene)
     {
-      const auto refuse_since = [](const std::string &reason) {
-        refuse("Solver/Linear solver",
-               "iterative",
-               "direct or automatic, since " + reason,
-               "Solver/Linear solver = automatic");
-      };
       const Parameters &parameters = scene.parameters;
       if (parameters.solver.linear_tolerance &&
-          !(*parameters.solver.linear_tolerance > 0. &&
+          !(*parameters.solver.linear_tolerance >= 1e-14 &&
             *parameters.solver.linear_tolerance < 1e-2))
         refuse("Solver/Linear tolerance",
                *parameters.solver.linear_tolerance,
-               "positive and below 0.01",
+               "at least 1e-14 and below 0.01",
                "Solver/Linear tolerance = automatic");
-      if (!scene.linear_solver.is_iterative)
-        return;
-      if (parameters.dimension == 1)
-        refuse_since("Dimension = 1");
-      if (!scene.scheme.needs_linear_contact.empty())
-        refuse_since("Time/Scheme = " + scene.scheme.name);
-      if (scene.is_fixed_point)
-        refuse_since("Solver/Step solver = fixed point");
-      if (scene.has_prescribed_start)
-        refuse_since("Time/Start = paper");
-      if (!scene.contact.law->is_linear())
-        refuse_since("Contact/Condition = " + parameters.contact.condition);
-      if (!scene.heat.exchange->is_constant())
-        refuse_since("Boundary/Heat exchange depends on the contact");
-      if (scene.contact.has_impacts())
-        refuse_since("Contact/Massless nodes = off and Contact/Condition = " +
-                     parameters.contact.condition);
+      if (scene.linear_solver.is_iterative &&
+          !scene.linear_solver.needs_factors.empty())
+        refuse("Solver/Linear solver",
+               "iterative",
+               "direct or automatic, since " +
+                 scene.linear_solver.needs_factors,
+               "Solver/Linear solver = automatic");
     }
   } // namespace
 
@@ -358,12 +342,7 @@ namespace ThermoContact
              parameters.contact.compliance,
              "epsilon > 0",
              "for a rigid obstacle set Contact/Condition = rigid");
-    if (scene.has_lumped_mass && !scene.geometry->has_uniform_weight())
-      refuse("Mesh/Mass matrix",
-             parameters.mesh.mass_matrix,
-             "consistent, since Mesh/Geometry = " + parameters.mesh.geometry,
-             "Mesh/Mass matrix = consistent: lumped nodes on the axis would "
-             "have no mass");
+    check_mass_matrix(scene);
     check_number_of_unknowns(parameters.mesh, parameters.dimension);
     parse_probe_positions(parameters.output.probes,
                           parameters.dimension,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/simulation/contact_transition.h>
-#include <thermocontact/simulation/quasi_static_start.h>
 #include <thermocontact/time/contact_equilibrium.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@ namespace ThermoContact
   template <int dim>
   ContactTransition<dim>::ContactTransition(Body<dim> &body)
     : body(body)
+    , quasi_static(body)
   {}
 
 
@@ -47,6 +47,8 @@ namespace ThermoContact
     if (counters.factorizations > 0 && body.scene.contact.has_mass() &&
         !mass_solver)
       compute_impulse_responses();
+    if (counters.factorizations > 0 && !body.scene.material.has_inertia())
+      quasi_static.factorize();
     counters_ = counters;
   }
 
@@ -100,11 +102,15 @@ namespace ThermoContact
       return;
     if (!body.scene.material.has_inertia())
       {
-        complete_quasi_static_state(body, result.state, result.closed_nodes);
-        ++counters_.factorizations;
+        const SolverCounters before = quasi_static.counters();
+        quasi_static.complete(result.state, result.closed_nodes);
+        const SolverCounters &after = quasi_static.counters();
+        counters_.factorizations +=
+          after.factorizations - before.factorizations;
+        counters_.responses += after.responses - before.responses;
         return;
       }
-    if (contact_stiffness_.empty())
+    if (body.scene.linear_solver.has_matrices() && contact_stiffness_.empty())
       contact_stiffness_ = contact_stiffness(body);
     settle_contact_velocities(body,
                               contact_stiffness_,

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/simulation/energy_watch.h>
 
 #include <algorithm>
@@ -9,6 +11,30 @@ namespace ThermoContact
 {
   namespace
   {
+    /** Whether the scene may have a scheme, with steps and nodes that suit it.
+     */
+    bool
+    can_have(const Scene &scene, const Scheme &scheme)
+    {
+      Parameters parameters  = scene.parameters;
+      parameters.time.scheme = scheme.name;
+      if (!parameters.time.step_size)
+        parameters.time.step_size = parameters.time.end_time;
+      if (scheme.needs_massless_contact)
+        parameters.contact.massless_nodes = "automatic";
+      try
+        {
+          check_scene(parameters);
+        }
+      catch (const InputError &)
+        {
+          return false;
+        }
+      return true;
+    }
+
+
+
     std::string
     remedy_for(const Scene &scene)
     {
@@ -19,13 +45,10 @@ namespace ThermoContact
         return remedy;
       if (scene.contact.has_mass())
         remedy += ", Contact/Massless nodes = on";
-      const ContactLaw   &law        = *scene.contact.law;
-      const Scheme *const conserving = find_scheme([&](const Scheme &s) {
-        return !s.can_create_energy && s.order > 1 &&
-               (s.needs_linear_contact.empty() || law.is_linear());
-      });
-      if (conserving != nullptr && scene.material.has_inertia() &&
-          &scene.scheme != conserving)
+      const Scheme *const conserving = find_scheme(
+        [](const Scheme &s) { return !s.can_create_energy && s.order > 1; });
+      if (conserving != nullptr && &scene.scheme != conserving &&
+          can_have(scene, *conserving))
         remedy +=
           ", or Time/Scheme = " + conserving->name + " with fixed steps";
       return remedy;

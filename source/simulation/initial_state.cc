@@ -191,7 +191,7 @@ namespace ThermoContact
       state.contact_pressure[i] = body.law().pressure(penetration[i]);
     if (body.scene.fields.has_displacement &&
         !body.scene.material.has_inertia())
-      complete_quasi_static_state(body, state);
+      QuasiStaticStart<dim>(body).complete(state);
     else if (body.scene.contact.is_in_equilibrium)
       settle_contact_nodes(body, state);
     warn_of_contact(body, state, warnings);

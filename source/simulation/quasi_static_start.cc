@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/exceptions.h>
 #include <thermocontact/method/contact_solver.h>
 #include <thermocontact/simulation/quasi_static_start.h>
-#include <thermocontact/space/direct_solver.h>
 #include <thermocontact/time/iterative_solver.h>
-
-#include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,95 +11,117 @@ namespace ThermoContact
 {
   namespace
   {
-    template <int dim>
-    std::vector<double>
-    penetrations(const Body<dim> &body, const State &state)
-    {
-      std::vector<double> result;
-      body.contact_end().get_penetrations(state.displacement, result);
-      return result;
-    }
-
-
-
-    /**
-     * Solves $Sw=r-Np$ with (M.18) for $w$ at the contact nodes.
-     *
-     * @param law between $w$ beyond its gaps and $p$
-     * @param gaps of $w$
-     * @param excluded nodes that carry no pressure
-     * @param load $r$
-     * @param w in: a vector of the right layout; out: the solution
-     * @param pressure in: a guess; out: the solution
+    /** Those that were given, else those that do not lie before the obstacle.
      */
     template <int dim>
-    void
-    solve_with_contact(const Body<dim>           &body,
-                       const ContactLaw          &law,
-                       const std::vector<double> &gaps,
-                       const std::vector<bool>   &excluded,
-                       DirectSolver              &solver,
-                       const Vector              &load,
-                       Vector                    &w,
-                       std::vector<double>       &pressure)
+    std::vector<bool>
+    closed_nodes(const Body<dim>         &body,
+                 const std::vector<bool> &is_closed,
+                 const State             &state)
     {
-      solver.solve(w, load);
-      std::vector<unsigned int> nodes;
-      for (unsigned int i = 0; i < excluded.size(); ++i)
-        if (!excluded[i])
-          nodes.push_back(i);
-      if (!law.is_active() || nodes.empty())
-        return;
-
-      const ContactEnd<dim>   &end = body.contact_end();
-      std::vector<Vector>      unit_responses;
-      Vector                   unit_load(load);
-      const FullMatrix<double> all_responses =
-        end.response_matrix([&](const unsigned int node) -> const Vector & {
-          end.set_load_of_node(Field::displacement, node, 1., unit_load);
-          Vector &response = unit_responses.emplace_back(unit_load);
-          solver.solve(response, unit_load);
-          return response;
-        });
-
-      const unsigned int  n = nodes.size();
-      FullMatrix<double>  response(n, n);
-      std::vector<double> values, free(n), p(n);
-      response.extract_submatrix_from(all_responses, nodes, nodes);
-      end.get_values(Field::displacement, w, values);
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          free[i] = values[nodes[i]] - gaps[nodes[i]];
-          p[i]    = pressure[nodes[i]];
-        }
-      ContactSolver(law).solve(response, free, p);
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          w.add(-p[i], unit_responses[nodes[i]]);
-          pressure[nodes[i]] = p[i];
-        }
+      if (!is_closed.empty())
+        return is_closed;
+      std::vector<double> penetration;
+      body.contact_end().get_penetrations(state.displacement, penetration);
+      std::vector<bool> result;
+      for (const double s : penetration)
+        result.push_back(s >= 0.);
+      return result;
     }
   } // namespace
+
+
+
+  template <int dim>
+  QuasiStaticStart<dim>::QuasiStaticStart(Body<dim> &body)
+    : body(body)
+  {}
+
+
+
+  template <int dim>
+  void
+  QuasiStaticStart<dim>::factorize()
+  {
+    if (factors || !body.scene.linear_solver.has_matrices())
+      return;
+    // Without inertia a stage of length 1 has the matrix (zeta + 1) S and, on
+    // the right-hand side, the forces on the body.
+    factors =
+      std::make_unique<DirectSolver>(body.equations.momentum_stage_matrix(1.));
+    ++counters_.factorizations;
+    if (!body.law().is_active())
+      return;
+    const ContactEnd<dim> &end = body.contact_end();
+    Vector unit_load = body.discretization.make_vector(Field::displacement);
+    response =
+      end.response_matrix([&](const unsigned int node) -> const Vector & {
+        end.set_load_of_node(Field::displacement, node, 1., unit_load);
+        Vector &unit_response = unit_responses.emplace_back(unit_load);
+        factors->solve(unit_response, unit_load);
+        ++counters_.responses;
+        return unit_response;
+      });
+  }
+
+
+
+  template <int dim>
+  void
+  QuasiStaticStart<dim>::solve_with_contact(const ContactLaw          &law,
+                                            const std::vector<double> &gaps,
+                                            const std::vector<bool>   &excluded,
+                                            const Vector              &load,
+                                            Vector                    &w,
+                                            std::vector<double>       &pressure)
+  {
+    factors->solve(w, load);
+    std::vector<unsigned int> nodes;
+    for (unsigned int i = 0; i < excluded.size(); ++i)
+      if (!excluded[i])
+        nodes.push_back(i);
+    if (!law.is_active() || nodes.empty())
+      return;
+
+    const unsigned int  n = nodes.size();
+    FullMatrix<double>  matrix(n, n);
+    std::vector<double> values, free(n), p(n);
+    matrix.extract_submatrix_from(response, nodes, nodes);
+    body.contact_end().get_values(Field::displacement, w, values);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        free[i] = values[nodes[i]] - gaps[nodes[i]];
+        p[i]    = pressure[nodes[i]];
+      }
+    ContactSolver(law).solve(matrix, free, p);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        w.add(-p[i], unit_responses[nodes[i]]);
+        pressure[nodes[i]] = p[i];
+      }
+  }
 
 
 
   namespace
   {
     /**
-     * The same without matrices: stages of length 1 with the temperature as it
-     * is. Their equations have the matrix $(\zeta+1)S$ and the forces on the
+     * complete() without matrices: stages of length 1 with the temperature as
+     * it is. Their equations have the matrix $(\zeta+1)S$ and the forces on the
      * body as loads.
      */
     template <int dim>
     void
-    complete_iteratively(Body<dim> &body, State &state)
+    complete_iteratively(Body<dim>               &body,
+                         const std::vector<bool> &is_closed,
+                         IterativeSolver<dim>    &solver,
+                         State                   &state)
     {
       const Discretization<dim> &space = body.discretization;
       Vector heat_load                 = space.make_vector(Field::temperature);
       Vector momentum_load             = space.make_vector(Field::displacement);
       body.loads.assemble(state.time, heat_load, momentum_load);
-      IterativeSolver<dim> solver(body);
-      StageRates           rates;
+      StageRates rates;
       rates.velocity = momentum_load;
       State known(state);
       known.velocity           = 0.;
@@ -121,18 +139,25 @@ namespace ThermoContact
           return;
         }
       if (body.law().is_rigid())
-        for (const double s : penetrations(body, state))
-          if (s >= 0.)
-            throw ComputationError(
-              "a body without inertia that starts in contact with a rigid "
-              "obstacle needs sparse factors\n  remedy:  Solver/Linear solver "
-              "= direct, or a larger Contact/Gap");
-      body.contact_end().subtract_load(Field::displacement,
-                                       state.contact_pressure,
-                                       1.,
-                                       momentum_load);
-      solver.solve_momentum(
-        known, 1., heat_load, momentum_load, ContactMode::open, rates);
+        {
+          solver.solve_quasi_static_velocity(known,
+                                             heat_load,
+                                             momentum_load,
+                                             closed_nodes(body,
+                                                          is_closed,
+                                                          state),
+                                             rates);
+          state.contact_pressure = rates.pressure;
+        }
+      else
+        {
+          body.contact_end().subtract_load(Field::displacement,
+                                           state.contact_pressure,
+                                           1.,
+                                           momentum_load);
+          solver.solve_momentum(
+            known, 1., heat_load, momentum_load, ContactMode::open, rates);
+        }
       state.velocity.equ((material.viscosity + 1.) / material.viscosity,
                          rates.velocity);
     }
@@ -142,14 +167,20 @@ namespace ThermoContact
 
   template <int dim>
   void
-  complete_quasi_static_state(Body<dim>               &body,
-                              State                   &state,
-                              const std::vector<bool> &is_closed)
+  QuasiStaticStart<dim>::complete(State                   &state,
+                                  const std::vector<bool> &is_closed)
   {
     if constexpr (dim > 1)
       if (!body.scene.linear_solver.has_matrices())
         {
-          complete_iteratively(body, state);
+          if (!iterative)
+            iterative = std::make_unique<IterativeSolver<dim>>(body);
+          iterative->restore({}); // what it makes is always the same
+          complete_iteratively(body,
+                               is_closed,
+                               static_cast<IterativeSolver<dim> &>(*iterative),
+                               state);
+          counters_.factorizations += iterative->counters().factorizations;
           return;
         }
     const Discretization<dim> &space = body.discretization;
@@ -158,9 +189,7 @@ namespace ThermoContact
     Vector heat_rhs(heat_load), rhs(momentum_load);
     body.loads.assemble(state.time, heat_load, momentum_load);
 
-    // Without inertia a stage of length 1 has the matrix (zeta + 1) S and, on
-    // the right-hand side, the forces on the body.
-    DirectSolver solver(body.equations.momentum_stage_matrix(1.));
+    factorize();
     body.equations.stage_rhs(
       state, 1., heat_load, momentum_load, heat_rhs, rhs);
     const unsigned int  n = state.contact_pressure.size();
@@ -170,11 +199,9 @@ namespace ThermoContact
     const Material &material = body.scene.material;
     if (material.is_static())
       {
-        solve_with_contact(body,
-                           body.law(),
+        solve_with_contact(body.law(),
                            gaps,
                            std::vector<bool>(n, false),
-                           solver,
                            rhs,
                            state.displacement,
                            state.contact_pressure);
@@ -184,9 +211,8 @@ namespace ThermoContact
     std::vector<bool> is_away(n, true);
     if (body.law().is_rigid())
       {
-        const std::vector<double> penetration = penetrations(body, state);
-        for (unsigned int i = 0; i < n; ++i)
-          is_away[i] = is_closed.empty() ? penetration[i] < 0. : !is_closed[i];
+        is_away = closed_nodes(body, is_closed, state);
+        is_away.flip();
         std::fill(state.contact_pressure.begin(),
                   state.contact_pressure.end(),
                   0.);
@@ -197,11 +223,9 @@ namespace ThermoContact
                                      rhs);
     // nodes on a rigid obstacle cannot move into it
     const auto no_inward_velocity = rigid_obstacle().make({});
-    solve_with_contact(body,
-                       *no_inward_velocity,
+    solve_with_contact(*no_inward_velocity,
                        std::vector<double>(n, 0.),
                        is_away,
-                       solver,
                        rhs,
                        state.velocity,
                        state.contact_pressure);
@@ -210,10 +234,7 @@ namespace ThermoContact
 
 
 
-  template void
-  complete_quasi_static_state(Body<1> &, State &, const std::vector<bool> &);
-  template void
-  complete_quasi_static_state(Body<2> &, State &, const std::vector<bool> &);
-  template void
-  complete_quasi_static_state(Body<3> &, State &, const std::vector<bool> &);
+  template class QuasiStaticStart<1>;
+  template class QuasiStaticStart<2>;
+  template class QuasiStaticStart<3>;
 } // namespace ThermoContact

@@ -4,6 +4,7 @@
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/method/load_samples.h>
+#include <thermocontact/scene/mass_checks.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/simulation/load_jump.h>
 #include <thermocontact/simulation/simulation.h>
@@ -26,7 +27,9 @@ namespace ThermoContact
     , controller(parameters.time,
                  parameters.output,
                  scene_.scheme.order,
-                 parameters.dimension == 1 ? 4 : 1)
+                 DimensionTraits<dim>::has_cheap_factors ?
+                   StepLadder{4, false} :
+                   StepLadder{1, true})
     , error_norm(body_.energy.steady_profile_energy())
     , energy_watch(scene_)
   {
@@ -56,6 +59,9 @@ namespace ThermoContact
         state_.swap(result.state);
       }
     measurements.measure(state_, load_time(), record);
+    if (const std::string warning = dispersion_warning(scene_);
+        !warning.empty())
+      history_.warnings.push_back(warning);
     if (!scene_.fields.has_displacement)
       record.contact_impulse = record.contact_force; // there is none
     record.energy_terms = body_.energy.energy(state_);
@@ -199,6 +205,8 @@ namespace ThermoContact
       result.failure = "the solution is not finite\n  remedy:  smaller initial "
                        "values and sources, or a smaller Time/Step size";
     result.agree(discretization().communicator());
+    for (std::string &warning : integrator->stage_solver().take_warnings())
+      history_.warnings.push_back(std::move(warning));
   }
 
 

@@ -134,8 +134,8 @@ namespace ThermoContact
                               const Function<dim>       &gap)
     : communicator(discretization.communicator())
     , cross_section(discretization.geometry().cross_section())
-    , nodes_(find_nodes(discretization, gap))
-    , n_all_nodes_(nodes_.size())
+    , all_nodes_(find_nodes(discretization, gap))
+    , nodes_(all_nodes_)
   {
     for (const Field::Block field : all_fields)
       for (unsigned int i = 0;
@@ -261,8 +261,8 @@ namespace ThermoContact
   ContactEnd<dim>::range_of_gap() const
   {
     const auto [smallest, largest] =
-      std::minmax_element(nodes_.begin(),
-                          nodes_.end(),
+      std::minmax_element(all_nodes_.begin(),
+                          all_nodes_.end(),
                           [](const auto &a, const auto &b) {
                             return a.gap < b.gap;
                           });

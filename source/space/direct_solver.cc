@@ -8,19 +8,19 @@
 namespace ThermoContact
 {
   DirectSolver::DirectSolver(SparseMatrix &&matrix)
-    : matrix(std::move(matrix))
+    : matrix_(std::move(matrix))
     , control(1, 0., false, false) // its log costs as much as the solve
     , solver(control)
   {
     try
       {
-        solver.initialize(this->matrix);
+        solver.initialize(matrix_);
       }
     catch (const ExceptionBase &)
       {
         throw ComputationError(
           "the sparse factorisation (KLU) of a matrix of size " +
-          std::to_string(this->matrix.m()) +
+          std::to_string(matrix_.m()) +
           " failed: it is singular in floating point\n  remedy:  check the "
           "coefficients of section Model, the mesh and Time/Step size for "
           "extreme values");
@@ -41,7 +41,7 @@ namespace ThermoContact
       {
         throw ComputationError(
           "a back-substitution (KLU) with a matrix of size " +
-          std::to_string(matrix.m()) +
+          std::to_string(matrix_.m()) +
           " failed\n  remedy:  check the coefficients of section Model, the "
           "mesh and Time/Step size for extreme values");
       }

@@ -20,11 +20,10 @@
 namespace ThermoContact
 {
   template <int dim>
-  Discretization<dim>::Discretization(const Scene   &scene,
-                                      const MPI_Comm communicator)
-    : communicator_(communicator)
+  Discretization<dim>::Discretization(const Scene &scene, const MPI_Comm all)
+    : communicator_(DimensionTraits<dim>::communicator(all))
     , geometry_(scene)
-    , triangulation(DimensionTraits<dim>::make_triangulation(communicator))
+    , triangulation(DimensionTraits<dim>::make_triangulation(communicator_))
     , finite_element_(FE_Q<dim>(scene.parameters.mesh.degree),
                       scene.fields.n_components(dim))
     , mapping_(1)
@@ -41,7 +40,7 @@ namespace ThermoContact
     if constexpr (dim > 1)
       if (!scene.linear_solver.has_matrices())
         {
-          matrix_free_ = std::make_shared<const MatrixFreeSpaces<dim>>(*this);
+          matrix_free_ = std::make_unique<const MatrixFreeSpaces<dim>>(*this);
           for (const Field::Block field : all_fields)
             if (has_field(field))
               prototypes[field].reinit(matrix_free_->make_vector(field));
@@ -49,6 +48,11 @@ namespace ThermoContact
     contact_end_ =
       std::make_unique<const ContactEnd<dim>>(*this, *contact_gap<dim>(scene));
   }
+
+
+
+  template <int dim>
+  Discretization<dim>::~Discretization() = default;
 
 
 

@@ -18,10 +18,8 @@ namespace ThermoContact
     , material(scene.material)
     , spaces(discretization.matrix_free())
     , has_lumped_mass(scene.has_lumped_mass)
-    , has_elastic_contact_nodes(scene.has_elastic_contact_nodes())
     , contact_cells(scene, discretization)
     , input(dim * Utilities::fixed_power<dim>(discretization.degree() + 1))
-    , output(input)
   {}
 
 
@@ -153,13 +151,9 @@ namespace ThermoContact
     const unsigned int       n         = u.dofs_per_cell;
     std::copy(values, values + n, input.begin());
 
-    const bool has_own_viscous =
-      is_at_end && has_elastic_contact_nodes && factors.viscous_stiffness != 0.;
     MomentumFactors bulk = factors;
     if (has_lumped_mass)
       bulk.mass = 0.;
-    if (!has_own_viscous)
-      bulk.stiffness += factors.viscous_stiffness;
     integrate_momentum(bulk, input.begin(), u);
     if (has_lumped_mass && factors.mass != 0.)
       add_lumped_mass<dim>(
@@ -169,14 +163,6 @@ namespace ThermoContact
                                      factors.mass,
                                      input.begin(),
                                      values);
-    if (!has_own_viscous)
-      return;
-    std::copy(values, values + n, output.begin());
-    contact_cells.extend(batch, input.begin());
-    integrate_momentum({0., factors.viscous_stiffness, 0.}, input.begin(), u);
-    contact_cells.restrict_to_others(batch, values);
-    for (unsigned int i = 0; i < n; ++i)
-      values[i] += output[i];
   }
 
 
@@ -227,6 +213,60 @@ namespace ThermoContact
       y,
       x,
       true);
+  }
+
+
+
+  template <int dim>
+  void
+  MatrixFreeOperator<dim>::contact_stiffness(Vector &y, const Vector &x) const
+  {
+    const MatrixFree<dim> &cells = spaces.cells();
+    Vectorial              u(cells, spaces.index(Field::displacement));
+    y = 0.;
+    x.update_ghost_values();
+    for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
+      if (contact_cells.contain(batch))
+        {
+          u.reinit(batch);
+          u.read_dof_values(x);
+          momentum_on_cell({0., 1.}, u);
+          u.distribute_local_to_global(y);
+        }
+    x.zero_out_ghost_values();
+    y.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  Vector
+  MatrixFreeOperator<dim>::contact_stiffness_diagonal() const
+  {
+    const MatrixFree<dim> &cells = spaces.cells();
+    Vectorial              u(cells, spaces.index(Field::displacement));
+    const unsigned int     n = u.dofs_per_cell;
+
+    AlignedVector<VectorizedArray<double>> diagonal(n);
+    Vector result = spaces.make_vector(Field::displacement);
+    for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
+      if (contact_cells.contain(batch))
+        {
+          u.reinit(batch);
+          VectorizedArray<double> *values = u.begin_dof_values();
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              for (unsigned int j = 0; j < n; ++j)
+                values[j] = i == j ? 1. : 0.;
+              momentum_on_cell({0., 1.}, u);
+              diagonal[i] = values[i];
+            }
+          for (unsigned int i = 0; i < n; ++i)
+            values[i] = diagonal[i];
+          u.distribute_local_to_global(result);
+        }
+    result.compress(VectorOperation::add);
+    return result;
   }
 
 

@@ -1,381 +1,255 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/long_message.h>
-#include <thermocontact/output/output.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/forecast/forecast.h>
 #include <thermocontact/output/output_directory.h>
-#include <thermocontact/scene/scene_checks.h>
-#include <thermocontact/simulation/simulation.h>
 #include <thermocontact/study/study.h>
 
-#include <deal.II/base/timer.h>
+#include <deal.II/base/mpi.h>
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
-#include <set>
-#include <sstream>
+#include <chrono>
+#include <utility>
 
 namespace ThermoContact
 {
   namespace
   {
-    using Overrides = std::vector<std::pair<std::string, std::string>>;
-
-    const char *const notation =
-      "\n  allowed: Section/Entry = value | value ; Section/Entry = value | ...";
-
-
-
-    /** The parts of @p text between separators, trimmed. */
-    std::vector<std::string>
-    split_at(const std::string &text, const std::string &separator)
+    /** "run 3: Contact/Gap = 0.1, Mesh/Cells = 4" */
+    std::string
+    describe_run(const StudyPlan &plan, const unsigned int run)
     {
-      std::vector<std::string> parts;
-      std::size_t              begin = 0;
-      while (true)
+      std::string line  = text("run ", run, ": ");
+      const char *comma = "";
+      for (const auto &[path, value] : plan.overrides(run))
         {
-          const auto end = text.find(separator, begin);
-          parts.push_back(Utilities::trim(text.substr(begin, end - begin)));
-          if (end == std::string::npos)
-            return parts;
-          begin = end + separator.size();
+          line += comma + path + " = " + value;
+          comma = ", ";
         }
+      return line;
     }
 
 
 
-    /** An entry and the values that it is to have, one after the other. */
-    struct Variation
+    /** Tells how far a study is, on rank 0: from the rows of its table. */
+    class StudyProgress
     {
-      std::string              path;
-      std::vector<std::string> values;
+    public:
+      StudyProgress(StudyTable &table, Log &log)
+        : table(table)
+        , log(log)
+        , start(std::chrono::steady_clock::now())
+        , n_before(table.size())
+      {}
+
+      /** Reads on, and tells of the runs that have ended since. */
+      void
+      update()
+      {
+        const unsigned int n_runs  = table.plan().n_runs();
+        const unsigned int n_known = table.size();
+        for (const unsigned int run : table.read_on())
+          if (const std::string failure = table.failure(run); !failure.empty())
+            log.line("  " + describe_run(table.plan(), run) + ": " + failure);
+        if (table.size() == n_known)
+          return;
+        const double seconds = std::chrono::duration<double>(
+                                 std::chrono::steady_clock::now() - start)
+                                 .count();
+        const double left =
+          seconds / (table.size() - n_before) * (n_runs - table.size());
+        const std::string line = text(
+          "  run ", table.size(), '/', n_runs, "  ", clock_time(left), " left");
+        if (log.has_live_line())
+          log.live_line(line);
+        if (10 * table.size() / n_runs == 10 * n_known / n_runs)
+          return;
+        if (log.has_live_line())
+          log.file_line(line);
+        else
+          log.line(line);
+      }
+
+    private:
+      StudyTable                                 &table;
+      Log                                        &log;
+      const std::chrono::steady_clock::time_point start;
+      const unsigned int                          n_before;
     };
 
-    Variation
-    read_variation(const std::string &entry, const std::string &text)
+
+
+    /** Runs the reference on the last rank and hands it to all. */
+    Trajectory
+    run_reference(const StudyPlan &plan, const SignalWatch &signals)
     {
-      const auto fail = [&](const std::string &fault) {
-        throw InputError("Study/" + entry + ": " + fault + " in '" +
-                         quote(text) + "'" + notation);
-      };
-      const auto equal_sign = text.find('=');
-      if (equal_sign == std::string::npos)
-        fail("no '='");
-      const Variation variation = {Utilities::trim(text.substr(0, equal_sign)),
-                                   split_at(text.substr(equal_sign + 1), "|")};
-      if (variation.path.empty() || variation.path.back() == '/')
-        fail("no entry before '='");
-      if (variation.path.rfind("Study/", 0) == 0 ||
-          variation.path == "Output/Directory")
-        fail("an entry that is the study's own");
-      for (const std::string &value : variation.values)
-        if (value.empty())
-          fail("an empty value");
-      return variation;
+      const MPI_Comm     communicator = MPI_COMM_WORLD;
+      const unsigned int last =
+        Utilities::MPI::n_mpi_processes(communicator) - 1;
+      std::pair<std::string, Trajectory> result;
+      if (Utilities::MPI::this_mpi_process(communicator) == last)
+        try
+          {
+            StudyRun run = execute(plan, *plan.reference(), 1, "", signals);
+            result       = {run.failure, std::move(run.trajectory)};
+          }
+        catch (const Interruption &)
+          {} // all ranks ask for signals next
+      result = Utilities::MPI::broadcast(communicator, result, last);
+      if (!result.first.empty())
+        throw ComputationError("Study/Reference: the run failed: " +
+                               result.first);
+      return result.second;
     }
 
 
 
-    /** All combinations of the values, the last entry varying fastest. */
-    std::vector<Overrides>
-    combine(const std::vector<Variation> &variations)
+    /** The runs that have no row yet, the same on all ranks. */
+    std::vector<unsigned int>
+    missing_runs(const StudyTable &table)
     {
-      std::vector<Overrides> combinations(1);
-      for (const Variation &variation : variations)
-        {
-          std::vector<Overrides> longer;
-          for (const Overrides &combination : combinations)
-            for (const std::string &value : variation.values)
-              {
-                longer.push_back(combination);
-                longer.back().emplace_back(variation.path, value);
-              }
-          combinations.swap(longer);
-        }
-      return combinations;
+      std::vector<unsigned int> runs;
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        for (unsigned int run = 0; run < table.plan().n_runs(); ++run)
+          if (!table.has(run))
+            runs.push_back(run);
+      return Utilities::MPI::broadcast(MPI_COMM_WORLD, runs);
     }
 
 
 
-    /** The value of an entry "Section/Entry". */
+    /** The first message that is not empty, of all ranks. */
     std::string
-    value_of(const std::string &path, ParameterHandler &prm)
+    first_fault(const std::string &fault)
     {
-      const auto slash = path.find('/');
-      if (slash == std::string::npos)
-        return prm.get(path);
-      prm.enter_subsection(path.substr(0, slash));
-      const std::string value = prm.get(path.substr(slash + 1));
-      prm.leave_subsection();
-      return value;
-    }
-
-
-
-    /** Checks a scene; what a run overrides must have an effect in it. */
-    void
-    check_run(const StudyRun &run, const Parameters &scene)
-    {
-      for (const auto &unused : unused_entries(scene))
-        for (const auto &[path, value] : run.overrides)
-          if (unused.path == path)
-            throw InputError(path + " = " + value + " has no effect, since " +
-                             unused.reason);
-      check_scene(scene);
-    }
-
-
-
-    /** What used.prm of a single run leaves out: the study is not its own. */
-    std::set<std::string>
-    foreign_entries(const Parameters &scene)
-    {
-      std::set<std::string> paths = {"Study/Vary",
-                                     "Study/Reference",
-                                     "Study/Repetitions",
-                                     "Study/Target error",
-                                     "Study/Keep files"};
-      for (const auto &unused : unused_entries(scene))
-        paths.insert(unused.path);
-      return paths;
-    }
-
-
-
-    /** Runs a scene once. */
-    template <int dim>
-    void
-    run_scene(const Parameters  &parameters,
-              const std::string &directory,
-              StudyRun          &run)
-    {
-      Simulation<dim>              simulation(parameters, MPI_COMM_SELF);
-      std::unique_ptr<Output<dim>> output;
-      run.trajectory                                = Trajectory();
-      typename Simulation<dim>::Observers observers = {
-        [&](const Simulation<dim> &s) { run.trajectory.add(s.record()); }};
-      if (!directory.empty())
-        {
-          output = std::make_unique<Output<dim>>(directory, simulation);
-          observers.push_back(
-            [&](const Simulation<dim> &s) { output->observe(s); });
-        }
-
-      const Timer timer;
-      const auto  finish = [&]() {
-        const double seconds =
-          timer.wall_time() - (output ? output->output_seconds() : 0.);
-        run.loop_seconds.push_back(seconds);
-        run.n_dofs  = simulation.discretization().dof_handler().n_dofs();
-        run.n_steps = simulation.record().step;
-        run.n_rejected_steps = simulation.history().n_rejected_steps;
-        run.n_factorizations = simulation.counters().factorizations;
-        run.n_solves         = simulation.counters().solves;
-        run.trajectory.set_events(simulation.events());
-      };
-      try
-        {
-          simulation.run(observers);
-          if (output)
-            output->finish();
-        }
-      catch (const ComputationError &)
-        {
-          finish();
-          if (output)
-            output->observe_failure(simulation);
-          throw;
-        }
-      finish();
+      for (const std::string &any :
+           Utilities::MPI::all_gather(MPI_COMM_WORLD, fault))
+        if (!any.empty())
+          return any;
+      return "";
     }
   } // namespace
 
 
 
-  Study::Study(const std::vector<Assignment> &assignments,
-               const StudyParameters         &parameters)
-    : assignments(assignments)
-    , parameters_(parameters)
-  {
-    unsigned int n_sets = 0;
-    for (const std::string &set : split_at(parameters.vary, ";;"))
-      {
-        std::vector<Variation> variations;
-        for (const std::string &text : split_at(set, ";"))
-          {
-            variations.push_back(read_variation("Vary", text));
-            const std::string &path = variations.back().path;
-            if (std::find(varied_.begin(), varied_.end(), path) ==
-                varied_.end())
-              varied_.push_back(path);
-          }
-        for (const Overrides &overrides : combine(variations))
-          {
-            runs_.emplace_back();
-            runs_.back().overrides = overrides;
-            runs_.back().set       = n_sets;
-          }
-        ++n_sets;
-      }
-    if (parameters.reference == "none")
-      {
-        if (parameters.target_error > 0.)
-          throw InputError("Study/Target error: there is no reference to "
-                           "measure errors against\n  remedy:  Study/Reference "
-                           "= Time/Tolerance = 1e-9, or another run that is "
-                           "much more accurate");
-      }
-    else
-      {
-        reference.emplace();
-        for (const std::string &text : split_at(parameters.reference, ";"))
-          {
-            const Variation variation = read_variation("Reference", text);
-            if (variation.values.size() > 1)
-              throw InputError("Study/Reference: several values in '" +
-                               quote(text) +
-                               "'\n  allowed: one value per entry");
-            reference->overrides.emplace_back(variation.path,
-                                              variation.values[0]);
-          }
-      }
-
-    double longest = 0.;
-    for (StudyRun &run : runs_)
-      {
-        Parameters       scene;
-        ParameterHandler prm;
-        scene.add_parameters(prm);
-        assign(run, prm);
-        longest = std::max(longest, scene.time.end_time);
-        for (const std::string &path : varied_)
-          run.entries.push_back(value_of(path, prm));
-      }
-    if (reference)
-      check_reference(longest);
-  }
-
-
-
   void
-  Study::check_reference(const double longest) const
-  {
-    Parameters       scene;
-    ParameterHandler prm;
-    scene.add_parameters(prm);
-    assign(*reference, prm);
-    try
-      {
-        check_run(*reference, scene);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(std::string("Study/Reference: ") + error.what());
-      }
-    if (scene.time.end_time < longest)
-      throw InputError(
-        "Study/Reference: it ends at t = " + value_of("Time/End time", prm) +
-        ", before the longest run\n  remedy:  give it the "
-        "largest Time/End time of all runs");
-  }
-
-
-
-  void
-  Study::assign(const StudyRun &run, ParameterHandler &prm) const
-  {
-    const bool is_reference =
-      reference && run.overrides == reference->overrides;
-    const std::string place = is_reference ? "Study/Reference" : "Study/Vary";
-    std::set<std::string>   overridden;
-    std::vector<Assignment> all;
-    for (const auto &[path, value] : run.overrides)
-      if (!overridden.insert(path).second)
-        throw InputError(place + ": " + quote(path) +
-                         " twice in one run\n  remedy:  name each entry once");
-    for (const Assignment &assignment : assignments)
-      if (overridden.count(assignment.path) == 0)
-        all.push_back(assignment);
-    for (const auto &[path, value] : run.overrides)
-      all.push_back({place, path, value});
-    assign_entries(all, prm);
-  }
-
-
-
-  void
-  Study::execute(StudyRun          &run,
-                 const unsigned int n_repetitions,
-                 const std::string &directory) const
-  {
-    try
-      {
-        Parameters       scene;
-        ParameterHandler prm;
-        scene.add_parameters(prm);
-        assign(run, prm);
-        check_run(run, scene);
-        if (!directory.empty())
-          {
-            prepare_output_directory(directory, MPI_COMM_SELF);
-            write_used_parameters(directory,
-                                  foreign_entries(scene),
-                                  prm,
-                                  MPI_COMM_SELF);
-          }
-        for (unsigned int i = 0; i < n_repetitions; ++i)
-          if (scene.dimension == 1)
-            run_scene<1>(scene, directory, run);
-          else if (scene.dimension == 2)
-            run_scene<2>(scene, directory, run);
-          else
-            run_scene<3>(scene, directory, run);
-      }
-    catch (const InputError &error)
-      {
-        run.failure = error.what();
-      }
-    catch (const ComputationError &error)
-      {
-        run.failure = error.what();
-      }
-    std::sort(run.loop_seconds.begin(), run.loop_seconds.end());
-  }
-
-
-
-  void
-  Study::run(const std::string &directory)
+  run_study(const StudyParameters &parameters,
+            const std::string     &directory,
+            StudyTable            &table,
+            Log                   &log)
   {
     const MPI_Comm     communicator = MPI_COMM_WORLD;
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    const unsigned int this_rank =
-      Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
+    const StudyPlan   &plan    = table.plan();
+    const SignalWatch  signals;
+    StudyProgress      progress(table, log);
 
-    // The reference is the longest run: first, and the last rank's, so that the
-    // others begin with the rest.
-    if (reference && this_rank == n_ranks - 1)
-      execute(*reference, 1, "");
-    for (unsigned int i = this_rank; i < runs_.size(); i += n_ranks)
-      execute(runs_[i],
-              parameters_.repetitions,
-              parameters_.keep_files ? directory + "/run-" + std::to_string(i) :
-                                       "");
+    const std::vector<unsigned int> missing = missing_runs(table);
+    Trajectory                      reference;
+    if (plan.reference() && !missing.empty())
+      reference = run_reference(plan, signals);
 
-    for (unsigned int i = 0; i < runs_.size(); ++i)
-      send_object_to_first(i % n_ranks, runs_[i], communicator);
-    if (reference)
-      send_object_to_first(n_ranks - 1, *reference, communicator);
     std::string fault;
-    if (this_rank == 0 && reference && !reference->failure.empty())
-      fault = "Study/Reference: the run failed: " + reference->failure;
-    throw_everywhere<ComputationError>(fault, communicator);
-    if (reference && this_rank == 0)
-      for (StudyRun &run : runs_)
-        if (run.failure.empty())
-          run.error = run.trajectory.compare(reference->trajectory);
+    const bool  has_begun =
+      Utilities::MPI::max(signals.signal(), communicator) == 0;
+    for (unsigned int i = rank; has_begun && i < missing.size() &&
+                                fault.empty() && signals.signal() == 0;
+         i += n_ranks)
+      try
+        {
+          const unsigned int number = missing[i];
+          StudyRun           run =
+            execute(plan,
+                    plan.overrides(number),
+                    parameters.repetitions,
+                    parameters.keep_files ? text(directory, "/run-", number) :
+                                            "",
+                    signals);
+          if (plan.reference() && run.failure.empty())
+            run.error = run.trajectory.compare(reference);
+          fault = table.append(number, run);
+          if (rank == 0)
+            progress.update();
+        }
+      catch (const Interruption &)
+        {}
+
+    fault            = first_fault(fault); // all rows are written then
+    const int signal = Utilities::MPI::max(signals.signal(), communicator);
+    if (rank == 0)
+      progress.update();
+    if (!fault.empty())
+      throw ComputationError(fault);
+    if (signal != 0)
+      throw Interruption(
+        text(name_of_signal(signal),
+             ": ",
+             Utilities::MPI::broadcast(communicator, table.size()),
+             " of ",
+             plan.n_runs(),
+             " runs have ended and have their rows"));
+    throw_everywhere<ComputationError>(rank == 0 ? table.sort() : "",
+                                       communicator);
+  }
+
+
+
+  void
+  check_study(const StudyPlan       &plan,
+              const StudyParameters &parameters,
+              Log                   &log)
+  {
+    log.line(text("  study     ",
+                  plan.n_runs(),
+                  " runs, reference: ",
+                  parameters.reference));
+    // reading a scene takes some milliseconds
+    const unsigned int n_checked = std::min(plan.n_runs(), 2000u);
+    unsigned int       n_refused = 0, n_known = 0;
+    std::string        refused;
+    double             steps = 0.;
+    for (unsigned int run = 0; run < n_checked; ++run)
+      try
+        {
+          Parameters       scene;
+          ParameterHandler prm;
+          plan.read_scene(plan.overrides(run), scene, prm);
+          if (const auto cost = expected_cost(Scene(scene), scene.mesh.cells))
+            {
+              steps += cost->steps;
+              ++n_known;
+            }
+        }
+      catch (const InputError &error)
+        {
+          if (++n_refused <= 3)
+            refused += "\n  " + describe_run(plan, run) + ": " + error.what();
+        }
+    if (n_known > 0)
+      log.line(text(
+        "  expected  ",
+        significant(round_to_digits(steps * parameters.repetitions, 2), 12),
+        " steps, about, of ",
+        n_known,
+        " runs"));
+    if (n_checked < plan.n_runs())
+      log.line(text("  checked   the first ", n_checked, " runs"));
+    if (n_refused > 0)
+      throw InputError(text("Study/Vary: ",
+                            n_refused,
+                            " of ",
+                            n_checked,
+                            " runs cannot be run",
+                            refused,
+                            n_refused > 3 ? "\n  and others" : "",
+                            "\n  remedy:  leave them out, in sets of their own "
+                            "between ';;'"));
   }
 } // namespace ThermoContact

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/exceptions.h>
 #include <thermocontact/method/contact_solver.h>
 #include <thermocontact/time/contact_equilibrium.h>
-
-#include <deal.II/lac/precondition.h>
-#include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/vector.h>
+#include <thermocontact/time/contact_node_problem.h>
 
 #include <algorithm>
 #include <vector>
@@ -81,82 +76,22 @@ namespace ThermoContact
 
   namespace
   {
-    /** The stiffness of the contact nodes among each other, with springs. */
+    /** Before the obstacle or in it: of all nodes of the end. */
     template <int dim>
-    class ContactNodeStiffness
+    std::vector<double>
+    all_penetrations(const ContactEnd<dim>     &end,
+                     const std::vector<double> &displacement)
     {
-    public:
-      explicit ContactNodeStiffness(const Body<dim> &body)
-        : body(body)
-        , unit(body.discretization.make_vector(Field::displacement))
-        , force(unit)
-        , springs(body.contact_end().n_all_nodes(), 0.)
-        , is_held(body.contact_end().n_all_nodes(), false)
-      {}
-
-      const Body<dim>    &body;
-      mutable Vector      unit, force;
-      std::vector<double> springs;
-      std::vector<bool>   is_held;
-
-      /** Forces on the nodes by their displacements alone. */
-      std::vector<double>
-      forces(const std::vector<double> &displacement) const
-      {
-        unit = 0.;
-        body.contact_end().set_all_values(Field::displacement,
-                                          displacement,
-                                          unit);
-        body.equations.stiffness().vmult(force, unit);
-        std::vector<double> result;
-        body.contact_end().get_all_values(Field::displacement, force, result);
-        return result;
-      }
-
-      void
-      vmult(dealii::Vector<double> &y, const dealii::Vector<double> &x) const
-      {
-        std::vector<double> values(x.begin(), x.end());
-        for (unsigned int i = 0; i < values.size(); ++i)
-          values[i] *= is_held[i] ? 0. : 1.;
-        const std::vector<double> result = forces(values);
-        for (unsigned int i = 0; i < result.size(); ++i)
-          y(i) = is_held[i] ? x(i) : result[i] + springs[i] * x(i);
-      }
-
-      /**
-       * The displacements by forces, with given ones where nodes are held.
-       *
-       * @param load forces; those on held nodes are of no account
-       * @param held displacements of the nodes that are held, else zero
-       * @param offset what springs are compressed by before
-       */
-      std::vector<double>
-      solve(const std::vector<double> &load,
-            const std::vector<double> &held,
-            const std::vector<double> &offset) const
-      {
-        const std::vector<double> by_held = forces(held);
-        dealii::Vector<double>    b(load.size()), x(load.size());
-        for (unsigned int i = 0; i < load.size(); ++i)
-          b(i) =
-            is_held[i] ? 0. : load[i] - by_held[i] - springs[i] * offset[i];
-        SolverControl control(10000, 1e-13 * b.l2_norm(), false, false);
-        if (b.linfty_norm() > 0.)
-          SolverCG<dealii::Vector<double>>(control).solve(
-            *this, x, b, PreconditionIdentity());
-        std::vector<double> result(held);
-        for (unsigned int i = 0; i < result.size(); ++i)
-          result[i] += x(i);
-        return result;
-      }
-    };
+      std::vector<double> penetration(displacement);
+      for (unsigned int i = 0; i < end.n_nodes(); ++i)
+        penetration[i] -= end.nodes()[i].gap;
+      return penetration;
+    }
 
 
 
     /**
-     * As settle_contact_nodes(), for as many nodes as there may be: active sets
-     * and conjugate gradients instead of a receptance.
+     * As settle_contact_nodes(), for as many nodes as there may be.
      *
      * @param load forces on the nodes
      * @param rate_load likewise, of the velocity
@@ -168,77 +103,57 @@ namespace ThermoContact
                       const std::vector<double> &rate_load,
                       State                     &state)
     {
-      const ContactEnd<dim>    &end = body.contact_end();
-      const unsigned int        n   = end.n_all_nodes();
-      ContactNodeStiffness<dim> stiffness(body);
-      std::vector<double>      &p           = state.contact_pressure;
-      const unsigned int        n_pressures = p.size();
-      std::vector<double>       displacement, change(n, 0.);
+      const ContactEnd<dim>  &end = body.contact_end();
+      std::vector<double>    &p   = state.contact_pressure;
+      ContactNodeProblem<dim> problem(body, 1.);
+      std::vector<double>     displacement, velocity;
       end.get_all_values(Field::displacement, state.displacement, displacement);
-      std::vector<double> penetration(displacement);
-      for (unsigned int i = 0; i < n_pressures; ++i)
-        penetration[i] -= end.nodes()[i].gap;
-      const double      tangent = body.law().tangent(0.);
-      std::vector<bool> is_active(n, false);
-      for (unsigned int i = 0; i < n_pressures; ++i)
-        is_active[i] = p[i] > 0.;
-      const unsigned int max_sets  = 100 + n;
-      unsigned int       iteration = 0;
-      for (bool has_changed = true; has_changed; ++iteration)
-        {
-          if (iteration > max_sets)
-            throw ComputationError(
-              "the active set of " + std::to_string(n) +
-              " contact nodes did not settle at the start\n  remedy:  a larger "
-              "Contact/Compliance or Solver/Linear solver = direct");
-          std::vector<double> held(n, 0.);
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              stiffness.is_held[i] = is_active[i] && body.law().is_rigid();
-              stiffness.springs[i] = is_active[i] && !body.law().is_rigid() ?
-                                       end.nodes()[i].weight / tangent :
-                                       0.;
-              if (stiffness.is_held[i])
-                held[i] = -penetration[i];
-            }
-          change = stiffness.solve(load, held, penetration);
-          const std::vector<double> force = stiffness.forces(change);
-          has_changed                     = false;
-          for (unsigned int i = 0; i < n_pressures; ++i)
-            {
-              p[i] = is_active[i] ?
-                       (load[i] - force[i]) / end.nodes()[i].weight :
-                       0.;
-              const bool is_wrong =
-                is_active[i] ? p[i] < 0. : penetration[i] + change[i] > 1e-14;
-              if (is_wrong)
-                {
-                  is_active[i] = !is_active[i];
-                  has_changed  = true;
-                }
-            }
-        }
-      for (unsigned int i = 0; i < n; ++i)
-        stiffness.springs[i] = is_active[i] && !body.law().is_rigid() ?
-                                 end.nodes()[i].weight / tangent :
-                                 0.;
-      std::vector<double> velocity, values(n);
       end.get_all_values(Field::displacement, state.velocity, velocity);
-      std::vector<double> stop(n, 0.);
-      for (unsigned int i = 0; i < n; ++i)
-        if (stiffness.is_held[i])
-          stop[i] = -velocity[i];
+      const std::vector<double> change =
+        problem.solve(load,
+                      all_penetrations(end, displacement),
+                      std::vector<bool>(p.size(), body.law().is_active()),
+                      p);
       const std::vector<double> acceleration =
-        stiffness.solve(rate_load, stop, velocity);
-      for (unsigned int i = 0; i < n; ++i)
+        problem.solve_for_same_set(rate_load, velocity);
+      for (unsigned int i = 0; i < displacement.size(); ++i)
         {
           velocity[i] += acceleration[i];
           // where there is pressure, the law is exact to rounding of u
-          values[i] = i < n_pressures && p[i] > 0. ?
-                        end.nodes()[i].gap + body.law().penetration(p[i]) :
-                        displacement[i] + change[i];
+          displacement[i] =
+            i < p.size() && p[i] > 0. ?
+              end.nodes()[i].gap + body.law().penetration(p[i]) :
+              displacement[i] + change[i];
         }
-      end.set_all_values(Field::displacement, values, state.displacement);
+      end.set_all_values(Field::displacement, displacement, state.displacement);
+      end.set_all_values(Field::displacement, velocity, state.velocity);
+    }
+
+
+
+    /**
+     * As settle_contact_velocities(), for as many nodes as there may be.
+     *
+     * @param load forces on the nodes, with those of the velocity
+     */
+    template <int dim>
+    void
+    settle_many_velocities(const Body<dim>           &body,
+                           const std::vector<double> &load,
+                           const std::vector<bool>   &is_closed,
+                           State                     &state)
+    {
+      const ContactEnd<dim>  &end = body.contact_end();
+      ContactNodeProblem<dim> problem(body, body.scene.material.viscosity);
+      std::vector<double>    &p = state.contact_pressure;
+      std::vector<double>     velocity;
+      end.get_all_values(Field::displacement, state.velocity, velocity);
+      for (unsigned int i = 0; i < p.size(); ++i)
+        p[i] = is_closed[i] ? std::max(p[i], 0.) : 0.;
+      const std::vector<double> change =
+        problem.solve(load, velocity, is_closed, p);
+      for (unsigned int i = 0; i < velocity.size(); ++i)
+        velocity[i] = i < p.size() && p[i] > 0. ? 0. : velocity[i] + change[i];
       end.set_all_values(Field::displacement, velocity, state.velocity);
     }
   } // namespace
@@ -260,17 +175,17 @@ namespace ThermoContact
     // them on its right-hand side.
     body.equations.stage_rhs(
       state, 1., heat_load, momentum_load, heat_rhs, force);
-    if (!body.scene.linear_solver.has_matrices())
-      {
-        std::vector<double> load, rate_load;
-        end.get_all_values(Field::displacement, force, load);
-        body.equations.stiffness().vmult(force, state.velocity);
-        end.get_all_values(Field::displacement, force, rate_load);
-        for (double &rate : rate_load)
-          rate *= -1.;
-        settle_many_nodes(body, load, rate_load, state);
-        return;
-      }
+    if constexpr (dim > 1)
+      if (!body.scene.linear_solver.has_matrices())
+        {
+          std::vector<double> load, rate_load;
+          end.get_all_values(Field::displacement, force, load);
+          body.equations.stiffness().vmult(force, state.velocity);
+          force *= -1.;
+          end.get_all_values(Field::displacement, force, rate_load);
+          settle_many_nodes(body, load, rate_load, state);
+          return;
+        }
     FullMatrix<double> flexibility = contact_stiffness(body);
     flexibility.gauss_jordan();
     const FullMatrix<double>  receptance = contact_receptance(end, flexibility);
@@ -279,26 +194,38 @@ namespace ThermoContact
     std::vector<double> free_penetration(s.begin(), s.begin() + end.n_nodes());
     for (unsigned int i = 0; i < end.n_nodes(); ++i)
       free_penetration[i] -= end.nodes()[i].gap;
-    std::vector<double> &p = state.contact_pressure;
-    ContactSolver(body.law())
-      .solve(between_pressures(receptance), free_penetration, p);
+    std::vector<double>     &p      = state.contact_pressure;
+    const FullMatrix<double> square = between_pressures(receptance);
+    const ContactSolver      solver(body.law());
+    solver.solve(square, free_penetration, p);
 
     body.equations.stiffness().vmult(force, state.velocity);
     force *= -1.;
     const std::vector<double> s_rate =
       moved_by_force(end, flexibility, force, state.velocity);
+    std::vector<bool> has_pressure;
+    for (const double pressure : p)
+      has_pressure.push_back(pressure > 0.);
+    const std::vector<double> p_rate =
+      solver.solve_linearized(square,
+                              p,
+                              has_pressure,
+                              std::vector<double>(s_rate.begin(),
+                                                  s_rate.begin() + p.size()));
     for (const auto &[node, entry] : end.all_entries(Field::displacement))
       {
-        // where there is pressure, the law is exact to rounding of u
         double displacement = s[node], velocity = s_rate[node];
         for (unsigned int j = 0; j < p.size(); ++j)
-          displacement -= receptance(node, j) * p[j];
-        if (node < p.size() && p[node] > 0.)
           {
-            const double tangent = body.law().tangent(p[node]);
+            displacement -= receptance(node, j) * p[j];
+            velocity -= receptance(node, j) * p_rate[j];
+          }
+        if (node < p.size() && has_pressure[node])
+          {
+            // the law, exact to rounding of u
             displacement =
               end.nodes()[node].gap + body.law().penetration(p[node]);
-            velocity *= tangent / (tangent + receptance(node, node));
+            velocity = body.law().tangent(p[node]) * p_rate[node];
           }
         state.displacement.begin()[entry] = displacement;
         state.velocity.begin()[entry]     = velocity;
@@ -325,6 +252,14 @@ namespace ThermoContact
       state, 1., heat_load, momentum_load, heat_rhs, force);
     body.equations.stiffness().vmult(viscous, state.velocity);
     force.add(-zeta, viscous);
+    if constexpr (dim > 1)
+      if (!body.scene.linear_solver.has_matrices())
+        {
+          std::vector<double> load;
+          end.get_all_values(Field::displacement, force, load);
+          settle_many_velocities(body, load, is_closed, state);
+          return;
+        }
 
     FullMatrix<double> flexibility(stiffness);
     flexibility *= zeta;

@@ -118,9 +118,8 @@ namespace ThermoContact
       for (const ContactNode<dim> &node : body.contact_end().nodes())
         known_scale = std::max(known_scale, std::abs(node.gap));
 
-    rates.exchange_coefficient = known.exchange_coefficient;
-    rates.velocity             = 0.; // the paper's start: the last displacement
-    rates.failure.clear();
+    rates.start(known);
+    rates.velocity = 0.; // the paper's start: the last displacement
     update_pressure(tau, rates);
 
     double change = 0., last_change = 0.;

@@ -14,6 +14,12 @@ namespace ThermoContact
     /** Relative residual while the set of active nodes still changes. */
     constexpr double loose_tolerance = 1e-5;
 
+    /** Relative residual of what corrects an estimate of errors. */
+    constexpr double estimate_tolerance = 1e-3;
+
+    /** Parts of the largest displacement that a node need not be moved. */
+    constexpr double negligible_on_obstacle = 1e-6;
+
     constexpr unsigned int max_block_sets  = 20;
     constexpr unsigned int max_single_sets = 200;
   } // namespace
@@ -34,19 +40,12 @@ namespace ThermoContact
   {
     const Discretization<dim> &coarsest =
       stage.multigrid_levels().discretization(0);
-    return std::max(coarsest.n_temperature_dofs(),
-                    coarsest.n_displacement_dofs());
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeSolver<dim>::provide_hierarchy(const double tau)
-  {
-    const StopWatch watch(counters_.factorization_seconds);
-    if (stage.preconditioners().provide(tau))
-      ++counters_.factorizations;
+    types::global_dof_index largest = 0;
+    for (const types::global_dof_index n :
+         {coarsest.n_temperature_dofs(), coarsest.n_displacement_dofs()})
+      if (CoarseSolver<dim>::is_factorised(n))
+        largest = std::max(largest, n);
+    return largest;
   }
 
 
@@ -57,8 +56,12 @@ namespace ThermoContact
   {
     RetainedFactorizations retained;
     retained.counters = counters_;
-    retained.taus     = stage.preconditioners().lengths();
-    retained.has_response.assign(retained.taus.size(), false);
+    for (const auto &hierarchy : stage.preconditioners().all())
+      {
+        retained.taus.push_back(hierarchy.tau);
+        retained.has_response.push_back(false);
+        retained.active_sets.push_back(hierarchy.last_contact);
+      }
     return retained;
   }
 
@@ -70,8 +73,19 @@ namespace ThermoContact
   {
     stage.preconditioners().clear();
     for (unsigned int i = retained.taus.size(); i-- > 0;)
-      provide_hierarchy(retained.taus[i]);
+      stage.restore(retained.taus[i], retained.active_sets[i]);
     counters_ = retained.counters;
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeSolver<dim>::count(const unsigned int n_iterations)
+  {
+    counters_.linear_iterations += n_iterations;
+    counters_.max_linear_iterations =
+      std::max(counters_.max_linear_iterations, n_iterations);
   }
 
 
@@ -81,10 +95,7 @@ namespace ThermoContact
   IterativeSolver<dim>::solve_linear(const double         tolerance,
                                      std::vector<double> &pressure)
   {
-    const unsigned int n_iterations = stage.solve(tolerance);
-    counters_.linear_iterations += n_iterations;
-    counters_.max_linear_iterations =
-      std::max(counters_.max_linear_iterations, n_iterations);
+    count(stage.solve(tolerance));
     stage.get_pressures(pressure);
   }
 
@@ -93,6 +104,7 @@ namespace ThermoContact
   template <int dim>
   bool
   IterativeSolver<dim>::update_set(const std::vector<double> &pressure,
+                                   const std::vector<bool>   &is_fixed,
                                    const bool                 only_the_first,
                                    std::vector<bool>         &is_active) const
   {
@@ -109,8 +121,9 @@ namespace ThermoContact
     bool         changed  = false;
     for (unsigned int i = 0; i < reach.size() && !(changed && only_the_first);
          ++i)
-      if (is_active[i] ? pressure[i] < -rounding * largest_pressure :
-                         reach[i] > rounding * largest_reach)
+      if (!is_fixed[i] &&
+          (is_active[i] ? pressure[i] < -rounding * largest_pressure :
+                          reach[i] > rounding * largest_reach))
         {
           is_active[i] = !is_active[i];
           changed      = true;
@@ -126,29 +139,41 @@ namespace ThermoContact
                                        const ContactMode mode,
                                        StageRates       &rates)
   {
-    const unsigned int n         = body.contact_end().n_nodes();
-    const double       tolerance = body.scene.linear_solver.tolerance;
-    rates.failure.clear();
-    rates.pressure.assign(n, 0.);
-    rates.exchange_coefficient = known.exchange_coefficient;
-    std::vector<bool> is_active(n, false);
+    const unsigned int n = body.contact_end().n_nodes();
+    rates.start(known);
+    std::vector<bool> is_active(n, false), is_held(rates.is_held);
+    is_held.resize(n, false);
     if (body.law().is_active() && mode != ContactMode::open)
       for (unsigned int i = 0; i < n; ++i)
-        is_active[i] =
-          mode == ContactMode::closed || known.contact_pressure[i] > 0.;
-    stage.set_active(is_active);
-    if (!body.law().is_active() || mode != ContactMode::unilateral)
+        is_active[i] = mode == ContactMode::closed || is_held[i] ||
+                       known.contact_pressure[i] > 0.;
+    if (body.law().is_active() && mode == ContactMode::unilateral)
       {
-        solve_linear(tolerance, rates.pressure);
+        solve_by_sets(is_active, is_held, rates);
         return;
       }
+    stage.set_active(is_active);
+    solve_linear(body.scene.linear_solver.tolerance, rates.pressure);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeSolver<dim>::solve_by_sets(std::vector<bool>       &is_active,
+                                      const std::vector<bool> &is_fixed,
+                                      StageRates              &rates)
+  {
+    const double tolerance         = body.scene.linear_solver.tolerance;
     unsigned int n_sets            = 0;
     double       present_tolerance = std::max(tolerance, loose_tolerance);
+    stage.set_active(is_active);
     while (true)
       {
         ++n_sets;
         solve_linear(present_tolerance, rates.pressure);
-        if (update_set(rates.pressure, n_sets > max_block_sets, is_active))
+        if (update_set(
+              rates.pressure, is_fixed, n_sets > max_block_sets, is_active))
           stage.set_active(is_active);
         else if (present_tolerance <= tolerance)
           break;
@@ -159,14 +184,44 @@ namespace ThermoContact
           }
         if (n_sets > max_block_sets + max_single_sets)
           throw ComputationError(
-            "the active set of " + std::to_string(n) +
+            "the active set of " + std::to_string(is_active.size()) +
             " contact nodes did not settle\n  remedy:  a larger "
             "Contact/Compliance or a smaller Time/Step size");
       }
-    for (double &p : rates.pressure)
-      p = std::max(p, 0.);
+    for (unsigned int i = 0; i < is_active.size(); ++i)
+      if (!is_fixed[i])
+        rates.pressure[i] = std::max(rates.pressure[i], 0.);
     rates.n_iterations = n_sets;
     counters_.active_set_iterations += n_sets;
+  }
+
+
+
+  template <int dim>
+  double
+  IterativeSolver<dim>::algebraic_power(
+    const State               &known,
+    const double               tau,
+    const std::vector<double> &pressure) const
+  {
+    double sum = 0.;
+    if (body.scene.fields.has_temperature)
+      {
+        Vector excess(known.temperature);
+        excess += stage.unknowns(Field::temperature);
+        excess -= body.energy.steady_profile();
+        sum += stage.unsolved(Field::temperature) * excess;
+      }
+    if (body.scene.fields.has_displacement)
+      {
+        Vector unsolved(stage.unsolved(Field::displacement));
+        body.contact_end().subtract_load(Field::displacement,
+                                         pressure,
+                                         tau,
+                                         unsolved);
+        sum += unsolved * stage.unknowns(Field::displacement);
+      }
+    return -sum / (tau * body.discretization.geometry().cross_section());
   }
 
 
@@ -181,16 +236,57 @@ namespace ThermoContact
                                      const bool        with_heat,
                                      StageRates       &rates)
   {
-    const StopWatch watch(counters_.solve_seconds);
-    provide_hierarchy(tau);
+    const StopWatch    watch(counters_.solve_seconds);
+    const unsigned int n_made = stage.preconditioners().n_made();
+    {
+      const StopWatch watch_of_hierarchy(counters_.factorization_seconds);
+      stage.preconditioners().provide(tau);
+    }
     stage.prepare(known, tau, heat_load, momentum_load, with_heat);
     solve_prepared(known, mode, rates);
+    counters_.factorizations += stage.preconditioners().n_made() - n_made;
     ++counters_.solves;
     if (with_heat)
       rates.temperature_rate.equ(1. / tau, stage.unknowns(Field::temperature));
     if (body.scene.fields.has_displacement)
       rates.velocity.copy_locally_owned_data_from(
         stage.unknowns(Field::displacement));
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeSolver<dim>::keep_contact(const std::vector<bool> &is_closed,
+                                     const std::vector<double> & /*pressure*/,
+                                     State &difference)
+  {
+    std::vector<double> displacement;
+    body.contact_end().get_values(Field::displacement,
+                                  difference.displacement,
+                                  displacement);
+    double largest = 0.;
+    for (unsigned int i = 0; i < displacement.size(); ++i)
+      if (is_closed[i])
+        largest = std::max(largest, std::abs(displacement[i]));
+    if (largest <= (body.law().is_rigid() ? negligible_on_obstacle : 0.) *
+                     difference.displacement.linfty_norm())
+      return;
+
+    const StopWatch    watch(counters_.solve_seconds);
+    const unsigned int n_made = stage.preconditioners().n_made();
+    stage.prepare_displacement(displacement);
+    stage.set_active(is_closed);
+    counters_.factorizations += stage.preconditioners().n_made() - n_made;
+    count(
+      stage.solve(estimate_tolerance, IterativeStage<dim>::Measure::of_start));
+    const double  tau       = stage.length();
+    const double  viscosity = body.scene.material.viscosity;
+    const Vector &v         = stage.unknowns(Field::displacement);
+    difference.displacement.add(-tau, v);
+    difference.velocity.add(-viscosity / (viscosity + tau), v);
+    if (body.scene.fields.has_temperature)
+      difference.temperature.add(-1., stage.unknowns(Field::temperature));
   }
 
 
@@ -211,6 +307,7 @@ namespace ThermoContact
                  mode,
                  body.scene.fields.has_temperature,
                  rates);
+    rates.algebraic_power = algebraic_power(known, tau, rates.pressure);
   }
 
 
@@ -225,6 +322,30 @@ namespace ThermoContact
                                        StageRates       &rates)
   {
     solve_fields(known, tau, heat_load, momentum_load, mode, false, rates);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeSolver<dim>::solve_quasi_static_velocity(
+    const State             &known,
+    const Vector            &heat_load,
+    const Vector            &momentum_load,
+    const std::vector<bool> &is_closed,
+    StageRates              &rates)
+  {
+    const StopWatch watch(counters_.solve_seconds);
+    const double    tau = 1.; // its matrix is (zeta + 1) S
+    stage.prepare(known, tau, heat_load, momentum_load, false);
+    stage.set_penetrations(std::vector<double>(is_closed.size(), 0.));
+    std::vector<bool> is_active(is_closed.size(), false), is_away(is_closed);
+    is_away.flip();
+    rates.pressure.assign(is_closed.size(), 0.);
+    solve_by_sets(is_active, is_away, rates);
+    ++counters_.solves;
+    rates.velocity.copy_locally_owned_data_from(
+      stage.unknowns(Field::displacement));
   }
 
 

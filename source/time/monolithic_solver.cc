@@ -4,6 +4,7 @@
 #include <thermocontact/time/monolithic_solver.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -32,6 +33,7 @@ namespace ThermoContact
     , exchange_solver(body.law(), exchange)
     , max_factorizations(
         cache_size<dim>(body.discretization.dof_handler().n_dofs()))
+    , has_sparse_factors(body.equations.rod() == nullptr)
     , heat_rhs(body.discretization.make_vector(Field::temperature))
     , momentum_rhs(body.discretization.make_vector(Field::displacement))
   {}
@@ -73,6 +75,18 @@ namespace ThermoContact
        EndResponse()});
     counters_.factorizations +=
       factorizations.front().matrix.n_factorizations();
+    const std::string warning = factorizations.front().matrix.warning();
+    if (!warning.empty() && !std::exchange(has_sparse_factors, true))
+      warnings.push_back(warning);
+  }
+
+
+
+  template <int dim>
+  std::string
+  MonolithicSolver<dim>::linear_solver() const
+  {
+    return has_sparse_factors ? "direct" : "block tridiagonal";
   }
 
 
@@ -174,6 +188,7 @@ namespace ThermoContact
           compute_response(factorizations.front());
       }
     counters_ = retained.counters;
+    warnings.clear(); // the run has given them before
   }
 
 
@@ -327,8 +342,9 @@ namespace ThermoContact
 
     end_exchange.pressure    = known.contact_pressure;
     end_exchange.coefficient = known.exchange_coefficient;
-    rates.n_iterations = exchange_solver.solve(response, mode, end_exchange);
-    rates.pressure     = end_exchange.pressure;
+    rates.n_iterations =
+      exchange_solver.solve(response, mode, end_exchange, rates.is_held);
+    rates.pressure             = end_exchange.pressure;
     rates.exchange_coefficient = end_exchange.coefficient;
     apply_pressure(rates);
     subtract_responses(Field::temperature, end_exchange.flux, rates);
@@ -345,6 +361,7 @@ namespace ThermoContact
                                                StageRates   &rates)
   {
     const StopWatch watch(counters_.solve_seconds);
+    rates.start(known);
     provide_factorization(tau);
     body.equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
@@ -353,11 +370,6 @@ namespace ThermoContact
                                         rates.temperature_rate,
                                         rates.velocity);
     ++counters_.solves;
-
-    rates.failure.clear();
-    rates.n_iterations = 0;
-    rates.pressure.assign(body.contact_end().n_nodes(), 0.);
-    rates.exchange_coefficient = known.exchange_coefficient;
   }
 
 

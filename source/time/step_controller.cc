@@ -59,14 +59,14 @@ namespace ThermoContact
   StepController::StepController(const TimeParameters   &time,
                                  const OutputParameters &output,
                                  const unsigned int      order,
-                                 const unsigned int      rungs_per_octave)
+                                 const StepLadder       &ladder)
     : has_error_control(time.has_error_control())
     , fixed_size(time.step_size.value_or(0.))
     , end_time(time.end_time)
     , minimum_size(time.minimum_step_size)
     , maximum_size(time.maximum_step_size)
     , order(order)
-    , rungs_per_octave(rungs_per_octave)
+    , ladder(ladder)
     , size(fixed_size)
     , last_error(1.)
     , was_rejected(false)
@@ -94,11 +94,12 @@ namespace ThermoContact
   {
     if (!(value > 0.) || value == infinity)
       return value;
-    int          exponent = 0;
-    const double mantissa = std::frexp(value, &exponent); // in [1/2, 1)
-    double       rung     = 0.5;
-    for (unsigned int i = 1; i < rungs_per_octave; ++i)
-      if (const double next = 0.5 * std::pow(2., double(i) / rungs_per_octave);
+    int                exponent = 0;
+    const double       mantissa = std::frexp(value, &exponent); // in [1/2, 1)
+    double             rung     = 0.5;
+    const unsigned int n        = ladder.rungs_per_octave;
+    for (unsigned int i = 1; i < n; ++i)
+      if (const double next = 0.5 * std::pow(2., double(i) / n);
           next <= mantissa)
         rung = next;
     return std::ldexp(rung, exponent);
@@ -198,7 +199,7 @@ namespace ThermoContact
 
 
   double
-  StepController::coarse_factor(const double error) const
+  StepController::keeping_factor(const double error) const
   {
     const double factor = 0.75 * std::pow(error, -1. / order);
     return error <= 0.8 ? std::max(factor, 1.) : factor;
@@ -214,10 +215,9 @@ namespace ThermoContact
       return;
 
     const double e = std::max(error, 1e-10); // an error of zero says nothing
-    double       factor =
-      0.9 * std::pow(e, -0.8 / order) * std::pow(last_error, 0.3 / order);
-    if (rungs_per_octave == 1)
-      factor = coarse_factor(e);
+    double       factor = ladder.keeps_sizes ? keeping_factor(e) :
+                                               0.9 * std::pow(e, -0.8 / order) *
+                                           std::pow(last_error, 0.3 / order);
     factor = std::min(std::max(factor, 0.2), was_rejected ? 1. : 4.);
     // A shortened step says that the next may be longer or must be shorter
     // than itself; it does not make a size smaller that it did not try.

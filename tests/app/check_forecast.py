@@ -4,8 +4,8 @@
 
 The state of rest, of runs to t = 50 and longer: final u(1), theta(1) and contact force within
 1e-6 of it. The first impact, if there was one: its time within 10 per cent, the largest penetration of the first contact within a
-factor of two. Steps, rows and snapshots: equal for fixed steps, steps within a factor of
-two for error-controlled ones.
+factor of two. Steps, rows and snapshots: equal for fixed steps, with the bytes of these files
+within a factor of two; steps within a factor of two for error-controlled ones.
 """
 import csv
 import json
@@ -21,6 +21,12 @@ def rows_of(path):
 
 def verdict(condition, value):
     return "yes" if condition else f"no, {value}"
+
+
+def bytes_of(words):
+    """A number with its unit"""
+    number, unit = words.split()
+    return float(number) * 1000 ** ["B", "kB", "MB", "GB"].index(unit)
 
 
 directory = Path(sys.argv[1])
@@ -70,10 +76,14 @@ elif expected[1].startswith("about"):
     print("steps within a factor of 2:",
           verdict(0.5 < predicted / steps < 2, (predicted, steps)))
 else:
-    snapshots = len(list(directory.glob("fields/*.vtu")))
-    known = re.match(r"(\d+) steps; contact.csv: (\d+) rows, .*?"
-                     r"(?:; fields: (\d+) snapshots, .*)?$", expected[1])
-    known = [int(number or 0) for number in known.groups()]
+    snapshots = list(directory.glob("fields/fields-*.vtu"))
+    known = re.match(r"(\d+) steps; contact.csv: (\d+) rows, about (\S+ \w+)"
+                     r"(?:; fields: (\d+) snapshots, about (\S+ \w+))?$", expected[1])
+    steps_and_rows, n_snapshots = [int(known[1]), int(known[2])], int(known[4] or 0)
     print("steps, rows, snapshots:",
-          verdict(known == [steps, len(rows), snapshots],
-                  (known, steps, len(rows), snapshots)))
+          verdict([*steps_and_rows, n_snapshots] == [steps, len(rows), len(snapshots)],
+                  (known[0], steps, len(rows), len(snapshots))), end="")
+    sizes = [(known[3], [directory / "contact.csv"]), (known[5], snapshots)]
+    ratios = [bytes_of(words) / sum(file.stat().st_size for file in files)
+              for words, files in sizes if words]
+    print("; bytes:", verdict(all(0.5 < ratio < 2 for ratio in ratios), ratios))

@@ -21,6 +21,8 @@ RIGID = ("Contact/Condition=rigid",)
 ITERATIVE = PLANE + ("Solver/Linear solver=iterative",)
 POWER = ("Contact/Condition=power law",)
 EXCHANGE = ("Boundary/Heat exchange=1+gap",)
+MIDPOINT = CONSERVING + ("Mesh/Mass matrix=midpoint",)
+WAVES = ("Mesh/Degree=1", "Model/Viscosity=0")
 
 # entry at fault, what the scenes share, what is refused, its accepted neighbours
 SCENES = [
@@ -74,6 +76,21 @@ SCENES = [
     ("Mesh/Mass matrix", ("Dimension=2", "Mesh/Geometry=axisymmetric"),
      "Mesh/Mass matrix=lumped", "Mesh/Mass matrix=consistent",
      ("Mesh/Mass matrix=lumped", "Mesh/Geometry=plane strain")),
+    # one point to a cell: for elastic waves in a rod of equal linear cells
+    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Dimension=2", "Dimension=1",
+     ("Dimension=2", "Mesh/Mass matrix=consistent")),
+    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Model/Fields=temperature",
+     "Model/Fields=displacement"),
+    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Time/Scheme=sdirk4",
+     "Time/Scheme=energy conserving"),
+    ("Mesh/Mass matrix", MIDPOINT + ("Model/Viscosity=0",), "Mesh/Degree=2",
+     "Mesh/Degree=1", ("Mesh/Degree=2", "Mesh/Mass matrix=lumped")),
+    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Mesh/Grading=1.001",
+     "Mesh/Grading=1"),
+    ("Mesh/Mass matrix", MIDPOINT + ("Mesh/Degree=1",), "Model/Viscosity=1e-6",
+     "Model/Viscosity=0"),
+    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Contact/Massless nodes=on",
+     "Contact/Massless nodes=automatic", "Contact/Massless nodes=off"),
     ("Boundary/Fixed end support", PLANE + QUASI_STATIC + (
         "Boundary/Lateral support=free",), "Boundary/Fixed end support=sliding",
      "Boundary/Fixed end support=clamped",
@@ -166,6 +183,8 @@ SCENES = [
      ("Contact/Massless nodes=off", "Contact/Condition=normal compliance")),
     ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=0",
      "Solver/Linear tolerance=1e-12", "Solver/Linear tolerance=automatic"),
+    ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=9.9e-15",
+     "Solver/Linear tolerance=1e-14"),
     ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=0.01",
      "Solver/Linear tolerance=0.0099"),
     ("Solver/Linear tolerance", ITERATIVE, "Solver/Linear tolerance=-1e-9",

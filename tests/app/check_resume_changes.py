@@ -11,26 +11,29 @@ import csv
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import time
 from pathlib import Path
 
+import meshio
+
 PROGRAM = os.environ["THERMOCONTACT"]
+TWO_RANKS = ("mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2")
 
 
-def start(directory, *options):
+def start(directory, *options, program=()):
     return subprocess.Popen(
-        [PROGRAM, "--quiet", "--output", str(directory), *options],
+        [*program, PROGRAM, "--quiet", "--output", str(directory), *options],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 
-def run(directory, *options, program=()):
+def run(directory, *options):
     process = subprocess.run(
-        [*program, PROGRAM, "--quiet", "--output", str(directory), *options],
+        [PROGRAM, "--quiet", "--output", str(directory), *options],
         capture_output=True, text=True)
     message = process.stderr[process.stderr.find("thermocontact: "):]
-    message = message.partition("\n-----")[0]  # what mpirun has to say
     return process.returncode, message.replace(str(directory), "DIR")
 
 
@@ -39,9 +42,9 @@ def contents(directory):
             if path.is_file()}
 
 
-def refuse(reference, what, *options, program=()):
+def refuse(reference, what, *options):
     before = contents(reference)
-    status, message = run(reference, "--resume", *options, program=program)
+    status, message = run(reference, "--resume", *options)
     print(f"{what}: status {status}, files untouched",
           int(contents(reference) == before))
     print(message.rstrip())
@@ -78,6 +81,9 @@ def extend(reference, prm):
     status, _ = run(longer, prm, "--set", "Time/End time=1.5")
     resumed = Path("resumed")
     shutil.copytree(reference, resumed)
+    for i in (5, 6):  # as if the run had been killed later, with more of them
+        shutil.copy(resumed / "fields/fields-00004.vtu",
+                    resumed / f"fields/fields-0000{i}.vtu")
     again, _ = run(resumed, prm, "--resume", "--set", "Time/End time=1.5",
                    "--set", "Output/Fields interval=0.5",
                    "--set", "Output/Checkpoint interval=0")
@@ -85,9 +91,95 @@ def extend(reference, prm):
           int(rows(longer) == rows(resumed)), "snapshots at",
           [line.split('"')[1] for line in
            (resumed / "fields.pvd").read_text().splitlines()
-           if "timestep" in line])
-    shutil.rmtree(longer)
+           if "timestep" in line], "files", len(list(resumed.glob("fields/*"))))
     shutil.rmtree(resumed)
+    return longer
+
+
+def without_space_time(reference, prm):
+    """The space-time file of a run that for a while did not write it."""
+    resumed = Path("resumed")
+    shutil.copytree(reference, resumed)
+    status = [run(resumed, prm, "--resume", "--set", f"Time/End time={time}",
+                  "--set", f"Output/Space-time interval={interval}")[0]
+              for time, interval in ((1.25, 0), (1.75, 0.25))]
+    times = meshio.read(resumed / "space-time.vtu").points[:, 1]
+    print("space-time file, not written from 1 to 1.25: status", *status, "times",
+          *sorted({f"{t:g}" for t in times}))
+    shutil.rmtree(resumed)
+
+
+def kill(reference, prm):
+    """Files that tell of the end of a run are not there once it goes on."""
+    directory = Path("resumed")
+    shutil.copytree(reference, directory)
+    table = directory / "contact.csv"
+    size = table.stat().st_size
+    process = start(directory, prm, "--resume", "--set", "Time/End time=1e4")
+    while table.stat().st_size <= size and process.poll() is None:
+        time.sleep(0.01)
+    process.kill()
+    process.communicate()
+    print("files of the end after a resumed run was killed:",
+          [name for name in ("summary.json", "space-time.vtu")
+           if (directory / name).exists()])
+    shutil.rmtree(directory)
+
+
+def damage(directory):
+    path = directory / "checkpoint.bin"
+    data = bytearray(path.read_bytes())
+    data[len(data) // 2] ^= 1
+    path.write_bytes(data)
+
+
+def damage_twice(reference, prm, longer):
+    """A damaged checkpoint never becomes the one to fall back on."""
+    directory = Path("resumed")
+    shutil.copytree(reference, directory)
+    status = []
+    for _ in range(2):
+        damage(directory)
+        status.append(run(directory, prm, "--resume", "--set",
+                          "Time/End time=1.5")[0])
+    print("newest checkpoint damaged, resumed, both once more: status", *status,
+          "the same", int(rows(directory) == rows(longer)))
+    shutil.rmtree(directory)
+
+
+def short_tables(reference, prm):
+    """Tables that have lost their last byte, and tables that are gone."""
+    for name in ("contact.csv", "events.csv", "probes.csv", "space-time.columns"):
+        table = reference / name
+        data = table.read_bytes()
+        for what, content in (("is shorter than the checkpoint says", data[:-1]),
+                              ("No such file or directory", None)):
+            table.unlink()
+            if content is not None:
+                table.write_bytes(content)
+            before = contents(reference)
+            status, message = run(reference, prm, "--resume")
+            print(f"{name}: status {status}, files untouched",
+                  int(contents(reference) == before), "said", int(
+                      message.startswith(f"thermocontact: DIR/{name}: {what}\n")))
+        table.write_bytes(data)
+
+
+def interrupt(prm):
+    """The command that a run of a strip on two ranks names when it is interrupted."""
+    directory = Path("interrupted")
+    process = start(directory, prm, "--set", "Time/Step size=1e-4",
+                    "--set", "Time/End time=1e3", "--set", "Dimension=2",
+                    "--set", "Mesh/Cells=2", "--set", "Mesh/Cells across=1",
+                    "--set", "Output/Probes=1, 0.1", program=TWO_RANKS)
+    # from the first checkpoint on signals are waited for
+    while not (directory / "checkpoint.bin").exists() and process.poll() is None:
+        time.sleep(0.01)
+    process.send_signal(signal.SIGTERM)
+    message = process.communicate()[1]
+    print("SIGTERM on two ranks:", message.partition("resume:  ")[2].partition(
+        "\n")[0].replace(PROGRAM, "thermocontact"))
+    shutil.rmtree(directory)
 
 
 def lock(prm):
@@ -115,9 +207,6 @@ def main():
     refuse(reference, "same viscosity, written otherwise, end time too early",
            "scene.prm", "--set", "Model/Viscosity=2e-1",
            "--set", "Time/End time=0.5")
-    refuse(reference, "other ranks", "scene.prm",
-           program=("mpirun", "--allow-run-as-root", "--oversubscribe", "-n",
-                    "2"))
     refuse(reference, "study", "scene.prm",
            "--set", "Study/Vary=Mesh/Cells = 4 | 8")
     print("other numbers that are not refused:", numbers_not_refused(reference))
@@ -125,8 +214,14 @@ def main():
     print(f"no checkpoint: status {status}, directory",
           int(Path("nowhere").exists()))
     print(message.rstrip())
-    extend(reference, "scene.prm")
+    longer = extend(reference, "scene.prm")
+    damage_twice(reference, "scene.prm", longer)
+    shutil.rmtree(longer)
+    without_space_time(reference, "scene.prm")
+    kill(reference, "scene.prm")
+    short_tables(reference, "scene.prm")
     lock("scene.prm")
+    interrupt("scene.prm")
     os.remove("scene.prm")
 
 

@@ -22,7 +22,9 @@ from run_files import Run, differences
 QUANTITIES = ("displacement_end", "velocity_end", "contact_force", "temperature_end",
               "energy")
 KEY_RESULTS = ("first_contact_time", "max_contact_force", "max_penetration",
-               "contact_impulse", "final_displacement_end", "final_temperature_end")
+               "contact_impulse", "final_displacement_end", "final_temperature_end",
+               "contact_begins", "contact_duration", "restitution",
+               "reached_state_of_rest")
 EXEMPT = {(f"study.csv/{name}", way) for name in ("loop_seconds", "loop_seconds_median")
           for way in ("times 1.001", "one row late", "one row early")}
 
@@ -169,9 +171,44 @@ def check_key_results(study):
             lambda run: max(run.contact["penetration"]),
             lambda run: run.contact["contact_impulse"][-1],
             lambda run: run.contact["displacement_end"][-1],
-            lambda run: run.contact["temperature_end"][-1])):
-        if name in study.study.names:
-            yield from column(study, name, value, 1e-12)
+            lambda run: run.contact["temperature_end"][-1],
+            lambda run: run.events["kind"].count("begin") if len(run.events) else 0,
+            duration, restitution, state_of_rest)):
+        yield from column(study, name, value, 1e-9)
+
+
+def duration(run):
+    """From begins to ends of contact, or to the end of the run"""
+    signs = {"begin": -1, "end": 1}
+    times = [signs[kind] * time for kind, time in zip(run.events["kind"],
+                                                      run.events["time"])] if len(
+                                                          run.events) else []
+    return sum(times) + run.contact["in_contact"][-1] * run.contact["time"][-1]
+
+
+def restitution(run):
+    """The velocity of the last release over that of the first impact, positive"""
+    events = list(zip(run.events["kind"], run.events["velocity"])) if len(
+        run.events) else []
+    impact = next((v for kind, v in events if kind == "begin"), math.nan)
+    release = next((v for kind, v in events[::-1] if kind == "end"), math.nan)
+    return -release / impact if impact > 0 else math.nan
+
+
+def state_of_rest(run):
+    """1 if the end has come to (M.10): its temperature but for 1e-3 of the outer
+    difference, its displacement but for 1e-3 of itself or the gap; else none"""
+    s = run.settings
+    inner, outer, k = (s.number("Boundary/" + name) for name in (
+        "Fixed end temperature", "Obstacle temperature", "Heat exchange"))
+    drop = k / (1 + k) * (inner - outer)
+    g, epsilon = s.number("Contact/Gap"), s.number("Contact/Compliance")
+    free = s.number("Model/Coupling") * (inner - drop / 2)
+    rest = free - max(0, (free - g) / (1 + epsilon))
+    end = {name: run.contact[name][-1] for name in ("temperature_end", "displacement_end")}
+    is_there = abs(end["temperature_end"] - inner + drop) <= 1e-3 * abs(inner - outer) and \
+        abs(end["displacement_end"] - rest) <= 1e-3 * max(g, abs(rest))
+    return 1.0 if is_there else math.nan
 
 
 def check_kept(study):

@@ -50,7 +50,7 @@ def table_of(study, runs, sizes, key):
     has_errors = not numpy.isnan(study["error_temperature_end"][runs]).all()
     lines = [" ".join([key, "dofs steps solves", *ERRORS * has_errors]).split()]
     for n, i in enumerate(runs):
-        words = [f"{sizes[n]:.4f}"] + [f"{study[name][i]:.0f}"
+        words = [f"{sizes[n]:.4f}" if key != "run" else f"{n}"] + [f"{study[name][i]:.0f}"
                                        for name in ("dofs", "steps", "solves")]
         for name in ERRORS * has_errors:
             column = study[re.sub("(final |)", lambda m: m[0].replace(" ", "_") + "error_",

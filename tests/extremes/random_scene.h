@@ -46,7 +46,7 @@ namespace ThermoContact
       return scene;
     }
 
-  private:
+  protected:
     std::mt19937_64 generator;
     TestScene       scene;
     double          duration       = 0.; ///< end time
@@ -123,6 +123,27 @@ namespace ThermoContact
       set(path, text(value));
     }
 
+    /** Entries that the scene cannot use would be refused. */
+    void
+    remove_unused()
+    {
+      Parameters               parameters;
+      dealii::ParameterHandler prm;
+      parameters.add_parameters(prm);
+      for (const std::string &text : scene.overrides)
+        assign_entries({parse_override(text)}, prm);
+      for (const UnusedEntry &entry : unused_entries(parameters))
+        scene.overrides.erase(std::remove_if(scene.overrides.begin(),
+                                             scene.overrides.end(),
+                                             [&](const std::string &text) {
+                                               return text.rfind(entry.path +
+                                                                   "=",
+                                                                 0) == 0;
+                                             }),
+                              scene.overrides.end());
+    }
+
+  private:
     void
     draw_model()
     {
@@ -267,26 +288,6 @@ namespace ThermoContact
             pick(
               {"Heat source", "Body force", "End traction", "End heat flux"}),
           size + "*cos(" + rate + "*t)");
-    }
-
-    /** Entries that the scene cannot use would be refused. */
-    void
-    remove_unused()
-    {
-      Parameters               parameters;
-      dealii::ParameterHandler prm;
-      parameters.add_parameters(prm);
-      for (const std::string &text : scene.overrides)
-        assign_entries({parse_override(text)}, prm);
-      for (const UnusedEntry &entry : unused_entries(parameters))
-        scene.overrides.erase(std::remove_if(scene.overrides.begin(),
-                                             scene.overrides.end(),
-                                             [&](const std::string &text) {
-                                               return text.rfind(entry.path +
-                                                                   "=",
-                                                                 0) == 0;
-                                             }),
-                              scene.overrides.end());
     }
   };
 } // namespace ThermoContact

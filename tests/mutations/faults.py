@@ -94,6 +94,11 @@ def read_lists(folder):
                 len({"fault", "replace"} & keys) != 1:
             raise BadList(f"{fault.room}.txt: {fault.name}: needs file, find, "
                           "tests, and fault or replace")
+        if "fault" in keys and not fault.is_script and any(
+                fault.entries[key].endswith((",", ":", ";", "?"))
+                for key in ("find", "fault")):
+            raise BadList(f"{fault.room}.txt: {fault.name}: 'find' and 'fault' "
+                          "are to be expressions, in which brackets can be put")
         if sum(other.name == fault.name for other in faults) > 1:
             raise BadList(f"two faults are called {fault.name}")
     return faults

@@ -105,6 +105,20 @@ def check_attempts(plot, runs):
                        lambda: faults_of(figure, some), others)
 
 
+def check_end_time(plot, run):
+    """Steps and probes until 0.6, when an attempt begins: six and four rows."""
+    run.add_steps()
+    run.add_probes(["x = 0.5"])
+    for kind, n, faults_of in (("steps", 6, run_pictures.faults_of_steps),
+                               ("probes", 4, run_pictures.faults_of_probes)):
+        table = getattr(run, kind)
+        table.update({name: values[:n] for name, values in table.items()})
+        figure = drawings.figures_of(plot, "--figure", kind, "--end-time", "0.6",
+                                     run.directory)[kind]
+        faults = faults_of(figure, [run])
+        check(f"{kind} until 0.6", not faults, "; ".join(faults))
+
+
 def headers_of_program():
     """The columns of contact.csv, steps.csv and probes.csv as it writes them."""
     subprocess.run(
@@ -136,6 +150,7 @@ def check_usual(plot, make):
         run.add_steps()
         run.add_probes(["x = 0.5", "x = 0.75", "x = 1"])
     check_attempts(plot, [a, b])
+    check_end_time(plot, make("end", 2, "Rod C"))
     b.add_probes(["x = 0.5", "x = 0.25"])
     figure = drawings.figures_of(plot, "--figure", "probes", a.directory,
                                  b.directory)["probes"]
@@ -154,6 +169,12 @@ def check_labels(plot, make):
     twins = [make(f"twin {r}", r, "Twin", label=f"Twin ({Path().resolve()}"
                   f"/twin {r})") for r in range(2)]
     check_histories(plot, "same title", twins, ALL)
+    blank = [make(f"untitled {r}", r, "", label=f"untitled {r}")
+             for r in range(2)]
+    check_histories(plot, "no title", blank, ALL)
+    costs = [make(f"costs {r}", r, f"Rod {r} of 5$ or 6$",  # no formula
+                  label=rf"Rod {r} of 5\$ or 6\$") for r in range(2)]
+    check_histories(plot, "dollars", costs, ALL)
     ten = [make(f"of ten {r}", r, f"Rod {r}") for r in range(10)]
     check_histories(plot, "ten", ten, ALL)
     long = [make(f"long {r}", r, f"Rod {r}" + 50 * "o", contacts=[(0, 1)])
@@ -166,13 +187,26 @@ def check_labels(plot, make):
         check(f"long titles: {name}", not outside, str(outside))
     # by summary.json; the time is that of the last row, whatever is drawn
     for status in ("failed", "interrupted"):
-        run = make(status, 0, "Rod", status=status,
+        run = make(status, 0, "Rod", status=status, contacts=[(0.7, 1.2)],
                    label=f"Rod ({status}, $t$ = 1.7)")
         check_histories(plot, status, [run], ALL)
     run.times = run.times[:4]
     run.contact = {name: values[:4] for name, values in run.contact.items()}
     run.contacts = []
-    check_histories(plot, "until 0.6", [run], ALL, "--end-time", "0.7")
+    check_histories(plot, "until 0.6", [run], ALL, "--end-time", "0.6")
+
+
+def check_cut(plot, make):
+    """A last row that is not all there, of which each number could be one, and
+    a first one that the user has cut off."""
+    run = make("cut", 0, "Rod", status=None, label="Rod (unfinished, $t$ = 1)")
+    run.contact = {name: values[1:] for name, values in run.contact.items()}
+    run.write_contact()
+    path = run.directory / "contact.csv"
+    path.write_text(path.read_text()[:-3])  # the end of the line and two digits
+    run.times = run.times[1:5]
+    run.contact = {name: values[:4] for name, values in run.contact.items()}
+    check_histories(plot, "cut", [run], ALL)
 
 
 def check_contacts(plot, make):
@@ -279,7 +313,7 @@ def main():
     def make(name, number, title, **more):
         return tables.Run(here / name, number, headers, title, **more)
 
-    for part in (check_usual, check_labels, check_contacts, check_scenes,
+    for part in (check_usual, check_labels, check_cut, check_contacts, check_scenes,
                  check_refusals):
         part(plot, make)
 

@@ -11,6 +11,7 @@ contact). Exit status 77, "skipped", without matplotlib.
 """
 import os
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -53,6 +54,15 @@ def check_pictures(name, expected, *arguments):
               data.startswith(b"\x89PNG") and len(data) > 3000)
 
 
+def check_resolution():
+    """Twice the dots per inch: twice as many in both directions."""
+    sizes = []
+    for dpi in (40, 80):
+        plot("heat", "--figure", "energy", "--output", "size.png", "--dpi", str(dpi))
+        sizes.append(struct.unpack(">2I", Path("size.png").read_bytes()[16:24]))
+    check("dots per inch", sizes[1] == tuple(2 * n for n in sizes[0]), str(sizes))
+
+
 def check_refusal(name, words, *arguments):
     result = plot(*arguments)
     check(f"refused: {name}", result.returncode == 2 and
@@ -87,6 +97,7 @@ def main():
         "# t\n# probe 1: x = 0.5\ntime,temperature_1,displacement_1,"
         "velocity_1,stress_1\n0,1,nan,nan,nan\n1,2,nan,nan,nan\n2,3,n")
     check_pictures("probes", [*usual, "probes"], "probed")
+    check_resolution()
     for format in ("svg", "pdf"):
         result = plot("killed", "--output", f"one.{format}")
         check(f"one file, {format}", result.returncode == 0 and

@@ -170,11 +170,49 @@ def check_build(top):
           "-DCMAKE_BUILD_TYPE=Debug" in calls[0] and
           calls[1].startswith(f"make -C {top}/build/debug -j") and
           calls[1].endswith(" one two"), str(calls))
+    (tree / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={top}\n")
+    (tree / "Makefile").touch()
+    result, calls = project.run("build", "Release")
+    check("configured here", [call.split()[0] for call in calls] == ["make"],
+          str(calls))
+    (tree / "CMakeCache.txt").write_text("CMAKE_HOME_DIRECTORY:INTERNAL=/else\n")
+    result, calls = project.run("build", "Release")
+    check("configured elsewhere", [call.split()[0] for call in calls] ==
+          ["cmake", "make"] and not (tree / "CMakeCache.txt").exists(), str(calls))
+    result, calls = project.run("build", "--tree", "Debug")
+    check("the tree", result.stdout == f"{top}/build/debug\n" and not calls,
+          result.stdout)
     for arguments in ((), ("release",)):
         result, calls = project.run("build", *arguments)
         check(f"refused: {arguments}", result.returncode == 2 and not calls and
               "usage: scripts/build Release|Debug" in result.stderr,
               result.stderr)
+
+
+def check_foreign_clone(top):
+    """A clone that is not writable; root may write everywhere and is left out."""
+    if os.getuid() == 0:
+        return
+    project = Project(top)
+    top.chmod(0o555)
+    result, calls = project.run("build", "--tree", "Release",
+                                XDG_CACHE_HOME="/somewhere")
+    top.chmod(0o755)
+    check("a clone that is not writable", result.stdout.startswith(
+        "/somewhere/thermocontact/") and result.stdout.endswith("/release\n"),
+          result.stdout)
+
+
+def check_help():
+    for script in sorted((source / "scripts").iterdir()):
+        if os.access(script, os.X_OK):
+            result = subprocess.run([script, "--help"], capture_output=True, text=True)
+            # scripts/run shows the help of the program, if it is built
+            name = "thermocontact" if script.name == "run" else script.name
+            check(f"{script.name} --help", result.returncode == 0 and (
+                f"scripts/{script.name}" in result.stdout or
+                f"sage: {name}" in result.stdout) and not result.stderr,
+                  result.stderr)
 
 
 def check_run(top):
@@ -203,4 +241,6 @@ with tempfile.TemporaryDirectory() as scratch:
     check_links(Path(scratch) / "links")
     check_build(Path(scratch) / "build of")
     check_run(Path(scratch) / "run of")
+    check_foreign_clone(Path(scratch) / "foreign")
+check_help()
 sys.exit(1 if n_failed else 0)

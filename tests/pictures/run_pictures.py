@@ -52,7 +52,6 @@ FIGURE = [*LABELS[:5], LABELS[7]], 2
 HEAT = LABELS[4:8], 2
 CONTACT = LABELS[9:12], 1
 ENERGY = LABELS[12:], 2
-REASONS = {"x": "tolerance", "+": "contact", "v": "failed"}
 REJECTED = {"tolerance": "rejected: error",
             "contact": "rejected: contact changes within",
             "failed": "rejected: not solved"}
@@ -210,6 +209,10 @@ def faults_of_steps(figure, runs):
         run.contacts for run in runs) else []
     faults = faults_of_legend(entries, runs, [*more, *REJECTED.values()])
     faults += [text.get_text() for text in figure.texts]
+    marks = [handle.get_marker() for text, handle in entries
+             if text in REJECTED.values() and hasattr(handle, "get_marker")]
+    if len(set(marks)) < len(REJECTED):
+        faults.append(f"reasons of rejections look alike: {marks}")
     if [panel.get_ylabel() for panel in axes] != list(STEPS):
         return [*faults, "panels"]
     for i, panel in enumerate(axes):

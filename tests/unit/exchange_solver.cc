@@ -19,11 +19,17 @@
 // 2. Where k jumps: k = 10 under pressure, 0 else, rigid, W = V = H = 1, U = 0,
 //    free penetration 0.1, free temperature 1. Open, nothing cools: it reaches
 //    the obstacle; closed, q = 10/11 > 0.1: it leaves. So it touches without
-//    pressure: q = 0.1, theta = 0.9, k = 1/9. Three such nodes: the same.
+//    pressure: q = 0.1, theta = 0.9, k = 1/9. Three such nodes: the same. Two
+//    that act on each other, W = V = H = (2 1; 1 2), free penetrations 0.3 and
+//    0.4: both touch without pressure, V q = (0.3, 0.4), so q = (1/15, 1/6),
+//    theta = 1 - (0.3, 0.4) and k = q/theta = (2/21, 5/18).
 // 3. Random problems with 1 and 6 nodes: [H U; V W] = A^T A + 0.01 I plus an
 //    antisymmetric part, columns scaled by positive weights, random compliance,
 //    0 in every third: the laws hold to 1e-11 of the largest term, and from
-//    other values to start with, too. k = 0.2/(0.1 + gap) + p.
+//    other values to start with, too. k = 0.2/(0.1 + gap) + p. With the contact
+//    law, with each second node held in contact, with all of them: these have
+//    no gap and follow the law to pressures below zero, where k is that of p =
+//    0.
 // 4. k = 1 - gap, held open, from k = 1, free penetration -2 and temperature 1:
 // q =
 //    1/2, gap = 5/2, where k = -3/2: an error that says so.
@@ -154,6 +160,37 @@ namespace
 
 
 
+  void
+  test_jump_of_coupled_nodes()
+  {
+    const auto     law = make_law(0.);
+    const Exchange exchange(
+      [](const double, const double p) { return p > 0. ? 10. : 0.; });
+    EndResponse response = separate_nodes(2, 0.3, 1.);
+    for (FullMatrix<double> *const matrix : {&response.penetration_by_pressure,
+                                             &response.penetration_by_flux,
+                                             &response.temperature_by_flux})
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int j = 0; j < 2; ++j)
+          (*matrix)(i, j) = i == j ? 2. : 1.;
+    response.free_penetration[1] = 0.4;
+    for (const double k : {0., 1.})
+      {
+        EndExchange end = start(2, k);
+        ExchangeSolver(*law, exchange)
+          .solve(response, ContactMode::unilateral, end);
+        deallog << "jump of two coupled nodes from k = " << k << ": k "
+                << end.coefficient[0] * 21. / 2. << ' '
+                << end.coefficient[1] * 18. / 5. << ", flux "
+                << end.flux[0] * 15. << ' ' << end.flux[1] * 6.
+                << ", pressure below 1e-12 "
+                << (std::max(end.pressure[0], end.pressure[1]) < 1e-12)
+                << std::endl;
+      }
+  }
+
+
+
   /** $A^TA+0.01I$ of a random matrix. */
   FullMatrix<double>
   random_matrix(const unsigned int n, std::mt19937 &random)
@@ -204,12 +241,17 @@ namespace
 
 
 
-  /** Largest violation of a law, relative to the largest term. */
+  /**
+   * Largest violation of a law, relative to the largest term.
+   *
+   * @param is_held nodes that stay in contact
+   */
   double
-  violation(const EndResponse  &r,
-            const EndExchange  &end,
-            const ContactLaw   &law,
-            const HeatExchange &exchange)
+  violation(const EndResponse       &r,
+            const EndExchange       &end,
+            const ContactLaw        &law,
+            const HeatExchange      &exchange,
+            const std::vector<bool> &is_held)
   {
     double       largest = 0., scale = 1.;
     const double n = end.flux.size();
@@ -222,13 +264,19 @@ namespace
                  r.penetration_by_flux(i, j) * end.flux[j];
             theta -= r.temperature_by_pressure(i, j) * end.pressure[j] +
                      r.temperature_by_flux(i, j) * end.flux[j];
-            scale = std::max({scale, end.pressure[j], std::abs(end.flux[j])});
+            scale = std::max(
+              {scale, std::abs(end.pressure[j]), std::abs(end.flux[j])});
           }
         const double p = end.pressure[i], k = end.coefficient[i];
-        raise(largest, -p);
+        const bool   is_closed = is_held[i] || p > 0.;
+        if (!is_held[i])
+          raise(largest, -p);
         raise(largest, std::abs(end.flux[i] - k * theta));
-        raise(largest, p > 0. ? std::abs(s - law.penetration(p)) : s);
-        raise(largest, std::abs(k - exchange.coefficient(p > 0. ? 0. : s, p)));
+        // of a linear law, on both sides of zero
+        raise(largest, is_closed ? std::abs(s - law.tangent(0.) * p) : s);
+        raise(largest,
+              std::abs(
+                k - exchange.coefficient(is_closed ? 0. : s, std::max(p, 0.))));
       }
     return largest / scale;
   }
@@ -236,15 +284,20 @@ namespace
 
 
   void
-  test_random()
+  test_random(const std::string &name,
+              const ContactMode  mode,
+              const bool         holds_second_nodes)
   {
     std::mt19937   random(1);
     const Exchange exchange(
       [](const double gap, const double p) { return 0.2 / (0.1 + gap) + p; });
     for (const unsigned int n : {1, 6})
       {
-        double       largest  = 0.;
-        unsigned int n_closed = 0, n_open = 0;
+        double            largest  = 0.;
+        unsigned int      n_closed = 0, n_open = 0, n_pulled = 0;
+        std::vector<bool> is_held(n, mode == ContactMode::closed);
+        for (unsigned int i = 1; i < n && holds_second_nodes; i += 2)
+          is_held[i] = true;
         for (unsigned int i = 0; i < 300; ++i)
           {
             const auto law = make_law(i % 3 == 0 ? 0. : 0.1 * (i % 7 + 1));
@@ -253,15 +306,20 @@ namespace
               {
                 EndExchange end = start(n, k);
                 ExchangeSolver(*law, exchange)
-                  .solve(response, ContactMode::unilateral, end);
-                raise(largest, violation(response, end, *law, exchange));
+                  .solve(response,
+                         mode,
+                         end,
+                         holds_second_nodes ? is_held : std::vector<bool>());
+                raise(largest,
+                      violation(response, end, *law, exchange, is_held));
                 for (const double p : end.pressure)
-                  ++(p > 0. ? n_closed : n_open);
+                  ++(p > 0. ? n_closed : p < 0. ? n_pulled : n_open);
               }
           }
-        deallog << n << " random nodes: laws hold to 1e-11 "
-                << (largest < 1e-11) << ", some closed " << (n_closed > 0)
-                << ", some open " << (n_open > 0) << std::endl;
+        deallog << n << " random nodes, " << name << ": laws hold to 1e-11 "
+                << (largest < 1e-11) << ", some pressed " << (n_closed > 0)
+                << ", open " << (n_open > 0) << ", pulled " << (n_pulled > 0)
+                << std::endl;
       }
   }
 
@@ -297,6 +355,9 @@ main()
   test_one_node();
   test_jump(1);
   test_jump(3);
-  test_random();
+  test_jump_of_coupled_nodes();
+  test_random("contact law", ContactMode::unilateral, false);
+  test_random("each second held", ContactMode::unilateral, true);
+  test_random("all held", ContactMode::closed, false);
   test_negative();
 }

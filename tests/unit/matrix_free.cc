@@ -3,13 +3,13 @@
 // Products without matrices against the assembled matrices of the same body,
 // and what a V-cycle has to be as a preconditioner of symmetric blocks.
 //
-// 1. M, K + kB, D, D^T, M_u, S, S_zeta times vectors without any symmetry, and
+// 1. M, K + kB, D, D^T, M_u, S times vectors without any symmetry, and
 //    the diagonals of the square ones: each entry to 1e-13 of the largest one,
 //    since both are the same sums of at most 1e3 terms in another order, with
 //    rounding of 1e-16 each. Consistent and lumped mass, contact nodes without
-//    mass (M.36) and without viscous stress (M.37), plane strain, a round rod
-//    (M.47), a block; meshes refined from coarser ones for multigrid, which are
-//    numbered otherwise than the same cells made at once, and graded ones.
+//    mass (M.36), plane strain, a round rod (M.47), a block; meshes refined
+//    from coarser ones for multigrid, which are numbered otherwise than the
+//    same cells made at once, and graded ones.
 // 2. The V-cycle B for the blocks A of a stage, M + tau (K + kB) and b M_u +
 //    tau (tau + zeta) S (M.50), without contact, with springs at every second
 //    node of the end, softness epsilon = 1e-4, and with these nodes held. The
@@ -27,6 +27,7 @@
 
 #include <cmath>
 
+#include "../cycle.h"
 #include "../matched_spaces.h"
 
 using namespace ThermoContact;
@@ -66,13 +67,11 @@ namespace
 
 
 
-  /** Contact nodes without mass and, by the scheme, without viscous stress. */
+  /** Contact nodes without mass. */
   Parameters
   massless(Parameters parameters)
   {
     parameters.contact.massless_nodes = "on";
-    parameters.time.scheme            = "energy conserving";
-    parameters.time.step_size         = 0.01;
     return parameters;
   }
 
@@ -118,12 +117,7 @@ namespace
                    equations.momentum_mass(),
                    free.momentum_mass())
         << ", S "
-        << product(momentum, momentum, equations.stiffness(), free.stiffness())
-        << ", S_zeta "
-        << product(momentum,
-                   momentum,
-                   equations.viscous_stiffness(),
-                   free.viscous_stiffness());
+        << product(momentum, momentum, equations.stiffness(), free.stiffness());
       report_diagonals();
     }
 
@@ -170,9 +164,6 @@ namespace
       const MatrixFreeOperator<dim> &products = *free_equations.matrix_free();
       const auto                    &heat     = Field::temperature;
       const auto                    &momentum = Field::displacement;
-      const SparseMatrix &viscous = scene.has_elastic_contact_nodes() ?
-                                      matrices.viscous_stiffness.block(1, 1) :
-                                      matrices.stiffness.block(1, 1);
       deallog << "; diagonals "
               << diagonal(heat,
                           matrices.mass.block(0, 0),
@@ -182,13 +173,10 @@ namespace
                           products.heat_diagonal({0., 1.}))
               << diagonal(momentum,
                           matrices.mass.block(1, 1),
-                          products.momentum_diagonal({1., 0., 0.}))
+                          products.momentum_diagonal({1., 0.}))
               << diagonal(momentum,
                           matrices.stiffness.block(1, 1),
-                          products.momentum_diagonal({0., 1., 0.}))
-              << diagonal(momentum,
-                          viscous,
-                          products.momentum_diagonal({0., 0., 1.}))
+                          products.momentum_diagonal({0., 1.}))
               << std::endl;
     }
   };
@@ -233,67 +221,6 @@ namespace
     compare<2>("round rod, massless", parameters);
     parameters.mesh.grading = 3.;
     compare<2>("round rod, massless, graded", parameters);
-  }
-
-
-
-  /** Rows of contact nodes, every second one active. */
-  template <int dim>
-  ContactRows
-  contact_rows(const Body<dim> &body, const bool is_rigid, const double tau)
-  {
-    ContactRows rows;
-    Vector     &values = is_rigid ? rows.held : rows.springs;
-    values             = body.discretization.make_vector(Field::displacement);
-    for (const auto &[node, entry] :
-         body.contact_end().entries(Field::displacement))
-      if (node % 2 == 0)
-        values.local_element(entry) =
-          is_rigid ? 1. :
-                     tau * tau * body.contact_end().nodes()[node].weight / 1e-4;
-    return rows;
-  }
-
-
-
-  template <int dim>
-  void
-  test_cycle(const Body<dim>            &body,
-             const MultigridLevels<dim> &levels,
-             const Field::Block          field,
-             const double                tau,
-             const ContactRows          *rows)
-  {
-    const unsigned int  finest = levels.n_levels() - 1;
-    StageMultigrid<dim> cycle(levels, field, tau);
-    StageBlock<dim>     block(levels, finest, field, tau);
-    if (rows != nullptr)
-      {
-        cycle.set_contact(rows);
-        block.set_contact(*rows);
-      }
-    Vector r[2], z[2];
-    for (unsigned int i = 0; i < 2; ++i)
-      {
-        r[i] = body.discretization.make_vector(field);
-        for (unsigned int j = 0; j < r[i].locally_owned_size(); ++j)
-          r[i].local_element(j) = std::sin(1. + 1.7 * (i + 2.) * j * j);
-        block.zero_prescribed(r[i]);
-        z[i].reinit(r[i]);
-        cycle.vmult(z[i], r[i]);
-      }
-    const double size   = std::sqrt((z[0] * r[0]) * (z[1] * r[1]));
-    const double defect = std::abs(z[0] * r[1] - z[1] * r[0]) / size;
-
-    // the error that is left, in the norm of the cycle
-    Vector left(r[0]), smoothed(r[0]);
-    block.vmult(left, z[0]);
-    left -= r[0];
-    cycle.vmult(smoothed, left);
-    const double remains = std::sqrt((smoothed * left) / (z[0] * r[0]));
-    deallog << " symmetric " << (defect < 1e-10) << ", positive "
-            << (z[0] * r[0] > 0. && z[1] * r[1] > 0.) << ", leaves half "
-            << (remains < 0.5);
   }
 
 

@@ -8,7 +8,7 @@
 //   e = 0:     4 (clipped): -24;     rejected, e = 16: 0.495 < 1/2: -37,
 //   then e = 0: not larger: -37;     rejected, e = 1.0001: 0.88: -33;
 //   rejected, not a number: 0.22: -41.
-// Steps of at most 0.25 to T = 0.7, landing on multiples of 0.4 and of 0.6.
+// Steps of at most 0.25 to T = 0.7, landing on multiples of 0.4, 0.5 and 0.6.
 // Smallest step 0.001: a quarter of 2^-8 is below it, so that 0.001 is tried,
 // and nothing after it. First step 0.05 tol^(1/4) = 0.005 with tolerance 1e-4:
 // -31. On a ladder of powers of two the next size is 0.75 e^(-1/4) times the
@@ -87,7 +87,10 @@ namespace
     for (const double error : {0.03, 0.025, 0.8, 0.9, 0., 16.})
       {
         const Parameters parameters = from_rung();
-        StepController   controller(parameters.time, parameters.output, 4, 1);
+        StepController   controller(parameters.time,
+                                  parameters.output,
+                                  4,
+                                  {1, true});
         if (controller.is_accurate(error))
           controller.accept(controller.propose(0.), error);
         else
@@ -159,9 +162,10 @@ namespace
     parameters.time.first_step_size   = 0.25;
     parameters.time.maximum_step_size = 0.25;
     print_steps("error-controlled", parameters);
-    parameters.output.land_on_times    = true;
-    parameters.output.fields_interval  = 0.6;
-    parameters.output.contact_interval = 0.4;
+    parameters.output.land_on_times       = true;
+    parameters.output.fields_interval     = 0.6;
+    parameters.output.contact_interval    = 0.4;
+    parameters.output.space_time_interval = 0.5;
     print_steps("landing", parameters);
     parameters.output.land_on_times = false;
     parameters.time.step_size       = 0.3;

@@ -8,10 +8,17 @@
 //    error takes 8. Measured: 6 to 10, 2 more for degree 1 and the shortest
 //    stage, else 1 (on finer cubes of 2e4 unknowns, too: at most 10; from 2^3
 //    to 8^3 cells of degree 2, which are not compared here, 6 to 9).
+//    Contact nodes without mass in stages of 1e-12, as they end before an
+//    event: as many at most; coarse nodes stand for nodes with mass, too.
+//    Measured: 8.
 // 2. A patch of contact that grows over a face in steps of 0.01: at most 4 sets
 //    for a stage on average, at most 8, and no system with more than 1.6 times
 //    the iterations without obstacle + 2, for each compliance. Measured: 2 to
 //    2.5 sets, at most 3, and at most 9 iterations instead of 10.
+// 3. What is made: a strip on rollers meets its obstacle with all nodes at
+// once,
+//    so that there are two sets, with contact and without: in steps of one size
+//    1 for the stage length and 1 for the set, however often contact begins.
 
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/simulation/simulation.h>
@@ -112,6 +119,48 @@ namespace
 
 
 
+  void
+  count_short_stages()
+  {
+    const Overrides massless{"Contact/Condition=rigid",
+                             "Contact/Massless nodes=on",
+                             "Contact/Gap=1",
+                             "Initial values/Velocity=x*(1+y)"};
+    for (const unsigned int degree : {1, 2})
+      deallog << "2-D, degree " << degree
+              << ", massless nodes, tau = 1e-12: at most 14 "
+              << (iterations<2>(degree, 16, 1e-12, massless) <= 14)
+              << std::endl;
+  }
+
+
+
+  void
+  count_what_is_made(const std::string &condition)
+  {
+    const Run<2> run({"Dimension=2",
+                      "Mesh/Width=0.25",
+                      "Mesh/Cells=8",
+                      "Mesh/Cells across=2",
+                      "Mesh/Degree=1",
+                      "Contact/Condition=" + condition,
+                      "Contact/Gap=0.02",
+                      "Initial values/Velocity=x",
+                      "Boundary/Fixed end temperature=0",
+                      "Initial values/Temperature=0*x",
+                      "Time/Scheme=sdirk2",
+                      "Time/Step size=0.02",
+                      "Time/End time=6"});
+    unsigned int n_begins = 0;
+    for (unsigned int i = 1; i < run.records.size(); ++i)
+      n_begins += run.records[i].in_contact && !run.records[i - 1].in_contact;
+    deallog << condition << ": contact more than once " << (n_begins > 1)
+            << ", made " << run.simulation.counters().factorizations
+            << std::endl;
+  }
+
+
+
   /** Sets of contact nodes and Krylov iterations of a patch that grows. */
   template <int dim>
   void
@@ -180,7 +229,13 @@ main(int argc, char **argv)
   count_iterations<3>(2, {2, 4});
   count_iterations<3>(4, {1, 2});
 
+  count_short_stages();
+
   deallog << "sets of contact nodes" << std::endl;
   count_all_sets<2>();
   count_all_sets<3>();
+
+  deallog << "what is made" << std::endl;
+  count_what_is_made("normal compliance");
+  count_what_is_made("rigid");
 }

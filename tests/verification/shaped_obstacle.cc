@@ -20,6 +20,12 @@
 // are no half-spaces); the largest error of p at the nodes with y < 0.9 a in
 // parts of p(0) within 2 %, and that of Westergaard smaller on the finer mesh.
 // Measured: p(0) to 0.1 % and 0.2 %, profiles to 0.9 %.
+// 4. The columns of the face, from the pressures at its nodes. A block in 3-D,
+//    3 x 3 cells of degree 1 across, against an oblique obstacle: a node weighs
+//    1/36 for each cell that it belongs to; area, largest pressure and moments
+//    to 1e-12, the moments those of an end that is pressed where y and z are
+//    small. The sphere: no moment, and an area between the circles through the
+//    last node in contact and the next one.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -41,6 +47,7 @@ namespace
   {
     std::vector<double> y, pressure;
     double              mean;
+    FaceRecord          face;
   };
 
 
@@ -54,6 +61,7 @@ namespace
     Contact       contact;
     const auto    observe = [&](const Simulation<2> &s) {
       contact.mean = s.record().contact_force;
+      contact.face = s.record().face;
       for (const auto &node : s.discretization().contact_end().nodes())
         contact.y.push_back(node.position[1]);
       contact.pressure = s.state().contact_pressure;
@@ -146,6 +154,75 @@ namespace
       return 3. * force / (2. * pi * radius * radius) *
              std::sqrt(std::max(0., 1. - std::pow(y / radius, 2)));
     });
+    unsigned int n = 0;
+    while (n + 1 < sphere.y.size() && sphere.pressure[n] > 0.)
+      ++n;
+    const double area = sphere.face.contact_area;
+    deallog << "  moments " << sphere.face.moment_y << ' '
+            << sphere.face.moment_z << ", area between circles "
+            << (std::pow(sphere.y[n - 1], 2) < area &&
+                area < std::pow(sphere.y[n], 2))
+            << std::endl;
+  }
+
+
+
+  /** Sums over the nodes of 3 x 3 cells of degree 1 on a square of side 0.3. */
+  FaceRecord
+  sum_over_nodes(const std::vector<Point<3>> &nodes,
+                 const std::vector<double>   &pressure)
+  {
+    const auto is_inside = [](const double y) {
+      return y > 1e-9 && y < 0.3 - 1e-9;
+    };
+    FaceRecord face;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      if (const double p = pressure[i]; p > 0.)
+        {
+          const double y = nodes[i][1], z = nodes[i][2];
+          const double weight =
+            (is_inside(y) ? 2. : 1.) * (is_inside(z) ? 2. : 1.) / 36.;
+          face.contact_area += weight;
+          raise(face.max_pressure, p);
+          face.moment_y += weight * p * (y - 0.15);
+          face.moment_z += weight * p * (z - 0.15);
+        }
+    return face;
+  }
+
+
+
+  void
+  check_face()
+  {
+    Simulation<3> simulation(read_parameters("verification/westergaard.prm",
+                                             {"Dimension=3",
+                                              "Mesh/Width=0.3",
+                                              "Mesh/Cells=2",
+                                              "Mesh/Cells across=3",
+                                              "Mesh/Degree=1",
+                                              "Contact/Gap=-0.03+y/9+z/8"}),
+                             MPI_COMM_SELF);
+    FaceRecord    found, expected;
+    simulation.run({[&](const Simulation<3> &s) {
+      std::vector<Point<3>> nodes;
+      for (const auto &node : s.discretization().contact_end().nodes())
+        nodes.push_back(node.position);
+      expected = sum_over_nodes(nodes, s.state().contact_pressure);
+      found    = s.record().face;
+    }});
+    const auto same = [](const double a, const double b) {
+      return std::abs(a - b) <= 1e-12 * std::abs(b);
+    };
+    deallog << "oblique obstacle: part in contact "
+            << (expected.contact_area > 0.1 && expected.contact_area < 0.9)
+            << ", area " << same(found.contact_area, expected.contact_area)
+            << ", largest pressure "
+            << same(found.max_pressure, expected.max_pressure) << ", moments "
+            << same(found.moment_y, expected.moment_y) << ' '
+            << same(found.moment_z, expected.moment_z) << ", negative "
+            << (found.moment_y < 0. && found.moment_z < 0.) << ", different "
+            << !same(found.moment_y, found.moment_z) << std::endl;
   }
 } // namespace
 
@@ -164,4 +241,5 @@ main(int argc, char **argv)
       deallog << "  error falls " << (fine < coarse) << std::endl;
     }
   check_hertz();
+  check_face();
 }

@@ -18,6 +18,14 @@ namespace ThermoContact
   void
   append_field(std::string &row, const std::string_view words);
 
+  /** The comment lines at the top of every table: title, versions. */
+  std::string
+  csv_comments(const std::string &title);
+
+  /** The fields of a row without its line break: what append_field() wrote. */
+  std::vector<std::string>
+  split_row(const std::string_view row);
+
   /**
    * A column of a CSV table whose rows are made of a @p Record each: its name,
    * and how its fields come from a record.

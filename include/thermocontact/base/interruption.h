@@ -19,9 +19,9 @@ namespace ThermoContact
 
 
   /**
-   * Takes note of SIGTERM and SIGINT as long as it lives, instead of ending
-   * the program; a second signal, of either kind, ends it at once. Signals that
-   * are ignored stay ignored. At most one at a time.
+   * Takes note of SIGTERM, SIGINT and SIGHUP as long as it lives, instead of
+   * ending the program; a second signal, of either kind, ends it at once.
+   * Signals that are ignored stay ignored. At most one at a time.
    */
   class SignalWatch
   {
@@ -41,7 +41,7 @@ namespace ThermoContact
 
 
 
-  /** "SIGTERM", "SIGINT". */
+  /** "SIGTERM", "SIGINT", "SIGHUP". */
   std::string
   name_of_signal(const int signal);
 } // namespace ThermoContact

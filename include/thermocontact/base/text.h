@@ -51,6 +51,22 @@ namespace ThermoContact
     return std::string(words.size() < width ? width - words.size() : 0, fill) +
            words;
   }
+
+  /** A time in seconds: 75 as "1:15", two hours as "2:00:00". */
+  inline std::string
+  clock_time(const double seconds)
+  {
+    if (!(seconds < 3.6e6))
+      return "1000 h or more";
+    const auto whole      = static_cast<unsigned int>(seconds + 0.5);
+    const auto two_digits = [](const unsigned int n) {
+      return align_right(text(n), 2, '0');
+    };
+    const unsigned int minutes = whole / 60;
+    return (whole < 3600 ? text(minutes) :
+                           text(minutes / 60, ':', two_digits(minutes % 60))) +
+           ':' + two_digits(whole % 60);
+  }
 } // namespace ThermoContact
 
 #endif

@@ -47,15 +47,18 @@ namespace ThermoContact
      *   closed has no gap
      * @param end in: pressures and coefficients nearby, from which the search
      *   starts; out: the solution
-     * @return number of linear problems solved on active sets; 0 if no node is
-     *   pushed back
+     * @param is_held nodes that stay closed, as for ContactSolver::solve()
+     * @return number of linear problems that ContactSolver solved on active
+     *   sets for the coefficients of the solution; 0 if no node is pushed back,
+     *   and in modes open and closed
      * @throw ComputationError if there is none, or if $k$ is negative or not
      *   finite
      */
     unsigned int
-    solve(const EndResponse &response,
-          const ContactMode  mode,
-          EndExchange       &end) const;
+    solve(const EndResponse       &response,
+          const ContactMode        mode,
+          EndExchange             &end,
+          const std::vector<bool> &is_held = {}) const;
 
   private:
     const ContactLaw   &law;

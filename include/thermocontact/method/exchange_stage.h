@@ -44,13 +44,15 @@ namespace ThermoContact
     /**
      * All references are borrowed.
      *
+     * @param is_held nodes that stay closed in mode unilateral; empty: none
      * @param pressure of a nearby problem
      */
-    ExchangeStage(const ContactLaw   &law,
-                  const HeatExchange &exchange,
-                  const EndResponse  &response,
-                  const ContactMode   mode,
-                  const Values       &pressure);
+    ExchangeStage(const ContactLaw        &law,
+                  const HeatExchange      &exchange,
+                  const EndResponse       &response,
+                  const ContactMode        mode,
+                  const std::vector<bool> &is_held,
+                  const Values            &pressure);
 
     const unsigned int n; ///< number of nodes
     Values             pressure;
@@ -75,6 +77,8 @@ namespace ThermoContact
     const EndResponse  &response;
     const ContactMode   mode;
 
+    const std::vector<bool> &is_held;
+
     dealii::FullMatrix<double> inverse;     ///< $(I+kH)^{-1}$
     dealii::FullMatrix<double> conductance; ///< $(I+kH)^{-1}k$
     dealii::FullMatrix<double> receptance;  ///< $W$ with the fluxes that follow
@@ -82,9 +86,16 @@ namespace ThermoContact
     Values                     penetration;
 
     bool
+    stays_closed(const unsigned int i) const
+    {
+      return mode == ContactMode::closed || (mode == ContactMode::unilateral &&
+                                             !is_held.empty() && is_held[i]);
+    }
+
+    bool
     is_closed(const unsigned int i) const
     {
-      return mode == ContactMode::closed || pressure[i] > 0.;
+      return stays_closed(i) || pressure[i] > 0.;
     }
 
     /** Fluxes as functions of the pressures. */

@@ -21,10 +21,14 @@ namespace ThermoContact
     /** From the next coarser level; of all but the coarsest. */
     MGTwoLevelTransfer<dim, Vector> transfer;
 
-    /** Diagonals of mass, stiffness (conduction) and viscous stiffness. */
+    /** Diagonals of mass and stiffness (conduction). */
     Vector mass;
     Vector stiffness;
-    Vector viscous_stiffness;
+
+    /** What a V-cycle works with, of all stage lengths in turn. */
+    mutable Vector right;
+    mutable Vector solution;
+    mutable Vector residual;
   };
 
 
@@ -108,6 +112,9 @@ namespace ThermoContact
 
     void
     make_level(const Parameters &parameters, Level &level) const;
+
+    void
+    make_vectors(Level &level) const;
 
     void
     compute_diagonals(Level &level) const;

@@ -30,15 +30,31 @@ namespace ThermoContact
       std::unique_ptr<StageMultigrid<dim>> heat;
       std::unique_ptr<StageMultigrid<dim>> momentum;
       std::array<Vector, 2>                diagonals; ///< of the blocks
+
+      /** Contact nodes that the momentum block has springs or holds at. */
+      std::vector<bool> active_set;
+
+      /** The last of these sets that had nodes, whose factors are kept. */
+      std::vector<bool> last_contact;
     };
 
-    /**
-     * Makes those of a stage length current.
-     *
-     * @return true if they had to be made
-     */
-    bool
+    /** Makes those of a stage length current. */
+    void
     provide(const double tau);
+
+    /** Gives the current momentum block the contact rows of a set of nodes. */
+    void
+    set_contact(const std::vector<bool> &active_set, const ContactRows &rows);
+
+    /**
+     * What has been made so far: preconditioners of stage lengths and, for sets
+     * of contact nodes, their coarsest levels.
+     */
+    unsigned int
+    n_made() const
+    {
+      return n_made_;
+    }
 
     const Hierarchy &
     current() const
@@ -46,9 +62,12 @@ namespace ThermoContact
       return hierarchies.front();
     }
 
-    /** Stage lengths that are there, the current one in front. */
-    std::vector<double>
-    lengths() const;
+    /** Those that are there, the current one in front. */
+    const std::list<Hierarchy> &
+    all() const
+    {
+      return hierarchies;
+    }
 
     void
     clear()
@@ -59,6 +78,7 @@ namespace ThermoContact
   private:
     const MultigridLevels<dim> &levels;
     std::list<Hierarchy>        hierarchies;
+    unsigned int                n_made_ = 0;
   };
 } // namespace ThermoContact
 

@@ -3,30 +3,17 @@
 #ifndef thermocontact_multigrid_stage_multigrid_h
 #define thermocontact_multigrid_stage_multigrid_h
 
+#include <thermocontact/multigrid/coarse_solver.h>
 #include <thermocontact/multigrid/multigrid_levels.h>
-#include <thermocontact/space/direct_solver.h>
 
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>
-#include <deal.II/lac/trilinos_precondition.h>
 
 #include <memory>
 #include <vector>
 
 namespace ThermoContact
 {
-  /** The degrees of freedom at the contact end that a stage changes. */
-  struct ContactRows
-  {
-    /** Added to the diagonal: springs of an elastic obstacle; or empty. */
-    Vector springs;
-
-    /** 1 where a rigid obstacle prescribes the velocity, else 0; or empty. */
-    Vector held;
-  };
-
-
-
   /**
    * The block of one field of the stage matrix (M.15) on one level, without
    * matrix: $M+\tau(K+kB)$ or $bM_u+\tau\zeta S_\zeta+\tau^2S$, with springs at
@@ -88,9 +75,9 @@ namespace ThermoContact
 
   /**
    * One V-cycle for the block of a field of the stage matrix: a preconditioner.
-   * Chebyshev smoothers of degree 3 with the diagonal (2 for heat), the factors
-   * of a matrix on the coarsest level. Symmetric and, between two calls of
-   * set_contact(), always the same.
+   * Chebyshev smoothers of degree 3 with the diagonal (2 for heat) and a
+   * CoarseSolver. Symmetric and, between two calls of set_contact(), always the
+   * same.
    */
   template <int dim>
   class StageMultigrid
@@ -102,19 +89,18 @@ namespace ThermoContact
                    const double                tau);
 
     /**
-     * @param rows of the finest level; null: no contact. The largest eigenvalues
-     *   stay those without contact.
+     * The largest eigenvalues stay those without contact; so does its
+     * CoarseSolver, which is kept beside that of the last rows. Collective.
+     *
+     * @param rows of the finest level; null: no contact
+     * @param are_as_before the last ones that were not null were the same
      */
     void
-    set_contact(const ContactRows *rows);
+    set_contact(const ContactRows *rows, const bool are_as_before = false);
 
     /** @p z = one V-cycle for @p r. */
     void
     vmult(Vector &z, const Vector &r) const;
-
-    /** Products on the finest level that one cycle takes. */
-    unsigned int
-    n_products() const;
 
   private:
     using Smoother =
@@ -126,7 +112,6 @@ namespace ThermoContact
       std::unique_ptr<StageBlock<dim>>        block;
       std::shared_ptr<DiagonalMatrix<Vector>> inverse_diagonal;
       std::unique_ptr<Smoother>               smoother;
-      mutable Vector                          residual;
     };
 
     const MultigridLevels<dim> &levels;
@@ -134,14 +119,18 @@ namespace ThermoContact
     const double                tau;
     std::vector<Level>          fine; ///< level l is fine[l - 1]
 
-    std::unique_ptr<SparseMatrix>                      coarse_matrix;
-    std::unique_ptr<DirectSolver>                      coarse_solver;
-    std::unique_ptr<TrilinosWrappers::PreconditionAMG> coarse_amg;
-    std::vector<unsigned int>   coarse_prescribed; ///< local entries
-    mutable std::vector<Vector> right, solution;   ///< of each level
+    std::unique_ptr<CoarseSolver<dim>> coarse_without_contact;
+    std::unique_ptr<CoarseSolver<dim>> coarse_with_contact; ///< of present rows
+    ContactRows                        coarse_rows;
+    bool                               has_contact = false;
 
+    /** Springs and held nodes of all levels; those of the coarsest are kept. */
     void
-    set_coarse(const ContactRows *rows);
+    set_rows(const ContactRows &rows);
+
+    /** Zero where the coarsest level has prescribed rates. */
+    void
+    zero_coarse(Vector &vector) const;
 
     /** Solves approximately on a level: right to solution. */
     void

@@ -7,14 +7,9 @@
 #include <thermocontact/simulation/simulation.h>
 
 #include <string>
-#include <vector>
 
 namespace ThermoContact
 {
-  /** How often contact began. */
-  unsigned int
-  n_contact_begins(const std::vector<ContactEvent> &events);
-
   /**
    * Writes summary.json; numbers are JSON numbers, NaN is null. Collective.
    *

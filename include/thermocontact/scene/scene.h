@@ -96,7 +96,10 @@ namespace ThermoContact
     /** $\theta_{obs}$; of one that varies that at $t=0$ and $y=z=0$. */
     double obstacle_temperature;
 
-    /** $k_s$ of the steady profile: $k$ at the gap of the undeformed body. */
+    /**
+     * $k_s$ of the steady profile: $k$ at the gap of the undeformed body, or at
+     * gap 0 if that is an expression. The profile is a reference: any will do.
+     */
     double reference_coefficient;
 
     /** False if no heat is exchanged. */
@@ -193,9 +196,16 @@ namespace ThermoContact
   /** How the linear systems of stages are solved. */
   struct LinearSolver
   {
-    bool        is_iterative;
+    bool is_iterative;
+
+    /** Direct, by blocks along the rod, where one process has all of it. */
+    bool is_along_rod;
+
     double      tolerance; ///< relative residual; of the iterative one
     std::string reason;    ///< of the choice
+
+    /** What of the scene needs sparse factors; empty: nothing does. */
+    std::string needs_factors;
 
     std::string
     name() const
@@ -265,6 +275,9 @@ namespace ThermoContact
     const bool has_sliding_end;
 
     const bool has_lumped_mass;
+
+    /** One point to a cell for the mass of displacements, (M.80). */
+    const bool has_midpoint_mass;
 
     /** Stages are solved by the iteration of the paper. */
     const bool is_fixed_point;

@@ -3,6 +3,7 @@
 #ifndef thermocontact_simulation_contact_transition_h
 #define thermocontact_simulation_contact_transition_h
 
+#include <thermocontact/simulation/quasi_static_start.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/time/stage_solver.h>
@@ -77,6 +78,7 @@ namespace ThermoContact
     std::vector<Vector>           impulse_responses;
     FullMatrix<double>            inverse_receptance;
     FullMatrix<double>            contact_stiffness_; ///< computed when needed
+    QuasiStaticStart<dim>         quasi_static;
 
     /** Velocities, and those of the contact nodes, per unit impulse. */
     void

@@ -4,31 +4,81 @@
 #define thermocontact_simulation_quasi_static_start_h
 
 #include <thermocontact/space/body.h>
+#include <thermocontact/space/direct_solver.h>
 #include <thermocontact/space/state.h>
+#include <thermocontact/time/stage_solver.h>
 
+#include <deal.II/lac/full_matrix.h>
+
+#include <memory>
 #include <vector>
 
 namespace ThermoContact
 {
   /**
-   * Completes the state of a body without inertia, the initial one or one that
+   * Completes states of a body without inertia, the initial one and those that
    * no stage has completed, doc/model.md section 12: with viscosity the
    * velocity follows from the displacement, (M.34); without, the displacement
    * is in equilibrium with the temperature, (M.35), and the velocity, which has
-   * no value yet, is left at zero.
-   *
-   * @param state in: temperature and, with viscosity, displacement and pressure
-   *   of the compliance law
-   * @param is_closed with viscosity, at a rigid obstacle: the nodes in contact;
-   *   empty: those that do not lie before it
-   * @throw ComputationError if the stiffness matrix cannot be factorised or the
-   *   contact nodes do not settle
+   * no value yet, is left at zero. What it factorises, it keeps.
    */
   template <int dim>
-  void
-  complete_quasi_static_state(Body<dim>               &body,
-                              State                   &state,
-                              const std::vector<bool> &is_closed = {});
+  class QuasiStaticStart
+  {
+  public:
+    /** @param body borrowed */
+    explicit QuasiStaticStart(Body<dim> &body);
+
+    /**
+     * @param state in: temperature and, with viscosity, displacement and
+     *   pressure of the compliance law
+     * @param is_closed with viscosity, at a rigid obstacle: the nodes in
+     *   contact; empty: those that do not lie before it
+     * @throw ComputationError if the stiffness matrix cannot be factorised or
+     *   the contact nodes do not settle
+     */
+    void
+    complete(State &state, const std::vector<bool> &is_closed = {});
+
+    /** Factors and responses so far, and what an iterative solver made. */
+    const SolverCounters &
+    counters() const
+    {
+      return counters_;
+    }
+
+    /** Makes the factors and responses, if it has matrices. */
+    void
+    factorize();
+
+  private:
+    Body<dim>                    &body;
+    SolverCounters                counters_;
+    std::unique_ptr<DirectSolver> factors;
+    std::vector<Vector>           unit_responses; ///< to pressures
+    FullMatrix<double>            response;       ///< of the contact nodes
+
+    /** An IterativeSolver, without matrices; only its levels are kept. */
+    std::unique_ptr<StageSolver> iterative;
+
+    /**
+     * Solves $Sw=r-Np$ with (M.18) for $w$ at the contact nodes.
+     *
+     * @param law between $w$ beyond its gaps and $p$
+     * @param gaps of $w$
+     * @param excluded nodes that carry no pressure
+     * @param load $r$
+     * @param w in: a vector of the right layout; out: the solution
+     * @param pressure in: a guess; out: the solution
+     */
+    void
+    solve_with_contact(const ContactLaw          &law,
+                       const std::vector<double> &gaps,
+                       const std::vector<bool>   &excluded,
+                       const Vector              &load,
+                       Vector                    &w,
+                       std::vector<double>       &pressure);
+  };
 } // namespace ThermoContact
 
 #endif

@@ -76,20 +76,26 @@ namespace ThermoContact
       return nodes_.size();
     }
 
-    /** The smallest gap of nodes(), and the largest. */
-    std::pair<double, double>
-    range_of_gap() const;
-
     /**
-     * Number of all nodes of the end. Behind those of nodes() come those whose
-     * weight vanishes, as on an axis of symmetry: a pressure on them does
-     * nothing, so that they have none.
+     * All nodes of the end. Behind those of nodes() come those whose weight
+     * vanishes, as on an axis of symmetry: a pressure on them does nothing, so
+     * that they have none.
      */
+    const std::vector<ContactNode<dim>> &
+    all_nodes() const
+    {
+      return all_nodes_;
+    }
+
     unsigned int
     n_all_nodes() const
     {
-      return n_all_nodes_;
+      return all_nodes_.size();
     }
+
+    /** The smallest gap of all nodes, and the largest. */
+    std::pair<double, double>
+    range_of_gap() const;
 
     /**
      * Locally owned nodes: index of the node, position of its value (for the
@@ -212,8 +218,8 @@ namespace ThermoContact
 
     const MPI_Comm                communicator;
     const double                  cross_section;
+    std::vector<ContactNode<dim>> all_nodes_;
     std::vector<ContactNode<dim>> nodes_;
-    unsigned int                  n_all_nodes_;
     std::array<Entries, 2>        entries_;
     std::array<Entries, 2>        all_entries_;
 

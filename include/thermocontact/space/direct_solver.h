@@ -29,8 +29,14 @@ namespace ThermoContact
     void
     solve(VectorType &x, const VectorType &b);
 
+    const SparseMatrix &
+    matrix() const
+    {
+      return matrix_;
+    }
+
   private:
-    const SparseMatrix             matrix;
+    const SparseMatrix             matrix_;
     SolverControl                  control;
     TrilinosWrappers::SolverDirect solver;
   };

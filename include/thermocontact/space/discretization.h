@@ -44,7 +44,10 @@ namespace ThermoContact
   class Discretization
   {
   public:
-    Discretization(const Scene &scene, const MPI_Comm communicator);
+    /** @param all the ranks, of which communicator() shares the mesh */
+    Discretization(const Scene &scene, const MPI_Comm all);
+
+    ~Discretization();
 
     const Geometry<dim> &
     geometry() const
@@ -52,6 +55,7 @@ namespace ThermoContact
       return geometry_;
     }
 
+    /** Of the ranks that share the mesh: of a rod, this rank alone. */
     MPI_Comm
     communicator() const
     {
@@ -213,8 +217,8 @@ namespace ThermoContact
     }
 
     /**
-     * A vector of zeros for one field or for the whole system. All of them
-     * share one map, which makes their assignment a copy instead of an import.
+     * A vector of zeros for one field or for the whole system. Those of a
+     * field share one partitioner: their assignment is a copy.
      */
     Vector
     make_vector(const Field::Block field) const
@@ -278,7 +282,7 @@ namespace ThermoContact
     std::vector<Vector>                          prototypes;
     SystemVector                                 system_prototype;
     std::unique_ptr<const ContactEnd<dim>>       contact_end_;
-    std::shared_ptr<const MatrixFreeSpaces<dim>> matrix_free_;
+    std::unique_ptr<const MatrixFreeSpaces<dim>> matrix_free_;
     std::vector<IndexSet>                        constrained_;
     std::vector<std::vector<unsigned int>>       constrained_entries_;
 

@@ -6,26 +6,12 @@
 #include <thermocontact/base/types.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/discretization.h>
+#include <thermocontact/space/field_maps.h>
 #include <thermocontact/space/field_matrices.h>
-#include <thermocontact/space/linear_map.h>
 #include <thermocontact/space/state.h>
 
 namespace ThermoContact
 {
-  template <int dim>
-  class MatrixFreeOperator;
-
-
-
-  /** Products with the field matrices; those of absent fields are null. */
-  struct FieldMaps
-  {
-    std::unique_ptr<const LinearMap> heat_mass, conduction, divergence,
-      thermal_stress, momentum_mass, stiffness, viscous_stiffness;
-  };
-
-
-
   /**
    * The semidiscrete equations, doc/model.md (M.11), (M.12):
    * @f[
@@ -38,8 +24,8 @@ namespace ThermoContact
    *
    * Field matrices are assembled once, without constraints, or not at all if
    * the scene has an iterative solver; the constrained rows of stage matrices
-   * and right-hand sides say that rates vanish. Vectors have the layout of
-   * their block, without ghosts.
+   * and right-hand sides say that rates vanish. Vectors come from
+   * Discretization::make_vector().
    */
   template <int dim>
   class ThermoviscoelasticOperator
@@ -48,6 +34,8 @@ namespace ThermoContact
     /** Both references are borrowed and must outlive this object. */
     ThermoviscoelasticOperator(const Scene               &scene,
                                const Discretization<dim> &discretization);
+
+    ~ThermoviscoelasticOperator();
 
     /** $M$, $\int\eta_i\eta_j$. */
     const LinearMap &
@@ -117,6 +105,19 @@ namespace ThermoContact
       return matrix_free_.get();
     }
 
+    /** The matrices of a rod in one process; else null. */
+    const RodMatrices *
+    rod() const
+    {
+      return matrices ? matrices->rod.get() : nullptr;
+    }
+
+    const Material &
+    coefficients() const
+    {
+      return material;
+    }
+
     /** True if the motion heats the body: one stage matrix for both fields. */
     bool
     is_coupled() const
@@ -175,10 +176,19 @@ namespace ThermoContact
     const bool                 has_own_viscous_stiffness;
     /** One of the two is there. */
     const std::unique_ptr<const FieldMatrices<dim>>      matrices;
-    const std::shared_ptr<const MatrixFreeOperator<dim>> matrix_free_;
+    const std::unique_ptr<const MatrixFreeOperator<dim>> matrix_free_;
     const FieldMaps                                      maps;
     mutable Vector                                       heat_scratch;
     mutable Vector                                       momentum_scratch;
+
+    /** stage_rhs() by one pass over the rod for each field. */
+    void
+    rod_stage_rhs(const State  &known,
+                  const double  tau,
+                  const Vector &heat_load,
+                  const Vector &momentum_load,
+                  Vector       &heat,
+                  Vector       &momentum) const;
 
     /** Weighted sum of two matrices of a block, with constrained rows. */
     SparseMatrix

@@ -4,28 +4,37 @@
 #define thermocontact_study_study_report_h
 
 #include <thermocontact/base/log.h>
-#include <thermocontact/study/study.h>
+#include <thermocontact/study/study_table.h>
 
 #include <string>
 
 namespace ThermoContact
 {
   /**
-   * Writes study.csv, one row per run, and study.txt, tables with observed
-   * orders for the entry that is refined: the one of step size, tolerance and
-   * number of cells that was named last. Rank 0 writes; collective.
+   * Writes study.txt, tables with observed orders for the entry that is
+   * refined: the one of step size, tolerance and number of cells that was named
+   * last; and study.md, one table of what was varied and of the key results.
+   * Rank 0 writes; collective.
    *
-   * @param title first comment line of study.csv
+   * @param title heading of study.md
+   * @param has_files the runs have kept their files, which study.md links to
+   * @param study with the rows of all runs
    * @throw ComputationError naming a file that cannot be written
    */
   void
-  write_study(const std::string &directory,
-              const std::string &title,
-              const Study       &study);
+  write_study_tables(const std::string &directory,
+                     const std::string &title,
+                     const bool         has_files,
+                     const StudyTable  &study);
 
-  /** Tells what the runs cost and the cheapest one that meets the target. */
+  /**
+   * Tells how many runs failed, and the cheapest one whose largest error of the
+   * displacement of the end is at most @p target, if that is not 0. Collective.
+   *
+   * @throw ComputationError if a run failed
+   */
   void
-  report_study(const Study &study, Log &log);
+  report_study(const StudyTable &study, const double target, Log &log);
 } // namespace ThermoContact
 
 #endif

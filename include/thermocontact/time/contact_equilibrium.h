@@ -33,8 +33,8 @@ namespace ThermoContact
   /**
    * Puts contact nodes without mass and viscosity into equilibrium with the
    * rest of the body, its temperature, the loads and the obstacle, doc/model.md
-   * (M.38), and gives them the velocity of an elastic equilibrium that each
-   * node keeps by itself, for the interpolation of the first step.
+   * (M.38), and gives them velocities that keep them there, (M.64): all nodes
+   * together, with those of the other nodes, temperature and loads as they are.
    */
   template <int dim>
   void
@@ -46,7 +46,7 @@ namespace ThermoContact
    * velocities of all other nodes, doc/model.md (M.63): no node in contact
    * moves into the obstacle, and those with pressure rest.
    *
-   * @param stiffness of contact_stiffness()
+   * @param stiffness of contact_stiffness(); not used by a body without matrices
    * @param is_closed nodes in contact; others have no pressure
    */
   template <int dim>

@@ -42,7 +42,36 @@ namespace ThermoContact
                    ContactMode   mode,
                    StageRates   &rates);
 
-    /** The coarsest level, of one field. */
+    std::string
+    linear_solver() const override
+    {
+      return "iterative";
+    }
+
+    /**
+     * The velocity of a body without inertia that does not move nodes in
+     * contact into a rigid obstacle, times $\zeta/(\zeta+1)$, and pressures
+     * there, (M.34).
+     */
+    void
+    solve_quasi_static_velocity(const State             &known,
+                                const Vector            &heat_load,
+                                const Vector            &momentum_load,
+                                const std::vector<bool> &is_closed,
+                                StageRates              &rates);
+
+    bool
+    can_hold_nodes() const override
+    {
+      return true;
+    }
+
+    void
+    keep_contact(const std::vector<bool>   &is_closed,
+                 const std::vector<double> &pressure,
+                 State                     &difference) override;
+
+    /** The coarsest level, of one field; zero without factors. */
     types::global_dof_index
     n_factorized_unknowns() const override;
 
@@ -56,19 +85,28 @@ namespace ThermoContact
     const Body<dim>    &body;
     IterativeStage<dim> stage;
 
-    void
-    provide_hierarchy(const double tau);
-
     /** Solves for the present set to a relative residual. */
     void
     solve_linear(const double tolerance, std::vector<double> &pressure);
 
-    /** Whether the set changes; only its first wrong node if asked so. */
+    /**
+     * Whether the set changes; only its first wrong node if asked so.
+     *
+     * @param is_fixed nodes that stay as they are
+     */
     bool
     update_set(const std::vector<double> &pressure,
+               const std::vector<bool>   &is_fixed,
                const bool                 only_the_first,
                std::vector<bool>         &is_active) const;
 
+    /** (M.65) of the stage that was solved last. */
+    double
+    algebraic_power(const State               &known,
+                    const double               tau,
+                    const std::vector<double> &pressure) const;
+
+    /** The stage that was prepared, from the pressures of @p known on. */
     void
     solve_prepared(const State      &known,
                    const ContactMode mode,
@@ -83,6 +121,15 @@ namespace ThermoContact
                  const ContactMode mode,
                  const bool        with_heat,
                  StageRates       &rates);
+
+    /** The same by active sets, from @p is_active on. */
+    void
+    solve_by_sets(std::vector<bool>       &is_active,
+                  const std::vector<bool> &is_fixed,
+                  StageRates              &rates);
+
+    void
+    count(const unsigned int n_iterations);
   };
 } // namespace ThermoContact
 

@@ -49,19 +49,53 @@ namespace ThermoContact
             const Vector &momentum_load,
             const bool    with_heat);
 
+    /**
+     * Instead of a new stage the displacement $\tau v$ and what goes with it,
+     * by pressures at the active nodes alone: at a rigid obstacle it is given
+     * there, at an elastic one pressures resist what it lacks, (M.61). Of the
+     * length of the present stage.
+     *
+     * @param displacement at the contact nodes
+     */
+    void
+    prepare_displacement(const std::vector<double> &displacement);
+
+    /** Takes the place of the penetrations at the beginning of the stage. */
+    void
+    set_penetrations(const std::vector<double> &penetrations)
+    {
+      known_penetration = penetrations;
+    }
+
     /** Puts springs and held nodes of the active set in place. */
     void
     set_active(const std::vector<bool> &is_active);
+
+    /** What residuals are compared to: terms of the stage, or the first one. */
+    enum class Measure
+    {
+      of_terms,
+      of_start
+    };
+
+    /**
+     * Makes the preconditioners of a stage length again.
+     *
+     * @param last_contact of StageHierarchies::Hierarchy
+     */
+    void
+    restore(const double stage_length, const std::vector<bool> &last_contact);
 
     /**
      * Solves for the present set.
      *
      * @param tolerance relative residual, (M.53)
      * @return number of iterations
-     * @throw ComputationError if there are too many
+     * @throw ComputationError if there are too many, or if the residual of the
+     *   solution is above twice the tolerance
      */
     unsigned int
-    solve(const double tolerance);
+    solve(const double tolerance, const Measure measure = Measure::of_terms);
 
     /** Pressures of the solution at the active nodes, else 0; (M.54). */
     void
@@ -76,6 +110,20 @@ namespace ThermoContact
     unknowns(const Field::Block field) const
     {
       return solution.block(field);
+    }
+
+    /** What is left of the rows (M.50), without contact. */
+    const Vector &
+    unsolved(const Field::Block field) const
+    {
+      return residual.block(field);
+    }
+
+    /** $\tau$ of the present stage. */
+    double
+    length() const
+    {
+      return tau;
     }
 
     const MultigridLevels<dim> &
@@ -95,24 +143,49 @@ namespace ThermoContact
     std::vector<double> known_penetration;
     std::vector<bool>   is_active;
     ContactRows         contact;
-    BlockVector         rhs;      ///< without contact
-    BlockVector         solution; ///< $(\tau\theta',v)$
-    BlockVector         residual; ///< without contact
-    BlockVector         weights;  ///< of the residuals
+    BlockVector         rhs;                  ///< without contact
+    BlockVector         solution;             ///< $(\tau\theta',v)$
+    BlockVector         residual;             ///< without contact
+    bool                has_residual = false; ///< it is that of the solution
+    BlockVector         weights;              ///< of the residuals
     BlockVector         inverse_weights;
     BlockVector         correction;
     BlockVector         scaled_residual;
+
+    double largest_residual = 0.; ///< of the present stage, at the start
 
     /** Makes residuals relative: one over the size of the terms of a row. */
     void
     set_weights(const State &known);
 
+    /** Springs and held nodes, and preconditioners that heed them. */
+    void
+    set_rows(const std::vector<bool> &is_active);
+
     /** @p y = the matrix of the stage without contact times @p x. */
     void
     apply(BlockVector &y, const BlockVector &x) const;
 
+    /** If it is not there. */
     void
     compute_residual();
+
+    /**
+     * The residual of the present set, with contact and scaled.
+     *
+     * @return what rounding of springs contributes to its norm
+     */
+    double
+    compute_scaled_residual();
+
+    /** Improves the solution until the estimate of GMRES is small enough. */
+    unsigned int
+    add_correction(const double tolerance);
+
+    [[noreturn]] void
+    give_up(const double       residual,
+            const double       tolerance,
+            const unsigned int n_iterations) const;
 
     class Matrix;
     class Preconditioner;

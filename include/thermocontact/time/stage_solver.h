@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ThermoContact
@@ -24,7 +25,21 @@ namespace ThermoContact
     std::vector<double> exchange_coefficient; ///< $k_i$ there
     std::vector<bool>   is_held; ///< in: nodes that stay closed; empty: none
     unsigned int        n_iterations = 0; ///< active sets or fixed point
-    std::string         failure;          ///< empty: solved
+
+    /** Power of what a linear solver has left unsolved, (M.65). */
+    double algebraic_power = 0.;
+
+    std::string failure; ///< empty: solved
+
+    /** What a solver begins with: no pressures, nothing of the last stage. */
+    void
+    start(const State &known)
+    {
+      failure.clear();
+      n_iterations = 0;
+      pressure.assign(known.contact_pressure.size(), 0.);
+      exchange_coefficient = known.exchange_coefficient;
+    }
   };
 
 
@@ -32,9 +47,11 @@ namespace ThermoContact
   /** What a run has spent. */
   struct SolverCounters
   {
+    /** Factors, or preconditioners of a stage length or of a set of nodes. */
     unsigned int factorizations = 0;
-    unsigned int solves         = 0; ///< back-substitutions of stages
-    unsigned int responses      = 0; ///< back-substitutions for $W$
+
+    unsigned int solves    = 0; ///< linear problems of stages
+    unsigned int responses = 0; ///< back-substitutions for $W$
 
     unsigned int linear_iterations     = 0; ///< of Krylov, added up
     unsigned int max_linear_iterations = 0; ///< of one linear system
@@ -82,11 +99,14 @@ namespace ThermoContact
     /** Whether the response to pressures is known for them. */
     std::vector<bool> has_response;
 
+    /** The set of contact nodes that is factorised, too; empty: none. */
+    std::vector<std::vector<bool>> active_sets;
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &counters &taus &has_response;
+      archive &counters &taus &has_response &active_sets;
     }
   };
 
@@ -112,8 +132,10 @@ namespace ThermoContact
      *   branches, which makes the stage linear
      * @param rates out; its vectors have been given their layout by the caller;
      *   a stage that did not converge has a non-empty failure
-     * @throw ComputationError if a matrix cannot be factorised or the active
-     *   set of several contact nodes does not settle
+     * @throw ComputationError if a matrix cannot be factorised, iterations of a
+     *   linear problem do not converge, the active set of several contact nodes
+     *   does not settle, or no heat exchange coefficients are found that go
+     * with the contact
      */
     virtual void
     solve(const State  &known,
@@ -146,9 +168,23 @@ namespace ThermoContact
                  State & /*difference*/)
     {}
 
-    /** Number of unknowns of the largest matrix that is factorised. */
+    /** Unknowns of the largest matrix that is factorised; 0: there is none. */
     virtual types::global_dof_index
     n_factorized_unknowns() const = 0;
+
+    /** How linear systems are solved, in one word or two. */
+    virtual std::string
+    linear_solver() const
+    {
+      return "direct";
+    }
+
+    /** What the user is to know of the stages since the last call. */
+    std::vector<std::string>
+    take_warnings()
+    {
+      return std::exchange(warnings, {});
+    }
 
     const SolverCounters &
     counters() const
@@ -168,7 +204,8 @@ namespace ThermoContact
     restore(const RetainedFactorizations &retained) = 0;
 
   protected:
-    SolverCounters counters_;
+    SolverCounters           counters_;
+    std::vector<std::string> warnings;
   };
 
 

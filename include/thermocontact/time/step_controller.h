@@ -65,18 +65,33 @@ namespace ThermoContact
 
 
 
+  /** The sizes that error-controlled steps may have, and how they change. */
+  struct StepLadder
+  {
+    /** n of the powers of $2^{1/n}$: more than 1 if factors are cheap. */
+    unsigned int rungs_per_octave = 4;
+
+    /**
+     * A size stays for many steps, as on a ladder of powers of two: the last
+     * error but one says nothing then.
+     */
+    bool keeps_sizes = false;
+  };
+
+
+
   /**
    * Chooses the time steps. Arithmetic only.
    *
    * Fixed steps end at the multiples of $\Delta t$, so that rounding does not
    * accumulate. Error-controlled steps are accepted if their error is not
    * above the tolerance; the next size follows from the last two errors
-   * (Gustafsson's PI controller), rounded down to a power of $2^{1/n}$ so that
-   * sizes, and their factorisations, come back. Steps of both kinds are
-   * shortened to end at $T$, at a contact event, where loads are not smooth, at
-   * output times if these are to be hit; error-controlled steps besides to what
-   * the loads allow. The size from which the next step is derived is not
-   * affected.
+   * (Gustafsson's PI controller), or from the last one where sizes are to be
+   * kept, rounded down to a rung of the ladder so that sizes, and their
+   * factorisations, come back. Steps of both kinds are shortened to end at $T$,
+   * at a contact event, where loads are not smooth, at output times if these
+   * are to be hit; error-controlled steps besides to what the loads allow. The
+   * size from which the next step is derived is not affected.
    */
   class StepController
   {
@@ -84,13 +99,12 @@ namespace ThermoContact
     /**
      * @param output whose intervals steps may have to end on
      * @param order of the scheme, for error-controlled steps
-     * @param rungs_per_octave n: four where a factorisation costs as much as
-     *   a step or less, fewer where it costs more
+     * @param ladder of error-controlled steps
      */
     StepController(const TimeParameters   &time,
                    const OutputParameters &output,
                    const unsigned int      order,
-                   const unsigned int      rungs_per_octave = 4);
+                   const StepLadder       &ladder = {});
 
     /** Steps are to follow these loads. */
     void
@@ -167,15 +181,15 @@ namespace ThermoContact
     bool
     is_exhausted(const TimeStep &step, const double time) const;
 
-    /** What changes during a run, for checkpoints. */
+    /**
+     * What an accepted step leaves to the next, for checkpoints: rejections
+     * and events that are aimed at are forgotten with accept().
+     */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      bool   is_aimed = event_time.has_value();
-      double aim      = event_time.value_or(0.);
-      archive &size &last_error &was_rejected &is_restarting &is_aimed &aim;
-      event_time = is_aimed ? std::optional<double>(aim) : std::nullopt;
+      archive &size &last_error &is_restarting;
     }
 
   private:
@@ -185,7 +199,7 @@ namespace ThermoContact
     const double        minimum_size;
     const double        maximum_size;
     const unsigned int  order;
-    const unsigned int  rungs_per_octave;
+    const StepLadder    ladder;
     std::vector<double> landing_intervals;
     LoadHistory         loads;
 
@@ -210,13 +224,12 @@ namespace ThermoContact
     rung_below(const double value) const;
 
     /**
-     * Ratio of sizes after a step with this error on a ladder of powers of
-     * two. A size stays for many steps there, so that the last error but one
-     * says nothing: a size is doubled if the error leaves room for it, kept as
-     * long as steps are accepted with some margin.
+     * Ratio of sizes after a step with this error where sizes are to be kept:
+     * a size is doubled if the error leaves room for it, kept as long as steps
+     * are accepted with some margin.
      */
     double
-    coarse_factor(const double error) const;
+    keeping_factor(const double error) const;
 
     void
     set_size(const double value);

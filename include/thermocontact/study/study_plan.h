@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_study_study_plan_h
+#define thermocontact_study_study_plan_h
+
+#include <thermocontact/input/parameter_file.h>
+#include <thermocontact/input/parameters.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** Paths "Section/Entry" and the values that they have in one run. */
+  using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+
+
+  /**
+   * The runs of a study, numbered from 0: all combinations of the values of
+   * Study/Vary, set after set, the last entry of a set varying fastest. They
+   * are counted, not built.
+   */
+  class StudyPlan
+  {
+  public:
+    /** More are most likely a misprint, and weeks. */
+    static constexpr unsigned int max_runs = 100000;
+
+    /**
+     * Reads the notation and checks each entry and each value by itself, so
+     * that a misprint is an error of the study and no failed run.
+     *
+     * @param assignments of the parameter file and the command line
+     * @throw InputError on a notation that cannot be read, an unknown entry, a
+     *   value that does not fit, an entry of section Study or Output/Directory,
+     *   too many runs, a reference that cannot run or ends before a run does
+     */
+    StudyPlan(const std::vector<Assignment> &assignments,
+              const StudyParameters         &parameters);
+
+    unsigned int
+    n_runs() const
+    {
+      return first_runs.back();
+    }
+
+    unsigned int
+    n_sets() const
+    {
+      return sets.size();
+    }
+
+    /** Number of the set that @p run belongs to, from 0. */
+    unsigned int
+    set_of(const unsigned int run) const;
+
+    /** What @p run overrides in the scene, in the order of Study/Vary. */
+    Overrides
+    overrides(const unsigned int run) const;
+
+    /** Paths of all entries that are varied, in the order of their names'
+     * first use. */
+    const std::vector<std::string> &
+    varied() const
+    {
+      return varied_;
+    }
+
+    /** Values of the entries varied() in @p run. */
+    std::vector<std::string>
+    entries(const unsigned int run) const;
+
+    /** What the reference overrides; none: there is no reference. */
+    const std::optional<Overrides> &
+    reference() const
+    {
+      return reference_;
+    }
+
+    /**
+     * Reads and checks the scene with @p overrides.
+     *
+     * @param scene filled
+     * @param prm empty; bound to @p scene
+     * @throw InputError if an entry is overridden twice or without effect, or
+     *   the scene cannot be run
+     */
+    void
+    read_scene(const Overrides  &overrides,
+               Parameters       &scene,
+               ParameterHandler &prm) const;
+
+  private:
+    /** An entry and the values that it is to have, one after the other. */
+    struct Variation
+    {
+      std::string              path;
+      std::vector<std::string> values;
+    };
+
+    const std::vector<Assignment>       assignments;
+    std::vector<std::vector<Variation>> sets;
+    std::vector<unsigned int> first_runs; ///< of the sets; at last their end
+    std::vector<std::string>  varied_;
+    std::vector<std::string>  own_entries; ///< the scene's values of varied_
+    std::optional<Overrides>  reference_;
+    double                    longest = 0.; ///< largest Time/End time
+
+    static Variation
+    read_variation(const std::string &entry, const std::string &text);
+
+    void
+    read_sets(const std::string &vary);
+
+    void
+    read_reference(const std::string &text);
+
+    /** Each value by itself. */
+    void
+    check_values();
+
+    /** @throw InputError if it cannot run, or ends before the longest run */
+    void
+    check_reference() const;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_study_study_run_h
+#define thermocontact_study_study_run_h
+
+#include <thermocontact/base/interruption.h>
+#include <thermocontact/report/key_results.h>
+#include <thermocontact/study/study_plan.h>
+#include <thermocontact/study/trajectory.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** What a run of a study cost and what came out. */
+  struct StudyRun
+  {
+    std::string         failure; ///< empty: done
+    unsigned int        n_dofs           = 0;
+    unsigned int        n_steps          = 0;
+    unsigned int        n_rejected_steps = 0;
+    unsigned int        n_factorizations = 0;
+    unsigned int        n_solves         = 0;
+    std::vector<double> loop_seconds; ///< of each repetition, in order of size
+    Trajectory          trajectory;
+    std::optional<Trajectory::Difference> error; ///< none without reference
+
+    /** As key_results(); none of a run that failed. */
+    std::optional<std::array<double, n_key_results>> key_results;
+  };
+
+
+
+  /**
+   * Runs one scene of a study, on this rank alone.
+   *
+   * @param n_repetitions of the same run, for its time
+   * @param directory where the run leaves all its files; empty: it leaves none
+   * @param signals a signal ends the run
+   * @return what came out; a run that cannot be made or fails says so there
+   * @throw Interruption if a signal has come
+   */
+  StudyRun
+  execute(const StudyPlan   &plan,
+          const Overrides   &overrides,
+          const unsigned int n_repetitions,
+          const std::string &directory,
+          const SignalWatch &signals);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_time_contact_node_problem_h
+#define thermocontact_time_contact_node_problem_h
+
+#include <thermocontact/space/body.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * Values of the nodes of the contact end, all others being given, with
+   * pressures of unilateral contact there: $Kx=f-wp$ with a multiple $K$ of the
+   * stiffness between the nodes. For as many nodes as there may be: active sets
+   * and conjugate gradients, with products of the cells at the end alone.
+   *
+   * Vectors of numbers have one for each of all nodes, those of pressures one
+   * for each node that can meet the obstacle. All of it is collective.
+   */
+  template <int dim>
+  class ContactNodeProblem
+  {
+  public:
+    /**
+     * @param body borrowed; it has no matrices
+     * @param factor of the stiffness
+     */
+    ContactNodeProblem(const Body<dim> &body, const double factor);
+
+    /**
+     * Changes @p x by which the nodes come into equilibrium.
+     *
+     * @param load $f$ before the change
+     * @param penetration before the change
+     * @param can_touch nodes that may have a pressure
+     * @param pressure in: a guess; out: the solution
+     * @throw ComputationError if the active set does not settle
+     */
+    std::vector<double>
+    solve(const std::vector<double> &load,
+          const std::vector<double> &penetration,
+          const std::vector<bool>   &can_touch,
+          std::vector<double>       &pressure);
+
+    /** The same for the active set that was found, whatever the pressures. */
+    std::vector<double>
+    solve_for_same_set(const std::vector<double> &load,
+                       const std::vector<double> &penetration);
+
+    /** The product of the conjugate gradients. */
+    void
+    vmult(dealii::Vector<double> &y, const dealii::Vector<double> &x) const;
+
+  private:
+    const Body<dim>    &body;
+    const double        factor;
+    std::vector<bool>   is_active;
+    std::vector<double> diagonal; ///< of K
+    mutable Vector      values;
+    mutable Vector      forces;
+
+    bool
+    is_held(const unsigned int node) const
+    {
+      return is_active[node] && body.law().is_rigid();
+    }
+
+    /** Of the obstacle, per displacement of the node. */
+    double
+    spring(const unsigned int node) const;
+
+    /** K times values of the nodes. */
+    std::vector<double>
+    product(const std::vector<double> &x) const;
+
+    /** Whether nodes leave or join the set; one only if asked so. */
+    bool
+    update_set(const std::vector<bool>   &can_touch,
+               const std::vector<double> &pressure,
+               const std::vector<double> &reach,
+               const bool                 only_the_first);
+  };
+} // namespace ThermoContact
+
+#endif

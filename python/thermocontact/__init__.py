@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs thermocontact from Python and reads what it writes.
+
+    import thermocontact
+    run = thermocontact.run({"Contact/Compliance": 0.1},
+                            base="prm/paper/experiment-1.prm")
+    run.contact["contact_force"].max(), run.summary["first_contact_time"]
+
+Entries are named "Section/Entry" as in doc/parameters.md; values are numbers, truths
+or texts. A study is a run with "Study/Vary". numpy is needed, pandas and meshio are
+used where they are asked for. Numbers are those of the files, nondimensional, but for
+those of Units, which turns a rod in SI units into a scene and results back.
+"""
+
+from .errors import ComputationError, Error, InputError
+from .program import find_program, run
+from .results import Run, Study, read
+from .table import Table, read_table
+from .units import Units, read_units
+
+__all__ = ["ComputationError", "Error", "InputError", "Run", "Study", "Table", "Units",
+           "find_program", "read", "read_table", "read_units", "run"]

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Calls the program."""
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from .errors import ComputationError, Error, InputError
+from .results import read
+
+
+def find_program():
+    """The program: $THERMOCONTACT, that of the build beside this module, or in PATH."""
+    build = Path(__file__).resolve().parents[2] / "build/release/thermocontact"
+    candidates = [os.environ.get("THERMOCONTACT"), build, shutil.which("thermocontact")]
+    for candidate in candidates:
+        if candidate and os.access(candidate, os.X_OK):
+            return str(candidate)
+    raise Error("thermocontact is not built: call scripts/build Release, or set the "
+                "environment variable THERMOCONTACT to the program")
+
+
+def _word(value):
+    """A value as a parameter file has it."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return value
+    try:
+        return repr(float(value)) if int(value) != value else str(int(value))
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(f"{value!r} is no number, truth or text") from None
+
+
+def command_of(program, entries):
+    """The program with options for entries, a dict {"Section/Entry": value}."""
+    command = [program]
+    for path, value in (entries or {}).items():
+        command += ["--set", f"{path}={_word(value)}"]
+    return command
+
+
+def _report(line, progress):
+    """Calls progress with the part that is done, from a line of the screen."""
+    percent = re.match(r" +(\d+) %  ", line)
+    runs = re.match(r"  run +(\d+)/(\d+)  ", line)
+    if percent:
+        progress(int(percent[1]) / 100, line.strip())
+    elif runs:
+        progress(int(runs[1]) / int(runs[2]), line.strip())
+
+
+def _temporary_result(directory, temporary):
+    try:
+        return read(directory, temporary)
+    except Error:
+        return None
+
+
+def run(entries=None, base=None, output=None, progress=None, resume=False, ranks=1,
+        program=None):
+    """Runs a scene or a study and returns its Run or Study.
+
+    entries: a dict {"Section/Entry": value} that overrides the base.
+    base: a parameter file; None: the defaults, which are the paper's experiment 1.
+    output: the directory of the files; None: a temporary one, removed with the result.
+    progress: called with the part that is done, 0 to 1, and a line of text.
+    resume: go on with the run or study in output.
+    Raises InputError or ComputationError with the program's message.
+    """
+    temporary = None if output else tempfile.TemporaryDirectory(prefix="thermocontact-")
+    with tempfile.TemporaryDirectory() as scratch:
+        if base is None:
+            base = Path(scratch) / "scene.prm"
+            base.write_text("# defaults\n", encoding="utf-8")
+        directory = Path(output) if output else Path(temporary.name) / "run"
+        command = [*command_of(program or find_program(), entries), "--output",
+                   str(directory), *["--resume"] * bool(resume), str(base)]
+        if ranks > 1:
+            command = ["mpirun", "-n", str(ranks), *command]
+        with tempfile.TemporaryFile("w+") as messages:
+            with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=messages,
+                                  text=True) as process:
+                for line in process.stdout:
+                    if progress:
+                        _report(line, progress)
+            messages.seek(0)
+            message = messages.read().partition("thermocontact: ")[2].strip()
+    if process.returncode == 2:
+        raise InputError(message)
+    if process.returncode != 0:
+        raise ComputationError(message or f"exit status {process.returncode}",
+                               _temporary_result(directory, temporary))
+    return read(directory, temporary)

@@ -1,0 +1,165 @@
+"""What a study's runs came to over what it varies: part of scripts/plot."""
+
+import argparse
+import math
+
+from plot_common import fail, looks, new_figure, plain, read_rows, title_of
+from plot_study import MARKERS, NO_WORD
+
+RESULTS = {"first_contact_time": "time of the first contact",
+           "contact_begins": "number of contacts",
+           "contact_duration": "time in contact",
+           "max_contact_force": "largest contact force",
+           "max_penetration": "largest penetration",
+           "contact_impulse": "contact impulse",
+           "restitution": "coefficient of restitution",
+           "final_displacement_end": r"final displacement  $u(1, T)$",
+           "final_temperature_end": r"final temperature  $\theta(1, T)$",
+           "reached_state_of_rest": "state of rest"}
+LEAST_MAP = 4  # values of each of two entries from which on there is a map
+
+
+def number(word):
+    try:
+        value = float(word)
+    except ValueError:
+        return math.nan
+    return value if math.isfinite(value) else math.nan
+
+
+def read_sweep(path):
+    """Title, varied entries, and the runs that are done: words by column."""
+    comments, header, rows = read_rows(path, ["run", "status"])
+    runs = [dict(zip(header, row)) for _, row in rows]
+    done = [run for run in runs if run["status"] == "done"]
+    return argparse.Namespace(
+        path=path, title=title_of(comments) or path.parent.resolve().name,
+        varied=header[header.index("run") + 1:header.index("status")],
+        n_runs=len(runs), runs=done,
+        results=[name for name in RESULTS if name in header and any(
+            not math.isnan(number(run[name])) for run in done)])
+
+
+def numeric(sweep):
+    """Varied entries with several values, all of them numbers, most first."""
+    values = {name: {run[name] for run in sweep.runs} for name in sweep.varied}
+    names = [name for name in sweep.varied if len(values[name]) > 1
+             and not any(math.isnan(number(word)) for word in values[name])]
+    return sorted(names, key=lambda name: -len(values[name]))
+
+
+def wanted(path):
+    """Whether there is something to draw."""
+    sweep = read_sweep(path)
+    return bool(sweep.results and numeric(sweep))
+
+
+def scale_of(values):
+    """Logarithmic for positive values over more than a decade and a half."""
+    low, high = min(values), max(values)
+    return "log" if low > 0 and high > 30 * low else "linear"
+
+
+def curves_of(sweep, axis):
+    """Runs by label, a curve for each combination of the other entries."""
+    others = [name for name in sweep.varied if name != axis
+              and len({run[name] for run in sweep.runs}) > 1]
+    curves = {}
+    for run in sweep.runs:
+        words = [f"{name.split('/')[-1].lower()} {run[name]}"
+                 if NO_WORD.match(run[name]) else run[name] for name in others]
+        curves.setdefault(", ".join(words), []).append(run)
+    for runs in curves.values():
+        runs.sort(key=lambda run: number(run[axis]))
+    return curves
+
+
+def entry_label(name):
+    return name.split("/")[-1].lower()
+
+
+def draw_curves(figure, sweep, results, axis):
+    curves = curves_of(sweep, axis)
+    if len(curves) > 12:
+        fail(sweep.path, f"{len(curves)} curves cannot be told apart",
+             "vary fewer entries in one study, or two with a number each")
+    columns = min(3, len(results))
+    rows = math.ceil(len(results) / columns)
+    beside = max(1, min(4, 110 // (8 + max(len(label) for label in curves))))
+    below = math.ceil(len(curves) / beside) * any(curves)
+    grid = figure.add_gridspec(rows + 1, columns,
+                               height_ratios=[12] * rows + [0.1 + below])
+    for k, name in enumerate(results):
+        panel = figure.add_subplot(grid[divmod(k, columns)])
+        for i, (label, runs) in enumerate(curves.items()):
+            points = [(number(run[axis]), number(run[name])) for run in runs]
+            points = [point for point in points if not math.isnan(point[1])]
+            panel.plot([x for x, _ in points], [y for _, y in points],
+                       label=plain(label, 90), markersize=4,
+                       marker=MARKERS[i % len(MARKERS)], **looks(i))
+        panel.set_xscale(scale_of([number(run[axis]) for run in sweep.runs]))
+        panel.set_xlabel(entry_label(axis))
+        panel.set_ylabel(RESULTS[name])
+    legend = figure.add_subplot(grid[rows, :])
+    legend.axis("off")
+    if below:
+        legend.legend(*panel.get_legend_handles_labels(), ncol=beside,
+                      loc="upper center", borderaxespad=0, fontsize=10)
+
+
+def draw_maps(figure, sweep, results, axes):
+    """A map over two entries, a cell of equal size for each pair of values; what
+    is missing is white."""
+    xs, ys = (sorted({run[name] for run in sweep.runs}, key=number)
+              for name in axes)
+    columns = min(2, len(results))
+    panels = figure.subplots(math.ceil(len(results) / columns), columns,
+                             squeeze=False).flat
+    for panel, name in zip(panels, results):
+        values = [[math.nan] * len(xs) for _ in ys]
+        for run in sweep.runs:
+            values[ys.index(run[axes[1]])][xs.index(run[axes[0]])] = number(
+                run[name])
+        cells = panel.pcolormesh(range(len(xs)), range(len(ys)), values,
+                                 shading="nearest", cmap="viridis",
+                                 rasterized=True)
+        panel.grid(False)
+        for ticks, words, vertical in ((panel.set_xticks, xs, len(xs) > 6),
+                                       (panel.set_yticks, ys, False)):
+            shown = range(0, len(words), 1 + len(words) // 20)
+            ticks(shown, [words[i] for i in shown], rotation=90 * vertical)
+        panel.set_xlabel(entry_label(axes[0]))
+        panel.set_ylabel(entry_label(axes[1]))
+        figure.colorbar(cells, ax=panel, label=RESULTS[name])
+    for panel in list(panels)[len(results):]:
+        panel.axis("off")
+
+
+def draw(path, result):
+    """result: one key result; None: all that differ between runs."""
+    sweep = read_sweep(path)
+    names = numeric(sweep)
+    if not names:
+        fail(path, "no varied entry has several values that are numbers, of "
+             "runs that are done", "vary one")
+    if result and result not in sweep.results:
+        fail(path, f"no run has a {result}", "draw another result")
+    differing = [name for name in sweep.results
+                 if len({run[name] for run in sweep.runs}) > 1]
+    results = [result] if result else differing or sweep.results
+    count = {name: len({run[name] for run in sweep.runs}) for name in names}
+    others = [name for name in sweep.varied if name not in names[:2]
+              and len({run[name] for run in sweep.runs}) > 1]
+    is_map = len(names) > 1 and count[names[1]] >= LEAST_MAP and not others
+    columns = min(2 if is_map else 3, len(results))
+    figure = new_figure(3.6 * columns + 0.8,
+                        2.9 * math.ceil(len(results) / columns) + 0.8)
+    left_out = sweep.n_runs - len(sweep.runs)
+    figure.suptitle(plain(sweep.title, 90) + (
+        f"\n{left_out} of {sweep.n_runs} runs failed: not drawn"
+        if left_out else ""))
+    if is_map:
+        draw_maps(figure, sweep, results, names[:2])
+    else:
+        draw_curves(figure, sweep, results, names[0])
+    return figure

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/scene/scene_checks.h>
+#include <thermocontact/study/study_plan.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <set>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    const char *const notation =
+      "\n  allowed: Section/Entry = value | value ; Section/Entry = value | ...";
+
+
+
+    /** The parts of @p text between separators, trimmed. */
+    std::vector<std::string>
+    split_at(const std::string &text, const std::string &separator)
+    {
+      std::vector<std::string> parts;
+      std::size_t              begin = 0;
+      while (true)
+        {
+          const auto end = text.find(separator, begin);
+          parts.push_back(
+            dealii::Utilities::trim(text.substr(begin, end - begin)));
+          if (end == std::string::npos)
+            return parts;
+          begin = end + separator.size();
+        }
+    }
+
+
+
+    /** The value of an entry "Section/Entry". */
+    std::string
+    value_of(const std::string &path, ParameterHandler &prm)
+    {
+      const auto slash = path.find('/');
+      if (slash == std::string::npos)
+        return prm.get(path);
+      prm.enter_subsection(path.substr(0, slash));
+      const std::string value = prm.get(path.substr(slash + 1));
+      prm.leave_subsection();
+      return value;
+    }
+
+
+
+    /** The value of @p path among overrides, or nothing. */
+    std::optional<std::string>
+    find_override(const Overrides &overrides, const std::string &path)
+    {
+      for (const auto &[name, value] : overrides)
+        if (name == path)
+          return value;
+      return {};
+    }
+  } // namespace
+
+
+
+  StudyPlan::StudyPlan(const std::vector<Assignment> &assignments,
+                       const StudyParameters         &parameters)
+    : assignments(assignments)
+  {
+    read_sets(parameters.vary);
+    if (parameters.reference != "none")
+      read_reference(parameters.reference);
+    else if (parameters.target_error > 0.)
+      throw InputError("Study/Target error: there is no reference to "
+                       "measure errors against\n  remedy:  Study/Reference "
+                       "= Time/Tolerance = 1e-9, or another run that is "
+                       "much more accurate");
+    check_values();
+    if (reference_)
+      check_reference();
+  }
+
+
+
+  StudyPlan::Variation
+  StudyPlan::read_variation(const std::string &entry, const std::string &text)
+  {
+    const auto fail = [&](const std::string &fault) {
+      throw InputError("Study/" + entry + ": " + fault + " in '" + quote(text) +
+                       "'" + notation);
+    };
+    const auto equal_sign = text.find('=');
+    if (equal_sign == std::string::npos)
+      fail("no '='");
+    const Variation variation = {dealii::Utilities::trim(
+                                   text.substr(0, equal_sign)),
+                                 split_at(text.substr(equal_sign + 1), "|")};
+    if (variation.path.empty() || variation.path.back() == '/')
+      fail("no entry before '='");
+    if (variation.path.rfind("Study/", 0) == 0 ||
+        variation.path == "Output/Directory")
+      fail("an entry that is the study's own");
+    for (const std::string &value : variation.values)
+      if (value.empty())
+        fail("an empty value");
+    return variation;
+  }
+
+
+
+  void
+  StudyPlan::read_sets(const std::string &vary)
+  {
+    double n_all = 0.;
+    for (const std::string &set : split_at(vary, ";;"))
+      {
+        first_runs.push_back(n_all);
+        sets.emplace_back();
+        double                n = 1.;
+        std::set<std::string> paths;
+        for (const std::string &text : split_at(set, ";"))
+          {
+            sets.back().push_back(read_variation("Vary", text));
+            const std::string &path = sets.back().back().path;
+            n *= sets.back().back().values.size();
+            if (!paths.insert(path).second)
+              throw InputError("Study/Vary: " + quote(path) +
+                               " twice in one run\n  remedy:  name each entry "
+                               "once");
+            if (std::find(varied_.begin(), varied_.end(), path) ==
+                varied_.end())
+              varied_.push_back(path);
+          }
+        n_all += n;
+        if (n_all > max_runs)
+          {
+            std::ostringstream message;
+            message << "Study/Vary: " << n_all
+                    << " runs or more\n  allowed: at most " << max_runs
+                    << "\n  remedy:  fewer values, or several studies";
+            throw InputError(message.str());
+          }
+      }
+    first_runs.push_back(n_all);
+  }
+
+
+
+  void
+  StudyPlan::read_reference(const std::string &text)
+  {
+    reference_.emplace();
+    for (const std::string &part : split_at(text, ";"))
+      {
+        const Variation variation = read_variation("Reference", part);
+        if (variation.values.size() > 1)
+          throw InputError("Study/Reference: several values in '" +
+                           quote(part) + "'\n  allowed: one value per entry");
+        if (find_override(*reference_, variation.path))
+          throw InputError("Study/Reference: " + quote(variation.path) +
+                           " twice in one run\n  remedy:  name each entry "
+                           "once");
+        reference_->emplace_back(variation.path, variation.values[0]);
+      }
+  }
+
+
+
+  void
+  StudyPlan::check_values()
+  {
+    Parameters       scene;
+    ParameterHandler prm;
+    scene.add_parameters(prm);
+    assign_entries(assignments, prm);
+    const double own_end_time = scene.time.end_time;
+    for (const auto &variations : sets)
+      {
+        double end_time = own_end_time;
+        for (const Variation &variation : variations)
+          for (const std::string &value : variation.values)
+            {
+              assign_entries({{"Study/Vary", variation.path, value}}, prm);
+              if (variation.path == "Time/End time")
+                end_time = &value == &variation.values[0] ?
+                             scene.time.end_time :
+                             std::max(end_time, scene.time.end_time);
+            }
+        longest = std::max(longest, end_time);
+      }
+    Parameters       own;
+    ParameterHandler own_prm;
+    own.add_parameters(own_prm);
+    assign_entries(assignments, own_prm);
+    for (const std::string &path : varied_)
+      own_entries.push_back(value_of(path, own_prm));
+  }
+
+
+
+  void
+  StudyPlan::check_reference() const
+  {
+    Parameters       scene;
+    ParameterHandler prm;
+    try
+      {
+        read_scene(*reference_, scene, prm);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(std::string("Study/Reference: ") + error.what());
+      }
+    if (scene.time.end_time < longest)
+      throw InputError(
+        "Study/Reference: it ends at t = " + value_of("Time/End time", prm) +
+        ", before the longest run\n  remedy:  give it the "
+        "largest Time/End time of all runs");
+  }
+
+
+
+  unsigned int
+  StudyPlan::set_of(const unsigned int run) const
+  {
+    return std::upper_bound(first_runs.begin(), first_runs.end(), run) -
+           first_runs.begin() - 1;
+  }
+
+
+
+  Overrides
+  StudyPlan::overrides(const unsigned int run) const
+  {
+    const unsigned int set = set_of(run);
+    unsigned int       n   = run - first_runs[set];
+    Overrides          result;
+    for (auto v = sets[set].rbegin(); v != sets[set].rend(); ++v)
+      {
+        result.emplace_back(v->path, v->values[n % v->values.size()]);
+        n /= v->values.size();
+      }
+    std::reverse(result.begin(), result.end());
+    return result;
+  }
+
+
+
+  std::vector<std::string>
+  StudyPlan::entries(const unsigned int run) const
+  {
+    const Overrides          present = overrides(run);
+    std::vector<std::string> values;
+    for (unsigned int i = 0; i < varied_.size(); ++i)
+      values.push_back(
+        find_override(present, varied_[i]).value_or(own_entries[i]));
+    return values;
+  }
+
+
+
+  void
+  StudyPlan::read_scene(const Overrides  &overrides,
+                        Parameters       &scene,
+                        ParameterHandler &prm) const
+  {
+    const std::string place =
+      reference_ && overrides == *reference_ ? "Study/Reference" : "Study/Vary";
+    std::vector<Assignment> all;
+    for (const Assignment &assignment : assignments)
+      if (!find_override(overrides, assignment.path))
+        all.push_back(assignment);
+    for (const auto &[path, value] : overrides)
+      all.push_back({place, path, value});
+    scene.add_parameters(prm);
+    assign_entries(all, prm);
+    for (const auto &unused : unused_entries(scene))
+      if (const auto value = find_override(overrides, unused.path))
+        throw InputError(unused.path + " = " + *value +
+                         " has no effect, since " + unused.reason);
+    check_scene(scene);
+  }
+} // namespace ThermoContact

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/output/output.h>
+#include <thermocontact/output/output_directory.h>
+#include <thermocontact/report/summary.h>
+#include <thermocontact/scene/scene_checks.h>
+#include <thermocontact/simulation/simulation.h>
+#include <thermocontact/study/study_run.h>
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** What used.prm of a single run leaves out: the study is not its own. */
+    std::set<std::string>
+    foreign_entries(const Parameters &scene)
+    {
+      std::set<std::string> paths = {"Study/Vary",
+                                     "Study/Reference",
+                                     "Study/Repetitions",
+                                     "Study/Target error",
+                                     "Study/Keep files"};
+      for (const auto &unused : unused_entries(scene))
+        paths.insert(unused.path);
+      return paths;
+    }
+
+
+
+    /** Runs a scene once. */
+    template <int dim>
+    void
+    run_scene(const Parameters  &parameters,
+              const std::string &directory,
+              const SignalWatch &signals,
+              StudyRun          &run)
+    {
+      RunTimes        times;
+      const Timer     since_start;
+      Simulation<dim> simulation(parameters, MPI_COMM_SELF);
+      times.set_up = since_start.wall_time();
+      std::unique_ptr<Output<dim>> output;
+      run.trajectory                                = Trajectory();
+      typename Simulation<dim>::Observers observers = {
+        [&](const Simulation<dim> &s) {
+          run.trajectory.add(s.record());
+          for (const StepAttempt &attempt : s.history().attempts)
+            times.steps += attempt.wall_seconds;
+          if (const int signal = signals.signal())
+            throw Interruption(name_of_signal(signal));
+        }};
+      if (!directory.empty())
+        {
+          output = std::make_unique<Output<dim>>(directory, simulation);
+          observers.push_back(
+            [&](const Simulation<dim> &s) { output->observe(s); });
+        }
+
+      const Timer timer;
+      const auto  finish = [&](const std::string &status) {
+        times.output = output ? output->output_seconds() : 0.;
+        times.loop   = timer.wall_time() - times.output;
+        times.wall   = since_start.wall_time();
+        run.loop_seconds.push_back(times.loop);
+        run.n_dofs  = simulation.discretization().dof_handler().n_dofs();
+        run.n_steps = simulation.record().step;
+        run.n_rejected_steps = simulation.history().n_rejected_steps;
+        run.n_factorizations = simulation.counters().factorizations;
+        run.n_solves         = simulation.counters().solves;
+        run.trajectory.set_events(simulation.events());
+        if (output)
+          write_summary(directory + "/summary.json", status, simulation, times);
+      };
+      try
+        {
+          simulation.run(observers);
+          if (output)
+            output->finish();
+        }
+      catch (const Interruption &)
+        {
+          throw;
+        }
+      catch (const ComputationError &error)
+        {
+          if (output)
+            output->observe_failure(simulation);
+          finish(std::string("failed: ") + error.what());
+          throw;
+        }
+      finish("done");
+      run.key_results = key_results(simulation);
+    }
+  } // namespace
+
+
+
+  StudyRun
+  execute(const StudyPlan   &plan,
+          const Overrides   &overrides,
+          const unsigned int n_repetitions,
+          const std::string &directory,
+          const SignalWatch &signals)
+  {
+    StudyRun run;
+    try
+      {
+        Parameters       scene;
+        ParameterHandler prm;
+        plan.read_scene(overrides, scene, prm);
+        if (!directory.empty())
+          {
+            prepare_output_directory(directory, MPI_COMM_SELF);
+            write_used_parameters(directory,
+                                  foreign_entries(scene),
+                                  prm,
+                                  MPI_COMM_SELF);
+          }
+        for (unsigned int i = 0; i < n_repetitions; ++i)
+          if (scene.dimension == 1)
+            run_scene<1>(scene, directory, signals, run);
+          else if (scene.dimension == 2)
+            run_scene<2>(scene, directory, signals, run);
+          else
+            run_scene<3>(scene, directory, signals, run);
+      }
+    catch (const Interruption &)
+      {
+        throw;
+      }
+    catch (const std::bad_alloc &)
+      {
+        run.failure = "not enough memory\n  remedy:  a coarser mesh";
+      }
+    catch (const std::exception &error)
+      {
+        run.failure = error.what();
+      }
+    std::sort(run.loop_seconds.begin(), run.loop_seconds.end());
+    return run;
+  }
+} // namespace ThermoContact

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/atomic_file.h>
+#include <thermocontact/base/csv_columns.h>
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/study/study_table.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+
+    double
+    minimum(const std::vector<double> &sorted)
+    {
+      return sorted.empty() ? nan : sorted.front();
+    }
+
+
+
+    double
+    median(const std::vector<double> &sorted)
+    {
+      const auto n = sorted.size();
+      return n == 0 ? nan : 0.5 * (sorted[(n - 1) / 2] + sorted[n / 2]);
+    }
+
+
+
+    Trajectory::Difference
+    error_of(const StudyRun &run)
+    {
+      if (run.error)
+        return *run.error;
+      Trajectory::Difference none;
+      none.maximum.fill(nan);
+      none.final_value.fill(nan);
+      none.first_contact_time = nan;
+      return none;
+    }
+
+
+
+    // study.csv has its errors in this order
+    const Trajectory::Quantity quantities[] = {Trajectory::displacement_end,
+                                               Trajectory::velocity_end,
+                                               Trajectory::contact_force,
+                                               Trajectory::temperature_end};
+
+
+
+    /** What a row of study.csv is made of. */
+    struct StudyRow
+    {
+      unsigned int             number; ///< of the run
+      std::vector<std::string> entries;
+      const StudyRun          &run;
+      Trajectory::Difference   error;
+    };
+
+
+
+    /** A column with a member of StudyRun. */
+    template <typename Value>
+    CsvColumn<StudyRow>
+    run_column(const std::string &name, Value StudyRun::*const member)
+    {
+      return {name, [member](const StudyRow &row) { return row.run.*member; }};
+    }
+
+
+
+    /** A column with an error of a quantity. */
+    CsvColumn<StudyRow>
+    error_column(const std::string &prefix,
+                 Trajectory::Values Trajectory::Difference::*const error,
+                 const Trajectory::Quantity                        quantity)
+    {
+      return {prefix + Trajectory::names[quantity],
+              [error, quantity](const StudyRow &row) {
+                return (row.error.*error)[quantity];
+              }};
+    }
+
+
+
+    /** The columns of study.csv. */
+    CsvColumns<StudyRow>
+    make_columns(const StudyPlan &plan)
+    {
+      const auto maximum     = &Trajectory::Difference::maximum;
+      const auto final_value = &Trajectory::Difference::final_value;
+
+      CsvColumns<StudyRow> columns = {{"run", &StudyRow::number}};
+      for (unsigned int e = 0; e < plan.varied().size(); ++e)
+        columns.emplace_back(plan.varied()[e], [e](const StudyRow &row) {
+          return row.entries[e];
+        });
+      columns.emplace_back("status", [](const StudyRow &row) {
+        return row.run.failure.empty() ? "done" : "failed: " + row.run.failure;
+      });
+      columns.push_back(run_column("dofs", &StudyRun::n_dofs));
+      columns.push_back(run_column("steps", &StudyRun::n_steps));
+      columns.push_back(
+        run_column("rejected_steps", &StudyRun::n_rejected_steps));
+      columns.push_back(
+        run_column("factorizations", &StudyRun::n_factorizations));
+      columns.push_back(run_column("solves", &StudyRun::n_solves));
+      columns.emplace_back("loop_seconds", [](const StudyRow &row) {
+        return minimum(row.run.loop_seconds);
+      });
+      for (const auto q : quantities)
+        columns.push_back(error_column("error_", maximum, q));
+      columns.emplace_back("error_first_contact_time", [](const StudyRow &row) {
+        return row.error.first_contact_time;
+      });
+      columns.push_back(error_column("error_", maximum, Trajectory::energy));
+      columns.emplace_back("loop_seconds_median", [](const StudyRow &row) {
+        return median(row.run.loop_seconds);
+      });
+      for (const auto q : quantities)
+        columns.push_back(error_column("final_error_", final_value, q));
+      columns.push_back(
+        error_column("final_error_", final_value, Trajectory::energy));
+      for (unsigned int k = 0; k < n_key_results; ++k)
+        columns.emplace_back(key_result_names[k], [k](const StudyRow &row) {
+          return row.run.key_results ? (*row.run.key_results)[k] : nan;
+        });
+      return columns;
+    }
+
+
+
+    std::string
+    make_head(const StudyPlan &plan, const std::string &title)
+    {
+      return csv_comments(title) + csv_head(make_columns(plan));
+    }
+
+
+
+    /** The line of names, the last one of a head. */
+    std::string
+    names_in(const std::string &head)
+    {
+      const auto end = head.find_last_of('\n', head.size() - 2);
+      return head.substr(end + 1, head.size() - end - 2);
+    }
+  } // namespace
+
+
+
+  StudyTable::StudyTable(const StudyPlan   &plan,
+                         const std::string &file_name,
+                         const std::string &title)
+    : plan_(plan)
+    , file_name(file_name)
+    , head(make_head(plan, title))
+    , names_(split_row(names_in(head)))
+  {}
+
+
+
+  std::string
+  StudyTable::begin() const
+  {
+    return write_atomically(file_name, head);
+  }
+
+
+
+  std::string
+  StudyTable::append(const unsigned int run, const StudyRun &result) const
+  {
+    std::string row;
+    append_csv_row(make_columns(plan_),
+                   {run, plan_.entries(run), result, error_of(result)},
+                   row);
+    // one call, so that rows of several ranks do not mix
+    const int file  = open(file_name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    const ssize_t n = file < 0 ? -1 : write(file, row.data(), row.size());
+    const int     fault = n < 0 ? errno : ENOSPC;
+    if (file >= 0)
+      close(file);
+    if (n == static_cast<ssize_t>(row.size()))
+      return "";
+    return file_name + ": cannot be written: " + std::strerror(fault) +
+           "\n  remedy:  check free space and rights, then go on with --resume";
+  }
+
+
+
+  std::vector<unsigned int>
+  StudyTable::read_on()
+  {
+    const auto fail = [this](const std::string &what) {
+      throw InputError(file_name + ": " + what +
+                       "\n  remedy:  run without --resume, which begins the "
+                       "study anew, or give another Output/Directory");
+    };
+    std::ifstream             file(file_name);
+    std::vector<unsigned int> numbers;
+    std::string               line;
+    if (n_read == 0)
+      {
+        do
+          std::getline(file, line);
+        while (file && !line.empty() && line[0] == '#');
+        if (line != names_in(head))
+          fail("its columns are not those of this study");
+        n_read = file.tellg();
+      }
+    file.seekg(n_read);
+    while (std::getline(file, line) && !file.eof())
+      {
+        n_read                               = file.tellg();
+        const std::vector<std::string> words = split_row(line);
+        if (words.size() != names_.size())
+          continue;
+        const double       number = parse_number(words[0]).value_or(-1.);
+        const unsigned int run    = number;
+        if (number != run || run >= plan_.n_runs())
+          fail("run " + words[0] + " is none of this study's");
+        const std::vector<std::string> entries = plan_.entries(run);
+        if (!std::equal(entries.begin(), entries.end(), words.begin() + 1))
+          fail("run " + words[0] + " has other entries in this study");
+        rows[run] = words;
+        numbers.push_back(run);
+      }
+    return numbers;
+  }
+
+
+
+  std::string
+  StudyTable::sort() const
+  {
+    std::string text = head;
+    for (const auto &[run, words] : rows)
+      {
+        for (const std::string &word : words)
+          {
+            append_field(text, word);
+            text += ',';
+          }
+        text.back() = '\n';
+      }
+    return write_atomically(file_name, text);
+  }
+
+
+
+  const std::string &
+  StudyTable::words(const unsigned int run, const std::string &name) const
+  {
+    const auto column = std::find(names_.begin(), names_.end(), name);
+    return rows.at(run)[column - names_.begin()];
+  }
+
+
+
+  double
+  StudyTable::number(const unsigned int run, const std::string &name) const
+  {
+    return parse_number(words(run, name)).value_or(nan);
+  }
+
+
+
+  std::string
+  StudyTable::failure(const unsigned int run) const
+  {
+    const std::string &status = words(run, "status");
+    return status == "done" ? "" : status;
+  }
+} // namespace ThermoContact

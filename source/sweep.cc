@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/interruption.h>
+#include <thermocontact/output/output_directory.h>
+#include <thermocontact/scene_run.h>
+#include <thermocontact/study/study.h>
+#include <thermocontact/study/study_report.h>
+#include <thermocontact/sweep.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Entries that do not change what a row holds. */
+    const std::set<std::string> free_entries = {"Title",
+                                                "Output/Directory",
+                                                "Study/Keep files",
+                                                "Study/Target error"};
+
+
+
+    /** Throws unless the study in @p directory is the one of @p prm. */
+    void
+    check_same_study(const std::string &directory, const ParameterHandler &prm)
+    {
+      const std::string file_name = directory + "/used.prm";
+      std::ifstream     file(file_name);
+      if (!file)
+        throw InputError("--resume: no study in " + quote(directory) +
+                         " (no used.prm)\n  remedy:  run without --resume");
+      Parameters       used;
+      ParameterHandler used_prm;
+      used.add_parameters(used_prm);
+      assign_entries(read_assignments(file, file_name), used_prm);
+      if (!used.study.is_active())
+        throw InputError("--resume: " + quote(directory) +
+                         " has a single run, not a study\n  remedy:  run "
+                         "without --resume");
+      const auto before = entry_values(used_prm);
+      for (const auto &[path, value] : entry_values(prm))
+        if (free_entries.count(path) == 0 &&
+            !equal_values(before.at(path), value))
+          throw InputError(path + " = " + value + ": the study has " +
+                           before.at(path) +
+                           "\n  remedy:  the value of the study, or run "
+                           "without --resume");
+    }
+
+
+
+    /** Makes the directory and study.csv ready, anew or to go on. */
+    void
+    prepare(const Parameters  &parameters,
+            ParameterHandler  &prm,
+            const CommandLine &command,
+            const std::string &directory,
+            StudyTable        &table)
+    {
+      const MPI_Comm communicator = MPI_COMM_WORLD;
+      std::string    mismatch, fault;
+      const bool is_first = Utilities::MPI::this_mpi_process(communicator) == 0;
+      if (!command.is_resumed)
+        prepare_output_directory(directory, communicator);
+      else if (is_first)
+        try
+          {
+            check_same_study(directory, prm);
+          }
+        catch (const InputError &error)
+          {
+            mismatch = error.what();
+          }
+      throw_everywhere<InputError>(mismatch, communicator);
+      write_used_parameters(directory,
+                            omitted_entries(parameters),
+                            prm,
+                            communicator);
+      if (is_first)
+        try
+          {
+            if (!std::filesystem::exists(directory + "/study.csv"))
+              fault = table.begin();
+            else
+              table.read_on();
+            if (fault.empty())
+              fault = table.sort();
+          }
+        catch (const InputError &error)
+          {
+            mismatch = error.what();
+          }
+      throw_everywhere<InputError>(mismatch, communicator);
+      throw_everywhere<ComputationError>(fault, communicator);
+    }
+  } // namespace
+
+
+
+  void
+  run_sweep(const Parameters              &parameters,
+            ParameterHandler              &prm,
+            const std::vector<Assignment> &assignments,
+            const CommandLine             &command,
+            Log                           &log)
+  {
+    const MPI_Comm    communicator = MPI_COMM_WORLD;
+    const StudyPlan   plan(assignments, parameters.study);
+    const std::string directory = output_directory(parameters, command);
+    if (command.check_only)
+      {
+        check_output_directory(directory, communicator);
+        return check_study(plan, parameters.study, log);
+      }
+    const DirectoryLock lock(directory, command.is_resumed, communicator);
+    StudyTable          table(plan, directory + "/study.csv", parameters.title);
+    prepare(parameters, prm, command, directory, table);
+    throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",
+                                                     command.is_resumed),
+                                       communicator);
+    if (!parameters.title.empty())
+      log.line(parameters.title);
+    log.line("  study     " + std::to_string(plan.n_runs()) +
+             " runs, reference: " + parameters.study.reference);
+    if (command.is_resumed)
+      log.line("  resumed   with the rows of " + std::to_string(table.size()) +
+               " runs");
+    try
+      {
+        run_study(parameters.study, directory, table, log);
+      }
+    catch (const Interruption &error)
+      {
+        log.failure(std::string("  interrupted:  ") + error.what());
+        throw Interruption(error.what() + std::string("\n  resume:  ") +
+                           resume_command(command, directory, communicator));
+      }
+    write_study_tables(directory,
+                       parameters.title,
+                       parameters.study.keep_files,
+                       table);
+    log.line("  files     " + directory);
+    report_study(table, parameters.study.target_error, log);
+  }
+} // namespace ThermoContact

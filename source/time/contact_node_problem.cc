@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/space/conjugate_gradients.h>
+#include <thermocontact/space/matrix_free_operator.h>
+#include <thermocontact/time/contact_node_problem.h>
+
+#include <deal.II/lac/diagonal_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    constexpr unsigned int max_sets_of_many_changes = 20;
+
+    double
+    largest_of(const std::vector<double> &values)
+    {
+      double largest = 0.;
+      for (const double value : values)
+        largest = std::max(largest, std::abs(value));
+      return largest;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ContactNodeProblem<dim>::ContactNodeProblem(const Body<dim> &body,
+                                              const double     factor)
+    : body(body)
+    , factor(factor)
+    , is_active(body.contact_end().n_all_nodes(), false)
+    , values(body.discretization.make_vector(Field::displacement))
+    , forces(values)
+  {
+    body.contact_end().get_all_values(
+      Field::displacement,
+      body.equations.matrix_free()->contact_stiffness_diagonal(),
+      diagonal);
+    for (double &entry : diagonal)
+      entry *= factor;
+  }
+
+
+
+  template <int dim>
+  double
+  ContactNodeProblem<dim>::spring(const unsigned int node) const
+  {
+    return is_active[node] && !body.law().is_rigid() ?
+             body.contact_end().nodes()[node].weight / body.law().tangent(0.) :
+             0.;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactNodeProblem<dim>::product(const std::vector<double> &x) const
+  {
+    values = 0.;
+    body.contact_end().set_all_values(Field::displacement, x, values);
+    body.equations.matrix_free()->contact_stiffness(forces, values);
+    std::vector<double> y;
+    body.contact_end().get_all_values(Field::displacement, forces, y);
+    for (double &entry : y)
+      entry *= factor;
+    return y;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactNodeProblem<dim>::vmult(dealii::Vector<double>       &y,
+                                 const dealii::Vector<double> &x) const
+  {
+    std::vector<double> free(x.begin(), x.end());
+    for (unsigned int i = 0; i < free.size(); ++i)
+      if (is_held(i))
+        free[i] = 0.;
+    const std::vector<double> result = product(free);
+    for (unsigned int i = 0; i < result.size(); ++i)
+      y(i) = is_held(i) ? x(i) : result[i] + spring(i) * x(i);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactNodeProblem<dim>::solve_for_same_set(
+    const std::vector<double> &load,
+    const std::vector<double> &penetration)
+  {
+    const unsigned int  n = load.size();
+    std::vector<double> held(n, 0.);
+    for (unsigned int i = 0; i < n; ++i)
+      if (is_held(i))
+        held[i] = -penetration[i];
+    const std::vector<double> by_held = product(held);
+    dealii::Vector<double>    b(n), x(n), inverse(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        if (!is_held(i))
+          b(i) = load[i] - by_held[i];
+        if (const double stiffness = spring(i); stiffness > 0.)
+          b(i) -= stiffness * penetration[i];
+        inverse(i) = is_held(i) ? 1. : 1. / (diagonal[i] + spring(i));
+      }
+    if (b.linfty_norm() > 0.)
+      conjugate_gradients("the equilibrium of the contact nodes",
+                          *this,
+                          x,
+                          b,
+                          DiagonalMatrix<dealii::Vector<double>>(inverse),
+                          1e-13,
+                          10000);
+    std::vector<double> change(x.begin(), x.end());
+    for (unsigned int i = 0; i < n; ++i)
+      change[i] += held[i];
+    return change;
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactNodeProblem<dim>::update_set(const std::vector<bool>   &can_touch,
+                                      const std::vector<double> &pressure,
+                                      const std::vector<double> &reach,
+                                      const bool                 only_the_first)
+  {
+    // a node that touches without pressure must not flip for ever
+    const double rounding         = 1e-12;
+    const double largest_pressure = largest_of(pressure);
+    const double largest_reach    = largest_of(reach);
+    bool         changed          = false;
+    for (unsigned int i = 0;
+         i < pressure.size() && !(changed && only_the_first);
+         ++i)
+      if (can_touch[i] &&
+          (is_active[i] ? pressure[i] < -rounding * largest_pressure :
+                          reach[i] > rounding * largest_reach))
+        {
+          is_active[i] = !is_active[i];
+          changed      = true;
+        }
+    return changed;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactNodeProblem<dim>::solve(const std::vector<double> &load,
+                                 const std::vector<double> &penetration,
+                                 const std::vector<bool>   &can_touch,
+                                 std::vector<double>       &pressure)
+  {
+    const ContactEnd<dim> &end      = body.contact_end();
+    const unsigned int     n        = pressure.size();
+    const unsigned int     max_sets = 200 + 2 * n;
+    for (unsigned int i = 0; i < n; ++i)
+      is_active[i] = can_touch[i] && pressure[i] > 0.;
+    for (unsigned int n_sets = 1; n_sets <= max_sets; ++n_sets)
+      {
+        const std::vector<double> change =
+          solve_for_same_set(load, penetration);
+        const std::vector<double> force = product(change);
+        std::vector<double>       reach(n);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            reach[i] = penetration[i] + change[i];
+            pressure[i] =
+              is_active[i] ? (load[i] - force[i]) / end.nodes()[i].weight : 0.;
+          }
+        if (!update_set(
+              can_touch, pressure, reach, n_sets > max_sets_of_many_changes))
+          {
+            for (double &p : pressure)
+              p = std::max(p, 0.);
+            return change;
+          }
+      }
+    throw ComputationError("the active set of " + std::to_string(n) +
+                           " contact nodes did not settle in equilibrium\n"
+                           "  remedy:  a larger Contact/Compliance or "
+                           "Solver/Linear solver = direct");
+  }
+
+
+
+  template class ContactNodeProblem<2>;
+  template class ContactNodeProblem<3>;
+} // namespace ThermoContact

@@ -1,0 +1,140 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Kills a study again and again, goes on with --resume, and compares.
+
+usage: check_study_resume.py DIR
+
+DIR holds a finished study. Kills come at random moments of its first rows, on one and
+on two ranks; then the same after SIGTERM, with a row that was cut off, with another
+scene and another study, which are refused, and with a file that may not grow. All
+columns but times have to be those of DIR, and so do study.txt and study.md. THERMOCONTACT_KILLS is the
+number of kills, 4 unless it is set.
+"""
+import csv
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+PROGRAM = os.environ["THERMOCONTACT"]
+N_KILLS = int(os.environ.get("THERMOCONTACT_KILLS", "4"))
+MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2"]
+reference = Path(sys.argv[1])
+
+
+def rows_of(directory):
+    """The rows of study.csv, without times; what is not a whole row has no end."""
+    try:
+        with open(directory / "study.csv", newline="", encoding="utf-8") as file:
+            lines = [line for line in file if line[0] != "#" and line.endswith("\n")]
+    except FileNotFoundError:
+        return []
+    return [{key: value for key, value in row.items() if "seconds" not in key}
+            for row in csv.DictReader(lines)]
+
+
+def contents(directory):
+    return [rows_of(directory), (directory / "study.txt").read_text(),
+            (directory / "study.md").read_text()]
+
+
+def start(directory, *options, ranks=1, **settings):
+    if (directory / "used.prm").exists():
+        options += ("--resume",)
+    return subprocess.Popen(
+        [*(MPIRUN if ranks == 2 else []), PROGRAM, "--quiet", "--output",
+         str(directory), *options, str(reference / "used.prm")],
+        stderr=subprocess.PIPE, text=True, start_new_session=True, **settings)
+
+
+def finish(directory, *options, **settings):
+    process = start(directory, *options, **settings)
+    message = process.communicate()[1]
+    return process.returncode, message[message.find("thermocontact: "):]
+
+
+def wait_for_rows(process, directory, n):
+    while len(rows_of(directory)) < n and process.poll() is None:
+        time.sleep(0.01)
+
+
+def compare(directory):
+    return "the same" if contents(directory) == contents(reference) else "different"
+
+
+def kill_again_and_again(directory):
+    """Kills until there have been enough; a study that is done begins anew."""
+    n_kills, n_lost = 0, 0
+    for i in range(5 * N_KILLS):
+        if n_kills == N_KILLS:
+            break
+        before = len(rows_of(directory))
+        if before > len(rows_of(reference)) - 4:
+            shutil.rmtree(directory)
+            before = 0
+        process = start(directory, ranks=1 + i % 2)
+        wait_for_rows(process, directory, before + 1)
+        time.sleep(random.uniform(0, 0.1))
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGKILL)
+            n_kills += 1
+        process.communicate()
+        n_lost += len(rows_of(directory)) <= before
+    status, _ = finish(directory, ranks=2)
+    print(f"killed {n_kills} times, {n_lost} times without a new row, resumed: status "
+          f"{status},", compare(directory))
+
+
+def terminate(directory):
+    process = start(directory)
+    wait_for_rows(process, directory, 1)
+    process.send_signal(signal.SIGHUP)
+    message = process.communicate()[1]
+    n_rows = len(rows_of(directory))
+    print("SIGHUP: status", process.returncode, "said",
+          int(f"SIGHUP: {n_rows} of {len(rows_of(reference))} runs" in message))
+    command = message.partition("resume:  ")[2].strip()
+    status = subprocess.run(command + " --quiet", shell=True, check=False).returncode
+    print(f"resumed by its command: status {status},", compare(directory))
+
+
+def cut_off(directory):
+    """Half of the last row, as on a full disk; rows in another order."""
+    path = directory / "study.csv"
+    lines = path.read_text().splitlines(keepends=True)
+    lines[3:] = lines[:2:-1]
+    path.write_text("".join(lines)[:-40])
+    status, _ = finish(directory)
+    print(f"a row cut off: status {status},", compare(directory))
+
+
+def refuse(directory):
+    before = (directory / "study.csv").read_bytes()
+    for option in ("Model/Viscosity=0.5", "Study/Vary=Contact/Gap=0.1|0.2"):
+        status, message = finish(directory, "--set", option)
+        print(f"{option}: status {status}, named", int(option.split("=")[0] in message),
+              "unharmed", int((directory / "study.csv").read_bytes() == before))
+
+
+def let_no_file_grow(directory):
+    limit = (reference / "study.csv").stat().st_size - 600
+    status, message = finish(directory, preexec_fn=lambda: resource.setrlimit(
+        resource.RLIMIT_FSIZE, (limit, limit)))
+    print("files may not grow: status", status, "named",
+          int("study.csv: cannot be written" in message))
+    status, _ = finish(directory)
+    print(f"resumed: status {status},", compare(directory))
+
+
+for name in ("killed", "termi nated", "limited"):
+    shutil.rmtree(name, ignore_errors=True)
+kill_again_and_again(Path("killed"))
+terminate(Path("termi nated"))
+cut_off(Path("termi nated"))
+refuse(Path("termi nated"))
+let_no_file_grow(Path("limited"))

@@ -1,0 +1,140 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""usage: check_module.py THERMOCONTACT SOURCE_DIRECTORY
+
+The module for Python. A quasi-static rod at rest has the force and the end of (M.10):
+with the defaults theta_A = 20, theta_obs = 0, k = 1, a = 0.017, the drop is c = 10, the
+free expansion G = a (theta_A - c/2), and p = (G - g)/(1 + epsilon). Tables, events,
+summary, snapshots and progress of that run; a study and its kept run; a
+run without checkpoints;
+the two errors, with the message of the program; factors of a rod in SI units by hand.
+"""
+import math
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+program, source = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+try:
+    import numpy
+except ImportError as missing:
+    print(f"skipped: {missing}")
+    sys.exit(77)
+os.environ["THERMOCONTACT"] = str(program)
+sys.path.insert(0, str(source / "python"))
+import thermocontact
+
+n_failed = 0
+SCENE = {"Model/Inertia": 0, "Model/Viscosity": 0, "Contact/Gap": 0.1,
+         "Contact/Compliance": 0.5, "Initial values/Temperature": "0*x",
+         "Boundary/Fixed end temperature": 20, "Time/End time": 10,
+         "Boundary/Heat exchange": 1, "Boundary/Obstacle temperature": 0,
+         "Model/Coupling": 0.017}
+DROP = 10.0
+FORCE = (0.017 * (20 - DROP / 2) - 0.1) / 1.5
+
+
+def check(name, good, message=""):
+    global n_failed
+    n_failed += not good
+    print(f"{'passed' if good else 'FAILED'}: {name}  {message}".rstrip())
+
+
+def raised(kind, function):
+    try:
+        function()
+    except kind as error:
+        return error
+    return None
+
+
+def check_run(folder):
+    told = []
+    run = thermocontact.run({**SCENE, "Output/Fields interval": 5,
+                             "Output/Probes": "0.5; 1"}, output=folder / "a run",
+                            progress=lambda part, line: told.append(part))
+    contact = run.contact
+    check("force at rest", math.isclose(contact["contact_force"][-1], FORCE,
+                                        rel_tol=1e-6), contact["contact_force"][-1])
+    check("temperature at rest", math.isclose(contact["temperature_end"][-1], 20 - DROP,
+                                              rel_tol=1e-6))
+    check("tables", contact.n_rows == len(contact["time"]) == run.summary["steps"] + 1
+          and isinstance(contact["time"], numpy.ndarray) and
+          run.events["kind"][0] == "begin" and
+          run.summary["first_contact_time"] == run.events["time"][0] and
+          run.steps.n_rows == run.summary["steps"] + run.summary["rejected_steps"] and
+          run.probes.n_rows == contact.n_rows)
+    check("snapshots", [round(time, 3) for time, _ in run.snapshots][0] == 0 and
+          run.snapshots[-1][0] == 10 and all(file.exists() for _, file in run.snapshots))
+    check("progress", told == sorted(told) and told[-1] == 1, told)
+    check("an unknown column", "no column 'force'" in str(
+        raised(KeyError, lambda: contact["force"])))
+    try:
+        import meshio  # noqa: F401
+        top = run.fields().point_data["displacement"][:, 0].max()
+        check("fields", math.isclose(top, contact["displacement_end"][-1], rel_tol=1e-5))
+    except ImportError:
+        pass
+    try:
+        import pandas  # noqa: F401
+        check("pandas", list(contact.to_pandas()["time"]) == list(contact["time"]))
+    except ImportError:
+        pass
+    again = thermocontact.read(folder / "a run")
+    check("read", numpy.array_equal(again.contact["time"], contact["time"]))
+
+
+def check_study(folder):
+    study = thermocontact.run({**SCENE, "Time/End time": 5, "Study/Keep files": True,
+                               "Study/Vary": "Contact/Compliance = 0.5 | 1"},
+                              output=folder / "study")
+    table = study.table
+    check("study", list(table["Contact/Compliance"]) == [0.5, 1] and
+          list(table["status"]) == ["done", "done"] and
+          numpy.allclose(table["max_contact_force"] * (1 + table["Contact/Compliance"]),
+                         1.5 * FORCE, rtol=1e-5), table["max_contact_force"])
+    check("a kept run", study.run(1).summary["max_contact_force"] ==
+          table["max_contact_force"][1])
+    error = raised(thermocontact.InputError, lambda: thermocontact.run(
+        base=folder / "a run/used.prm", output=folder / "a run", resume=True))
+    check("nothing to resume", error and "checkpoint" in str(error), error)
+
+
+def check_errors(folder):
+    error = raised(thermocontact.InputError,
+                   lambda: thermocontact.run({"Contact/Complianse": 1}))
+    check("input error", error and "did you mean Contact/Compliance?" in str(error), error)
+    error = raised(thermocontact.InputError, lambda: thermocontact.run({"Mesh/Cells": []}))
+    check("no value", error and "[] is no number" in str(error), error)
+    error = raised(thermocontact.ComputationError, lambda: thermocontact.run(
+        {"Time/Step size": 0.01, "Time/Scheme": "backward euler",
+         "Solver/Step solver": "fixed point", "Contact/Compliance": 1e-6},
+        output=folder / "failed"))
+    check("computation error", error and "did not converge" in str(error) and
+          error.run.contact.n_rows > 1, error)
+    error = raised(thermocontact.Error, lambda: thermocontact.read(folder / "nothing"))
+    check("no results", error and "not an output directory" in str(error), error)
+
+
+def check_units():
+    """Factors of a slender steel rod, L = 1 m, A = 1e-4 m^2, E = 2.1e11: force E A,
+    time L^2 c rho/kappa, displacement L (sources in doc/units.md)."""
+    units = thermocontact.read_units(source / "prm/units/steel-rod.prm")
+    for column, factor, unit in (("contact_force", 2.1e11 * 1e-4, "N"),
+                                 ("time", 7850 * 440 / 53.3, "s"),
+                                 ("displacement_end", 1, "m")):
+        check(f"unit of {column}", math.isclose(units.factor(column), factor,
+                                                rel_tol=1e-9) and
+              units.unit(column) == unit, units.factor(column))
+    table = {"temperature_end": numpy.array([0.0])}
+    check("kelvin", units.in_si(table, "temperature_end")[0] == 293.15)
+    check("no unit", raised(thermocontact.Error, lambda: units.unit("iterations")))
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    check_run(Path(scratch))
+    check_study(Path(scratch))
+    check_errors(Path(scratch))
+check_units()
+sys.exit(1 if n_failed else 0)

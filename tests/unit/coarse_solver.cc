@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// V-cycles whose coarsest level is too large for factors, 82^2 = 6724
+// temperatures and 13448 displacements of 81 x 81 cells of degree 1, which
+// cannot be made coarser: algebraic multigrid takes their place. On one rank
+// and on two.
+//
+// 1. As preconditioners they are what others are (matrix_free.cc): symmetric to
+//    1e-10, positive, and half of an error is left at most; without contact,
+//    with springs and with held nodes.
+// 2. Made again for the same stage, and with the same contact after another
+//    one, they give the same bytes: a run that goes on from a checkpoint makes
+//    them again.
+// 3. What is held gets no correction.
+
+#include <thermocontact/multigrid/stage_multigrid.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../cycle.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  using ThermoContact::Vector;
+
+  Parameters
+  large_strip()
+  {
+    Parameters parameters;
+    parameters.dimension                = 2;
+    parameters.mesh.degree              = 1;
+    parameters.mesh.cells               = 81;
+    parameters.mesh.cells_across        = 81;
+    parameters.mesh.width               = 1.;
+    parameters.boundary.lateral_support = "free";
+    parameters.contact.massless_nodes   = "off";
+    parameters.model.poisson_ratio      = 0.3;
+    parameters.solver.linear_solver     = "iterative";
+    return parameters;
+  }
+
+
+
+  /** What a cycle makes of a fixed vector. */
+  Vector
+  result(const StageMultigrid<2> &cycle,
+         const Body<2>           &body,
+         const Field::Block       field,
+         const ContactRows       *rows)
+  {
+    Vector r = body.discretization.make_vector(field), z(r);
+    for (unsigned int j = 0; j < r.locally_owned_size(); ++j)
+      r.local_element(j) = std::sin(1. + 0.3 * j * j);
+    for (const unsigned int entry :
+         body.discretization.constrained_entries(field))
+      r.local_element(entry) = 0.;
+    if (rows != nullptr && rows->held.size() > 0)
+      for (unsigned int j = 0; j < r.locally_owned_size(); ++j)
+        if (rows->held.local_element(j) > 0.)
+          r.local_element(j) = 0.;
+    cycle.vmult(z, r);
+    return z;
+  }
+
+
+
+  bool
+  are_same(const Vector &a, const Vector &b)
+  {
+    const bool differ = !std::equal(a.begin(), a.end(), b.begin());
+    return Utilities::MPI::max<unsigned int>(differ, MPI_COMM_WORLD) == 0;
+  }
+
+
+
+  void
+  test_repetition(const Body<2>            &body,
+                  const MultigridLevels<2> &levels,
+                  const Field::Block        field,
+                  const double              tau,
+                  const ContactRows        *rows,
+                  const ContactRows        *others)
+  {
+    StageMultigrid<2> first(levels, field, tau), second(levels, field, tau);
+    if (rows != nullptr)
+      {
+        first.set_contact(rows);
+        second.set_contact(others);
+        second.set_contact(nullptr);
+        second.set_contact(rows);
+      }
+    const Vector z = result(first, body, field, rows);
+    deallog << ", made again the same "
+            << are_same(z, result(second, body, field, rows));
+    second.set_contact(nullptr);
+    if (rows != nullptr)
+      second.set_contact(rows, true);
+    deallog << " and the same "
+            << are_same(z, result(second, body, field, rows));
+    if (rows == nullptr || rows->held.size() == 0)
+      return;
+    double at_held = 0.;
+    for (unsigned int i = 0; i < z.locally_owned_size(); ++i)
+      if (rows->held.local_element(i) > 0.)
+        raise(at_held, std::abs(z.local_element(i)));
+    deallog << ", held ones stay "
+            << (Utilities::MPI::max(at_held, MPI_COMM_WORLD) == 0.);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  initlog();
+  const Scene              scene(large_strip());
+  const Body<2>            body(scene, MPI_COMM_WORLD);
+  const MultigridLevels<2> levels(body);
+  const Discretization<2> &coarsest = levels.discretization(0);
+  deallog << "factors of " << coarsest.n_temperature_dofs() << " temperatures "
+          << CoarseSolver<2>::is_factorised(coarsest.n_temperature_dofs())
+          << ", of " << coarsest.n_displacement_dofs() << " displacements "
+          << CoarseSolver<2>::is_factorised(coarsest.n_displacement_dofs())
+          << std::endl;
+  for (const double tau : {1e-3, 0.1})
+    {
+      const ContactRows springs = contact_rows(body, false, tau);
+      const ContactRows held    = contact_rows(body, true, tau);
+      const auto        test    = [&](const std::string &name,
+                            const Field::Block field,
+                            const ContactRows *rows,
+                            const ContactRows *others) {
+        deallog << "tau = " << tau << ", " << name << ':';
+        test_cycle<2>(body, levels, field, tau, rows);
+        test_repetition(body, levels, field, tau, rows, others);
+        deallog << std::endl;
+      };
+      test("heat", Field::temperature, nullptr, nullptr);
+      test("momentum", Field::displacement, nullptr, nullptr);
+      test("springs", Field::displacement, &springs, &held);
+      test("held", Field::displacement, &held, &springs);
+    }
+}
