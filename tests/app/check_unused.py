@@ -91,7 +91,7 @@ SCENES = [
     ("Model/Fields = temperature", "Contact/Compliance",
      ("Model/Fields=temperature",), ()),
     ("Model/Fields = temperature", "Contact/Exponent",
-     ("Model/Fields=temperature",), ()),
+     ("Model/Fields=temperature",), ("Contact/Condition=power law",)),
     ("Model/Fields = temperature", "Contact/Condition",
      ("Model/Fields=temperature",), ()),
     ("Model/Fields = temperature", "Study/Target error",
