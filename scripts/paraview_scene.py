@@ -5,6 +5,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import paraview_contact
 import paraview_space_time
 from paraview import servermanager
 from paraview.simple import (Box, ColorBy, CreateView, ExtractSurface,
@@ -212,6 +213,11 @@ def main():
         paraview_space_time.draw(settings["space_time"],
                                  settings["output"] + "/space-time.png",
                                  settings["width"])
+    if "contact_face" in settings:
+        time, path = settings["contact_face"]
+        paraview_contact.draw(path, time,
+                              settings["output"] + "/contact-face.png",
+                              settings["width"])
     if "snapshots" in settings:
         render(settings)
     print("\ndone", flush=True)

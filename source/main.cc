@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/first_rank_alone.h>
 #include <thermocontact/base/log.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/command_line.h>
 #include <thermocontact/input/parameter_file.h>
@@ -21,6 +23,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <sstream>
 
 namespace ThermoContact
@@ -111,7 +114,11 @@ namespace ThermoContact
       switch (parameters.dimension)
         {
           case 1:
-            return run_scene<1>(parameters, prm, command, since_start, log);
+            return on_first_rank_alone(
+              [&]() {
+                run_scene<1>(parameters, prm, command, since_start, log);
+              },
+              MPI_COMM_WORLD);
           case 2:
             return run_scene<2>(parameters, prm, command, since_start, log);
           default:
@@ -137,6 +144,27 @@ namespace ThermoContact
       setenv("OMPI_MCA_pml", "ob1", keep);
       setenv("OMPI_MCA_btl", "self", keep);
       setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+    }
+
+
+
+    /** What to do if memory is not enough, perhaps on this rank alone. */
+    [[noreturn]] void
+    refuse_size(const Parameters &parameters)
+    {
+      const unsigned int dim = parameters.dimension;
+      const std::string  message =
+        text("not enough memory for a mesh of ",
+             significant(parameters.mesh.n_nodes(dim), 3),
+             " nodes with ",
+             dim + 1,
+             " unknowns each\n  remedy:  fewer Mesh/Cells, a lower Mesh/Degree",
+             dim > 1 ? ", Solver/Linear solver = iterative" : "");
+      if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+        throw ComputationError(message);
+      std::cerr << "thermocontact: " << message << std::endl;
+      MPI_Abort(MPI_COMM_WORLD, 1); // the others wait
+      std::exit(1);
     }
 
 
@@ -185,6 +213,10 @@ namespace ThermoContact
       catch (const InputError &error)
         {
           throw InputError(complete_message(error.what(), assignments, prm));
+        }
+      catch (const std::bad_alloc &)
+        {
+          refuse_size(parameters);
         }
     }
   } // namespace

@@ -27,15 +27,22 @@ namespace ThermoContact
 {
   namespace
   {
+    /** @param n_ranks that share the body, of those that are there */
     void
-    report_program(const MPI_Comm communicator, Log &log)
+    report_program(const unsigned int n_ranks, Log &log)
     {
       log.line(text("thermocontact ",
                     version(),
                     ", deal.II ",
                     DEAL_II_PACKAGE_VERSION,
                     ", ranks: ",
-                    Utilities::MPI::n_mpi_processes(communicator)));
+                    n_ranks));
+      if (const unsigned int n =
+            Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+          n_ranks < n)
+        log.line(text("  ranks     of ",
+                      n,
+                      " one computes, since more do not help a rod"));
     }
 
 
@@ -82,15 +89,34 @@ namespace ThermoContact
                     const MPI_Comm                            communicator)
     {
       Checkpoint checkpoint = read_checkpoint(directory, communicator);
-      check_compatibility(checkpoint,
-                          entries,
-                          end_time,
-                          Utilities::MPI::n_mpi_processes(communicator));
+      check_compatibility(checkpoint, entries, end_time);
       std::string fault;
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
         fault = find_short_file(directory, checkpoint.output);
       throw_everywhere<InputError>(fault, communicator);
       return checkpoint;
+    }
+
+
+
+    /** Goes on from a checkpoint, of as many ranks or not. */
+    template <int dim>
+    void
+    restore(Simulation<dim> &simulation, const Checkpoint &checkpoint)
+    {
+      const MPI_Comm communicator = simulation.discretization().communicator();
+      const unsigned int n_ranks  = checkpoint.n_ranks;
+      const bool         is_same =
+        n_ranks == Utilities::MPI::n_mpi_processes(communicator);
+      unsigned int rank =
+        is_same ? Utilities::MPI::this_mpi_process(communicator) : 0;
+      const unsigned int end = is_same ? rank + 1 : n_ranks;
+      simulation.restore(checkpoint.progress, n_ranks, [&](std::string &nodes) {
+        if (rank == end)
+          return false;
+        nodes = read_nodes(checkpoint, rank++);
+        return true;
+      });
     }
 
 
@@ -226,9 +252,10 @@ namespace ThermoContact
             const Timer       &since_start,
             Log               &log)
   {
-    const MPI_Comm    communicator = MPI_COMM_WORLD;
-    const std::string directory    = output_directory(parameters, command);
-    const auto        entries      = entry_values(prm);
+    const MPI_Comm communicator =
+      DimensionTraits<dim>::communicator(MPI_COMM_WORLD);
+    const std::string directory = output_directory(parameters, command);
+    const auto        entries   = entry_values(prm);
 
     std::optional<DirectoryLock> lock;
     std::optional<Checkpoint>    checkpoint;
@@ -242,7 +269,7 @@ namespace ThermoContact
       }
     Simulation<dim> simulation(parameters, communicator);
     if (checkpoint)
-      simulation.restore(std::exchange(checkpoint->simulation, {}));
+      restore(simulation, *checkpoint);
     else
       check_output_directory(directory, communicator);
     if (command.check_only)
@@ -265,7 +292,7 @@ namespace ThermoContact
     throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",
                                                      checkpoint.has_value()),
                                        communicator);
-    report_program(communicator, log);
+    report_program(Utilities::MPI::n_mpi_processes(communicator), log);
     if (checkpoint)
       report_resumption(*checkpoint, log);
     report_scene(simulation, log);

@@ -37,6 +37,10 @@ namespace ThermoContact
       ParameterHandler used_prm;
       used.add_parameters(used_prm);
       assign_entries(read_assignments(file, file_name), used_prm);
+      if (!used.study.is_active())
+        throw InputError("--resume: " + quote(directory) +
+                         " has a single run, not a study\n  remedy:  run "
+                         "without --resume");
       const auto before = entry_values(used_prm);
       for (const auto &[path, value] : entry_values(prm))
         if (free_entries.count(path) == 0 &&

@@ -36,7 +36,8 @@ namespace ThermoContact
 
   /**
    * Sets up one scene, or goes on from a checkpoint, and runs it with all its
-   * files; or checks it, if the command says so. Collective on MPI_COMM_WORLD.
+   * files; or checks it, if the command says so. Collective on the ranks of
+   * MPI_COMM_WORLD that share the body: of a rod, one alone.
    *
    * @param prm is bound to @p parameters
    * @param since_start runs since the start of the program

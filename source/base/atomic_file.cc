@@ -25,6 +25,15 @@ namespace ThermoContact
       file.write_row(text);
       fault = is_durable ? file.sync() : file.flush();
     }
+    return put_in_place(path, fault);
+  }
+
+
+
+  std::string
+  put_in_place(const std::string &path, std::string fault)
+  {
+    const std::string part = path + part_suffix;
     if (fault.empty() && std::rename(part.c_str(), path.c_str()) != 0)
       fault = path + ": cannot be replaced\n  remedy:  check the rights of "
                      "file and directory";

@@ -90,44 +90,4 @@ namespace ThermoContact
       }
   }
 
-
-
-  std::string
-  send_from_first(const unsigned int                              receiver,
-                  const std::uint64_t                             size,
-                  const std::function<void(char *, std::size_t)> &give,
-                  const MPI_Comm                                  communicator,
-                  const std::size_t                               piece_size)
-  {
-    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
-    std::string        bytes;
-    if (rank == 0 && receiver == 0)
-      {
-        bytes.resize(size);
-        for_each_piece(size, piece_size, [&](const auto begin, const auto n) {
-          give(bytes.data() + begin, n);
-        });
-      }
-    else if (rank == 0)
-      {
-        send(&size, sizeof(size), receiver, communicator);
-        std::string piece(std::min<std::uint64_t>(size, piece_size), '\0');
-        for_each_piece(size, piece_size, [&](const auto, const auto n) {
-          give(piece.data(), n);
-          send(piece.data(), n, receiver, communicator);
-        });
-      }
-    else if (rank == receiver)
-      {
-        std::uint64_t n_bytes = 0;
-        receive(&n_bytes, sizeof(n_bytes), 0, communicator);
-        bytes.resize(n_bytes);
-        for_each_piece(n_bytes,
-                       piece_size,
-                       [&](const auto begin, const auto n) {
-                         receive(bytes.data() + begin, n, 0, communicator);
-                       });
-      }
-    return bytes;
-  }
 } // namespace ThermoContact

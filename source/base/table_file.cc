@@ -10,6 +10,18 @@
 
 namespace ThermoContact
 {
+  std::string
+  file_fault(const std::string &path, const std::string &what)
+  {
+    return path + ": " + what +
+           (errno != 0 ? std::string(": ") + std::strerror(errno) : "") +
+           "\n  remedy:  check free space and rights, then go on with "
+           "--resume if the run has checkpoints; or give another "
+           "Output/Directory";
+  }
+
+
+
   TableFile::~TableFile()
   {
     close();
@@ -79,14 +91,8 @@ namespace ThermoContact
   void
   TableFile::fail(const std::string &what)
   {
-    if (!fault.empty())
-      return;
-    fault = path + ": " + what;
-    if (errno != 0)
-      fault += std::string(": ") + std::strerror(errno);
-    fault += "\n  remedy:  check free space and rights, then go on with "
-             "--resume if the run has checkpoints; or give another "
-             "Output/Directory";
+    if (fault.empty())
+      fault = file_fault(path, what);
   }
 
 

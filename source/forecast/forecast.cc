@@ -46,6 +46,19 @@ namespace ThermoContact
 
 
 
+    /** One file of the contact face; a cell between nodes has its own points.
+     */
+    double
+    contact_face_bytes(const Parameters &parameters)
+    {
+      const MeshParameters &mesh = parameters.mesh;
+      const double          n_along =
+        std::ldexp(mesh.cells_across * mesh.degree, mesh.refinements);
+      return 1900. + 8. * std::pow(2. * n_along, parameters.dimension - 1.);
+    }
+
+
+
     /** Rows or snapshots at the first step end at or after each multiple. */
     double
     n_outputs(const double interval, const double T, const double n_steps)
@@ -152,6 +165,8 @@ namespace ThermoContact
           cost.snapshots *
           (900. + 500. * (has_heat + moves) +
            points * (dim == 1 ? (moves ? 20. : 10.) : (moves ? 32. : 16.)));
+        if (dim > 1 && scene.contact.law->is_active())
+          cost.face_bytes = cost.snapshots * contact_face_bytes(parameters);
       }
     return cost;
   }

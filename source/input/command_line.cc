@@ -5,6 +5,8 @@
 
 #include <getopt.h>
 
+#include <cstring>
+
 namespace ThermoContact
 {
   std::string
@@ -44,7 +46,8 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
       units_option,
       quiet_option,
       help_option,
-      version_option
+      version_option,
+      option_numbers_end ///< letters are larger
     };
 
     const option options[] = {
@@ -76,10 +79,10 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
      * @param word as typed
      */
     void
-    apply_option(const int    option,
-                 const char  *argument,
-                 const char  *word,
-                 CommandLine &command_line)
+    apply_option(const int          option,
+                 const char        *argument,
+                 const std::string &word,
+                 CommandLine       &command_line)
     {
       switch (option)
         {
@@ -114,8 +117,26 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
           case ':':
             refuse_argument(word, "its argument is missing");
           default:
-            refuse_argument(word, "unknown or ambiguous option");
+            refuse_argument(word,
+                            word.compare(0, 2, "--") == 0 ?
+                              "unknown or ambiguous option" :
+                              "no option; a file of that name is ./" + word);
         }
+    }
+
+
+
+    /** The argument that the last call of getopt_long() was about. */
+    std::string
+    last_word(const int argc, char **argv)
+    {
+      // in letters behind one '-', getopt stops before it goes on in argv
+      if (optopt > option_numbers_end)
+        for (int i = 1; i < argc; ++i)
+          if (argv[i][0] == '-' && argv[i][1] != '-' &&
+              std::strchr(argv[i], optopt) != nullptr)
+            return argv[i];
+      return argv[optind - 1];
     }
 
 
@@ -141,8 +162,9 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
     command_line.program_name = argv[0];
     opterr                    = 0; // messages are ours
     optind                    = 1;
-    for (int o; (o = getopt_long(argc, argv, ":", options, nullptr)) != -1;)
-      apply_option(o, optarg, argv[optind - 1], command_line);
+    for (int o; optopt = 0,
+                (o = getopt_long(argc, argv, ":", options, nullptr)) != -1;)
+      apply_option(o, optarg, last_word(argc, argv), command_line);
 
     if (argc - optind > 1)
       refuse_argument(argv[optind + 1], "only one parameter file is read");

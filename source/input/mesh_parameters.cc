@@ -55,8 +55,12 @@ namespace ThermoContact
                       Double(1e-8, 1e8));
     prm.add_parameter("Mass matrix",
                       mass_matrix,
-                      "consistent, or lumped (Gauss-Lobatto rule: diagonal).",
-                      Selection("consistent|lumped"));
+                      "consistent; lumped (Gauss-Lobatto rule: diagonal); or "
+                      "midpoint (one point to a cell), with which waves in an "
+                      "elastic rod of equal linear cells have no dispersion if "
+                      "Time/Scheme = energy conserving and Time/Step size = "
+                      "h sqrt(b).",
+                      Selection("consistent|lumped|midpoint"));
     prm.add_parameter("Geometry",
                       geometry,
                       "What the mesh stands for, for Dimension = 2: " +

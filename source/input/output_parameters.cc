@@ -12,7 +12,7 @@ namespace ThermoContact
   {
     using namespace dealii::Patterns;
 
-    const Double duration(0., 1e15);
+    const Double non_negative_time(0., 1e15);
   } // namespace
 
 
@@ -29,13 +29,13 @@ namespace ThermoContact
                       fields_interval,
                       "Fields (VTU) are written at the first step end at or "
                       "after each multiple of this time, and at T; 0: none.",
-                      duration);
+                      non_negative_time);
     prm.add_parameter("Contact interval",
                       contact_interval,
                       "Rows of contact.csv are written at the first step end "
                       "at or after each multiple of this time, and at T; 0: "
                       "every step.",
-                      duration);
+                      non_negative_time);
     prm.add_parameter("Probes",
                       probes,
                       "Positions, separated by ';', the coordinates of each by "
@@ -46,7 +46,7 @@ namespace ThermoContact
                       "The fields on the axis are kept at the first step end "
                       "at or after each multiple of this time, and at T, for "
                       "one picture over x and t (space-time.vtu); 0: none.",
-                      duration);
+                      non_negative_time);
     prm.add_parameter("Land on output times",
                       land_on_times,
                       "Steps are shortened to end on the multiples of the "
@@ -85,7 +85,7 @@ namespace ThermoContact
                       target_error,
                       "Largest error of displacement_end that is wanted: the "
                       "cheapest run that meets it is named; 0: none.",
-                      duration);
+                      non_negative_time);
     prm.add_parameter("Keep files",
                       keep_files,
                       "Each run writes its files into a folder of its own.");

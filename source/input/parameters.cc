@@ -295,13 +295,16 @@ namespace ThermoContact
                       "Iterations per step after which the run stops with an "
                       "error.",
                       Integer(1, 1000000));
-    prm.add_parameter("Linear solver",
-                      linear_solver,
-                      "direct: sparse factors of the stage matrix, one set for "
-                      "each step size; iterative: Krylov and multigrid without "
-                      "matrices, for large bodies in two and three dimensions; "
-                      "automatic: what is faster for the number of unknowns.",
-                      Selection("automatic|direct|iterative"));
+    prm.add_parameter(
+      "Linear solver",
+      linear_solver,
+      "direct: sparse factors of the stage matrix, one set for "
+      "each step size; iterative: Krylov and multigrid without "
+      "matrices, for large bodies in two and three dimensions; "
+      "automatic: blocks along the rod in one dimension and one "
+      "process, else what is faster for the number of "
+      "unknowns.",
+      Selection("automatic|direct|iterative"));
     add_number_or_word(prm,
                        "Linear tolerance",
                        "automatic",

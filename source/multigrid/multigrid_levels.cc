@@ -138,12 +138,8 @@ namespace ThermoContact
     if (body.scene.fields.has_displacement)
       {
         LevelField<dim> &momentum = level.fields[Field::displacement];
-        momentum.mass             = products.momentum_diagonal({1., 0., 0.});
-        momentum.stiffness        = products.momentum_diagonal({0., 1., 0.});
-        momentum.viscous_stiffness =
-          body.scene.has_elastic_contact_nodes() ?
-            products.momentum_diagonal({0., 0., 1.}) :
-            momentum.stiffness;
+        momentum.mass             = products.momentum_diagonal({1., 0.});
+        momentum.stiffness        = products.momentum_diagonal({0., 1.});
       }
   }
 

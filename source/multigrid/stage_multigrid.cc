@@ -84,7 +84,7 @@ namespace ThermoContact
       levels.products(level).heat({1., tau}, y, scratch);
     else
       levels.products(level).momentum(
-        {material.inertia, tau * tau, tau * material.viscosity}, y, scratch);
+        {material.inertia, tau * (tau + material.viscosity)}, y, scratch);
     for (const auto &[entry, spring] : springs)
       y.local_element(entry) += spring * scratch.local_element(entry);
     for (const unsigned int entry : prescribed)
@@ -102,9 +102,8 @@ namespace ThermoContact
     Vector                 result(scratch);
     const bool             is_heat = field == Field::temperature;
     result.equ(is_heat ? 1. : material.inertia, parts.mass);
-    result.add(is_heat ? tau : tau * tau, parts.stiffness);
-    if (!is_heat)
-      result.add(tau * material.viscosity, parts.viscous_stiffness);
+    result.add(is_heat ? tau : tau * (tau + material.viscosity),
+               parts.stiffness);
     for (const auto &[entry, spring] : springs)
       result.local_element(entry) += spring;
     for (const unsigned int entry : prescribed)

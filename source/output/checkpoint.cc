@@ -31,26 +31,6 @@ namespace ThermoContact
 
 
 
-    /** The newest that is whole, or none; on one rank. */
-    CheckpointFile
-    find_checkpoint(const std::string &directory, std::string &faults)
-    {
-      for (const char *name : {newest_name, previous_name})
-        if (const std::string path = directory + name;
-            access(path.c_str(), F_OK) == 0)
-          try
-            {
-              return open_checkpoint_file(path);
-            }
-          catch (const std::exception &error)
-            {
-              faults += path + ": " + error.what() + "\n  ";
-            }
-      return {};
-    }
-
-
-
     /** Makes the file @p next the newest checkpoint; on one rank. */
     std::string
     make_newest(const std::string &next, const std::string &directory)
@@ -98,21 +78,24 @@ namespace ThermoContact
   Checkpoint
   read_checkpoint(const std::string &directory, const MPI_Comm communicator)
   {
-    CheckpointFile file;
-    std::string    faults, message;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    std::string faults;
+    for (const char *name : {newest_name, previous_name})
       {
-        file = find_checkpoint(directory, faults);
-        if (file.path.empty())
-          message = "--resume: no checkpoint in " + directory + "\n  " +
-                    faults +
-                    "remedy:  run without --resume; set Output/Checkpoint "
-                    "interval to have checkpoints";
+        const std::string path = directory + name;
+        if (!Utilities::MPI::broadcast(communicator,
+                                       access(path.c_str(), F_OK) == 0))
+          continue;
+        std::string fault;
+        Checkpoint checkpoint = read_checkpoint_file(path, fault, communicator);
+        checkpoint.warning    = faults;
+        if (fault.empty())
+          return checkpoint;
+        faults += path + ": " + fault + "\n  ";
       }
-    throw_everywhere<InputError>(message, communicator);
-    Checkpoint checkpoint = read_checkpoint_file(file, communicator);
-    checkpoint.warning    = Utilities::MPI::broadcast(communicator, faults);
-    return checkpoint;
+    throw InputError("--resume: no checkpoint in " + directory + "\n  " +
+                     faults +
+                     "remedy:  run without --resume; set Output/Checkpoint "
+                     "interval to have checkpoints");
   }
 
 
@@ -156,8 +139,7 @@ namespace ThermoContact
   void
   check_compatibility(const Checkpoint                         &checkpoint,
                       const std::map<std::string, std::string> &parameters,
-                      const double                              end_time,
-                      const unsigned int                        n_ranks)
+                      const double                              end_time)
   {
     for (const auto &[path, value] : parameters)
       {
@@ -173,11 +155,6 @@ namespace ThermoContact
             "the output\n  remedy:  the value of the checkpoint, or run "
             "without --resume");
       }
-    if (const unsigned int n = checkpoint.n_ranks; n != n_ranks)
-      throw InputError(
-        "--resume: number of ranks = " + std::to_string(n_ranks) +
-        ": the checkpoint has " + std::to_string(n) +
-        "\n  remedy:  run on as many, or without --resume");
     if (end_time < checkpoint.time)
       {
         std::ostringstream message;

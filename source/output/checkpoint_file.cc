@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/long_message.h>
-#include <thermocontact/base/table_file.h>
+#include <thermocontact/base/parts_file.h>
 #include <thermocontact/output/checkpoint_file.h>
-#include <thermocontact/output/output_directory.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -18,6 +15,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -30,30 +28,23 @@ namespace ThermoContact
 
 
 
-    /** What the line of JSON says of a part. */
-    struct Part
-    {
-      std::uint64_t size;
-      std::uint32_t checksum;
-    };
-
-    Part
+    PartPlace
     describe(const std::string &bytes)
     {
       boost::crc_32_type crc;
       crc.process_bytes(bytes.data(), bytes.size());
-      return {bytes.size(), crc.checksum()};
+      return {0, bytes.size(), crc.checksum()};
     }
 
 
 
-    /** All but what the ranks have saved. */
+    /** All but the nodes. */
     template <class Archive, class AnyCheckpoint>
     void
     archive_common(Archive &archive, AnyCheckpoint &checkpoint)
     {
       archive &checkpoint.time &checkpoint.step &checkpoint.version &checkpoint
-        .parameters &checkpoint.output;
+        .parameters &checkpoint.output &checkpoint.progress;
     }
 
 
@@ -86,14 +77,14 @@ namespace ThermoContact
 
     /** The lines before the parts. */
     std::string
-    head_of(const Checkpoint &checkpoint, const std::vector<Part> &parts)
+    head_of(const Checkpoint &checkpoint, const std::vector<PartPlace> &parts)
     {
       nlohmann::ordered_json header = {{"time", checkpoint.time},
                                        {"step", checkpoint.step},
                                        {"ranks", checkpoint.n_ranks},
                                        {"version", checkpoint.version},
                                        {"parts", nlohmann::json::array()}};
-      for (const Part &part : parts)
+      for (const PartPlace &part : parts)
         header["parts"].push_back(
           {{"size", part.size}, {"checksum", part.checksum}});
       return format + '\n' + header.dump() + '\n';
@@ -102,7 +93,7 @@ namespace ThermoContact
 
 
     /** Reads the lines before the parts. */
-    std::vector<Part>
+    std::vector<PartPlace>
     read_head(std::istream &stream)
     {
       std::string line(format.size() + 1, '\0');
@@ -112,10 +103,14 @@ namespace ThermoContact
                                  "': not a checkpoint, or of another version "
                                  "of thermocontact");
       std::getline(stream, line);
-      const auto        header = nlohmann::json::parse(line);
-      std::vector<Part> parts;
+      const auto             header = nlohmann::json::parse(line);
+      std::uint64_t          begin  = stream.tellg();
+      std::vector<PartPlace> parts;
       for (const auto &part : header.at("parts"))
-        parts.push_back({part.at("size"), part.at("checksum")});
+        {
+          parts.push_back({begin, part.at("size"), part.at("checksum")});
+          begin += parts.back().size;
+        }
       return parts;
     }
 
@@ -123,11 +118,13 @@ namespace ThermoContact
 
     /** Reads a part and drops it; says whether it is as it was written. */
     bool
-    is_whole(const Part &part, std::istream &stream)
+    is_whole(const PartPlace &part, std::istream &stream)
     {
       boost::crc_32_type crc;
       std::string        piece(1 << 16, '\0');
       std::uint64_t      n = 0;
+      stream.clear();
+      stream.seekg(part.begin);
       while (n < part.size && stream)
         {
           stream.read(piece.data(),
@@ -137,69 +134,99 @@ namespace ThermoContact
         }
       return n == part.size && crc.checksum() == part.checksum;
     }
+
+
+
+    std::ifstream
+    open_file(const std::string &path)
+    {
+      std::ifstream stream(path, std::ios::binary);
+      if (!stream)
+        throw std::runtime_error(std::string("it cannot be opened: ") +
+                                 std::strerror(errno));
+      return stream;
+    }
+
+
+
+    std::string
+    read_part(const PartPlace &part, std::istream &stream)
+    {
+      std::string bytes(part.size, '\0');
+      stream.clear();
+      stream.seekg(part.begin);
+      stream.read(bytes.data(), bytes.size());
+      if (!stream)
+        throw std::runtime_error("it cannot be read to its end");
+      return bytes;
+    }
+
+
+
+    /**
+     * Reads what all ranks have in common.
+     *
+     * @param n_ranks,this_rank the share of the other parts to look at
+     * @throw std::exception saying what is wrong
+     */
+    Checkpoint
+    read_common(const std::string &path,
+                const unsigned int n_ranks,
+                const unsigned int this_rank)
+    {
+      std::ifstream                stream  = open_file(path);
+      const std::vector<PartPlace> parts   = read_head(stream);
+      bool                         is_good = !parts.empty();
+      if (is_good)
+        {
+          const PartPlace &last = parts.back();
+          stream.seekg(0, std::ios::end);
+          is_good = static_cast<std::uint64_t>(stream.tellg()) ==
+                      last.begin + last.size &&
+                    is_whole(parts.front(), stream);
+        }
+      for (unsigned int i = 1 + this_rank; i < parts.size(); i += n_ranks)
+        is_good = is_good && is_whole(parts[i], stream);
+      if (!is_good)
+        throw std::runtime_error("it is damaged: size or checksum is wrong");
+      Checkpoint checkpoint = from_bytes(read_part(parts.front(), stream));
+      checkpoint.path       = path;
+      checkpoint.parts.assign(parts.begin() + 1, parts.end());
+      checkpoint.n_ranks = checkpoint.parts.size();
+      return checkpoint;
+    }
   } // namespace
 
 
 
-  CheckpointFile
-  open_checkpoint_file(const std::string &path)
+  Checkpoint
+  read_checkpoint_file(const std::string &path,
+                       std::string       &fault,
+                       const MPI_Comm     communicator)
   {
-    CheckpointFile file{path, "", {}, std::ifstream(path, std::ios::binary)};
-    std::ifstream &stream = file.stream;
-    if (!stream)
-      throw std::runtime_error(std::string("it cannot be opened: ") +
-                               std::strerror(errno));
-    const std::vector<Part> parts   = read_head(stream);
-    const auto              begin   = stream.tellg();
-    bool                    is_good = !parts.empty();
-    for (const Part &part : parts)
-      is_good = is_good && is_whole(part, stream);
-    if (!is_good || stream.peek() != std::ifstream::traits_type::eof())
-      throw std::runtime_error("it is damaged: size or checksum is wrong");
-
-    stream.clear();
-    stream.seekg(begin);
-    file.common.resize(parts.front().size);
-    stream.read(file.common.data(), file.common.size());
-    from_bytes(file.common);
-    for (auto part = parts.begin() + 1; part != parts.end(); ++part)
-      file.sizes.push_back(part->size);
-    return file;
+    Checkpoint checkpoint;
+    try
+      {
+        checkpoint =
+          read_common(path,
+                      Utilities::MPI::n_mpi_processes(communicator),
+                      Utilities::MPI::this_mpi_process(communicator));
+      }
+    catch (const std::exception &error)
+      {
+        fault = error.what();
+      }
+    fault = first_fault(fault, communicator);
+    return checkpoint;
   }
 
 
 
-  Checkpoint
-  read_checkpoint_file(CheckpointFile &file, const MPI_Comm communicator)
+  std::string
+  read_nodes(const Checkpoint &checkpoint, const unsigned int rank)
   {
-    Checkpoint checkpoint =
-      from_bytes(Utilities::MPI::broadcast(communicator, file.common));
-    checkpoint.n_ranks =
-      Utilities::MPI::broadcast(communicator,
-                                static_cast<unsigned int>(file.sizes.size()));
-    if (checkpoint.n_ranks != Utilities::MPI::n_mpi_processes(communicator))
-      return checkpoint;
-
-    const unsigned int this_rank =
-      Utilities::MPI::this_mpi_process(communicator);
-    for (unsigned int rank = 0; rank < checkpoint.n_ranks; ++rank)
-      {
-        std::string part = send_from_first(
-          rank,
-          this_rank == 0 ? file.sizes[rank] : 0,
-          [&file](char *piece, const std::size_t size) {
-            file.stream.read(piece, size);
-          },
-          communicator);
-        if (rank == this_rank)
-          checkpoint.simulation = std::move(part);
-      }
-    std::string fault;
-    if (file.stream.fail()) // on rank 0, where it is open
-      fault = file.path + ": cannot be read to its end\n  remedy:  check the "
-                          "disk, and leave the files of a run as they are";
-    throw_everywhere<InputError>(fault, communicator);
-    return checkpoint;
+    std::ifstream stream = open_file(checkpoint.path);
+    return read_part(checkpoint.parts[rank], stream);
   }
 
 
@@ -209,24 +236,19 @@ namespace ThermoContact
                         const Checkpoint  &checkpoint,
                         const MPI_Comm     communicator)
   {
-    std::vector<Part> parts =
-      Utilities::MPI::gather(communicator, describe(checkpoint.simulation));
-    TableFile file;
+    std::vector<PartPlace> parts =
+      Utilities::MPI::gather(communicator, describe(checkpoint.nodes));
+    std::string before; // the parts of the ranks
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
         const std::string common = to_bytes(checkpoint);
         parts.insert(parts.begin(), describe(common));
-        file.open(path);
-        file.write_row(head_of(checkpoint, parts) + common);
+        before = head_of(checkpoint, parts) + common;
       }
-    for (unsigned int rank = 0; rank < checkpoint.n_ranks; ++rank)
-      send_to_first(
-        rank,
-        checkpoint.simulation,
-        [&file](const std::string_view piece) {
-          file.write_row(piece.data(), piece.size());
-        },
-        communicator);
-    return file.sync();
+    const bool is_durable = true;
+    return write_parts(path,
+                       {before, checkpoint.nodes},
+                       communicator,
+                       is_durable);
   }
 } // namespace ThermoContact

@@ -5,6 +5,7 @@
 #include <thermocontact/output/checkpointer.h>
 
 #include <sstream>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -89,7 +90,9 @@ namespace ThermoContact
     checkpoint.n_ranks    = Utilities::MPI::n_mpi_processes(communicator);
     checkpoint.parameters = parameters;
     checkpoint.output     = output.sync();
-    checkpoint.simulation = simulation.save();
+    SavedRun saved        = simulation.save();
+    checkpoint.progress   = std::move(saved.progress);
+    checkpoint.nodes      = std::move(saved.nodes);
     write_checkpoint(directory, checkpoint, communicator);
   }
 

@@ -5,7 +5,7 @@
 namespace ThermoContact
 {
   const CsvColumns<StepRecord> &
-  contact_columns(const unsigned int dim)
+  contact_columns(const unsigned int dim, const bool is_iterative)
   {
     static const CsvColumns<StepRecord> of_rod = {
       {"step", &StepRecord::step},
@@ -41,7 +41,12 @@ namespace ThermoContact
         });
       return columns;
     }();
-    return dim == 1 ? of_rod : of_face;
+    static const CsvColumns<StepRecord> of_iterative = [] {
+      CsvColumns<StepRecord> columns = of_face;
+      columns.emplace_back("algebraic", &StepRecord::algebraic);
+      return columns;
+    }();
+    return dim == 1 ? of_rod : is_iterative ? of_iterative : of_face;
   }
 
 

@@ -2,7 +2,8 @@
 
 #include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/text.h>
+#include <thermocontact/base/parts_file.h>
+#include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/field_output.h>
 #include <thermocontact/output/obstacle_file.h>
 #include <thermocontact/output/output_directory.h>
@@ -13,7 +14,6 @@
 #include <deal.II/numerics/data_postprocessor.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 
 namespace ThermoContact
@@ -202,15 +202,6 @@ namespace ThermoContact
         return text.str();
       }
     };
-
-
-
-    /** File of snapshot @p i, from the output directory. */
-    std::string
-    snapshot_name(const unsigned int i)
-    {
-      return "fields/fields-" + align_right(text(i), 5, '0') + ".vtu";
-    }
   } // namespace
 
 
@@ -221,7 +212,13 @@ namespace ThermoContact
     : directory(directory)
     , body(body)
     , discretization(body.discretization)
-  {}
+    , is_writer(
+        Utilities::MPI::this_mpi_process(discretization.communicator()) == 0)
+    , fields(directory, "fields")
+  {
+    if (dim > 1 && body.law().is_active())
+      contact_face.emplace(directory, "contact");
+  }
 
 
 
@@ -268,13 +265,13 @@ namespace ThermoContact
     Vector                         viscous_displacement = state.displacement;
     viscous_displacement.add(body.scene.material.viscosity, state.velocity);
 
-    const auto fields   = joined(state.temperature, state.displacement);
+    const auto present  = joined(state.temperature, state.displacement);
     const auto velocity = joined(state.temperature, state.velocity);
     const auto strain   = joined(state.temperature, viscous_displacement);
 
     Snapshot<dim> data_out;
     data_out.attach_dof_handler(discretization.dof_handler());
-    data_out.add_data_vector(fields,
+    data_out.add_data_vector(present,
                              names,
                              DataOut<dim>::type_dof_data,
                              interpretation);
@@ -286,16 +283,14 @@ namespace ThermoContact
 
     DataOutBase::VtkFlags flags;
     flags.time                = state.time;
-    flags.cycle               = times_.size();
+    flags.cycle               = times().size();
     flags.print_date_and_time = false;
     flags.compression_level   = DataOutBase::VtkFlags::best_speed;
     data_out.build_patches(discretization.mapping(), discretization.degree());
 
-    const std::string fault =
-      write_files(state.time,
-                  Utilities::MPI::gather(discretization.communicator(),
-                                         data_out.vtu_piece(flags)),
-                  flags);
+    std::string fault = write_fields(data_out.vtu_piece(flags), flags);
+    if (fault.empty())
+      fault = write_others(state, flags);
     throw_everywhere<ComputationError>(fault, discretization.communicator());
   }
 
@@ -303,26 +298,57 @@ namespace ThermoContact
 
   template <int dim>
   std::string
-  FieldOutput<dim>::write_files(const double                    time,
-                                const std::vector<std::string> &pieces,
-                                const DataOutBase::VtkFlags    &flags)
+  FieldOutput<dim>::write_fields(const std::string           &piece,
+                                 const DataOutBase::VtkFlags &flags) const
   {
-    const std::string name = snapshot_name(times_.size());
-    times_.push_back(time);
-    if (Utilities::MPI::this_mpi_process(discretization.communicator()) != 0)
-      return "";
+    const MPI_Comm     communicator = discretization.communicator();
+    std::ostringstream header, footer;
+    if (is_writer)
+      DataOutBase::write_vtu_header(header, flags);
+    if (Utilities::MPI::this_mpi_process(communicator) + 1 ==
+        Utilities::MPI::n_mpi_processes(communicator))
+      DataOutBase::write_vtu_footer(footer);
+    return write_parts_atomically(fields.next_path(),
+                                  {header.str(), piece, footer.str()},
+                                  communicator);
+  }
 
-    std::ostringstream text;
-    DataOutBase::write_vtu_header(text, flags);
-    for (const std::string &piece : pieces)
-      text << piece;
-    DataOutBase::write_vtu_footer(text);
-    std::string fault = write_atomically(directory + "/" + name, text.str());
-    if (fault.empty() && times_.size() == 1 &&
-        !body.scene.contact.has_uniform_gap())
-      fault = write_atomically(directory + "/obstacle.vtu",
-                               obstacle_file(body.contact_end()));
-    return fault.empty() ? write_pvd(directory + "/fields.pvd") : fault;
+
+
+  template <int dim>
+  std::string
+  FieldOutput<dim>::write_others(const State                 &state,
+                                 const DataOutBase::VtkFlags &flags)
+  {
+    std::string fault;
+    const auto  write = [&](const std::string &path, const std::string &text) {
+      if (is_writer && fault.empty())
+        fault = write_atomically(path, text);
+    };
+    if (fields.times().empty() && !body.scene.contact.has_uniform_gap())
+      write(directory + "/obstacle.vtu", obstacle_file(body.contact_end()));
+    if constexpr (dim > 1)
+      if (contact_face)
+        write(contact_face->next_path(), contact_face_file(body, state, flags));
+    for (SnapshotSeries *series : all_series())
+      {
+        series->add(state.time);
+        if (is_writer && fault.empty())
+          fault = series->write_pvd();
+      }
+    return fault;
+  }
+
+
+
+  template <int dim>
+  std::vector<SnapshotSeries *>
+  FieldOutput<dim>::all_series()
+  {
+    std::vector<SnapshotSeries *> all = {&fields};
+    if (contact_face)
+      all.push_back(&*contact_face);
+    return all;
   }
 
 
@@ -331,20 +357,12 @@ namespace ThermoContact
   void
   FieldOutput<dim>::restore(const std::vector<double> &times)
   {
-    times_   = times;
-    n_synced = times.size(); // before the checkpoint was written
     std::string fault;
-    if (Utilities::MPI::this_mpi_process(discretization.communicator()) == 0)
+    for (SnapshotSeries *series : all_series())
       {
-        // what was written after the checkpoint will be written again
-        unsigned int i = times.size();
-        while (std::remove((directory + "/" + snapshot_name(i)).c_str()) == 0)
-          ++i;
-        const std::string pvd = directory + "/fields.pvd";
-        if (times.empty())
-          std::remove(pvd.c_str());
-        else
-          fault = write_pvd(pvd);
+        series->restore(times);
+        if (is_writer && fault.empty())
+          fault = series->remove_later(); // it will be written again
       }
     throw_everywhere<ComputationError>(fault, discretization.communicator());
   }
@@ -355,32 +373,10 @@ namespace ThermoContact
   std::string
   FieldOutput<dim>::sync()
   {
-    if (n_synced == times_.size())
-      return "";
-    std::string fault;
-    for (; n_synced < times_.size() && fault.empty(); ++n_synced)
-      fault = sync_file(directory + "/" + snapshot_name(n_synced));
-    sync_directory(directory + "/fields");
-    return fault;
-  }
-
-
-
-  template <int dim>
-  std::string
-  FieldOutput<dim>::write_pvd(const std::string &path) const
-  {
-    std::ostringstream text;
-    text << "<?xml version=\"1.0\"?>\n"
-            "<VTKFile type=\"Collection\" version=\"0.1\">\n"
-            "  <Collection>\n";
-    for (unsigned int i = 0; i < times_.size(); ++i)
-      text << "    <DataSet timestep=\"" << significant(times_[i], all_digits)
-           << "\" group=\"\" part=\"0\" file=\"" << snapshot_name(i)
-           << "\"/>\n";
-    text << "  </Collection>\n</VTKFile>\n";
-
-    return write_atomically(path, text.str());
+    std::string fault = fields.sync();
+    if (contact_face && is_writer && fault.empty())
+      fault = contact_face->sync();
+    return first_fault(fault, discretization.communicator());
   }
 
 

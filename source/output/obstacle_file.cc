@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/obstacle_file.h>
 
 #include <algorithm>
@@ -30,40 +31,6 @@ namespace ThermoContact
 
 
 
-    /** Nodes along y. */
-    template <int dim>
-    unsigned int
-    n_along_y(const std::vector<ContactNode<dim>> &nodes)
-    {
-      unsigned int n = 1;
-      while (dim > 1 && n < nodes.size() &&
-             nodes[n].position[dim > 1 ? 1 : 0] >
-               nodes[n - 1].position[dim > 1 ? 1 : 0])
-        ++n;
-      return n;
-    }
-
-
-
-    /** The corners of each cell, cell after cell. */
-    template <int dim>
-    std::vector<unsigned int>
-    corners_of_cells(const std::vector<ContactNode<dim>> &nodes)
-    {
-      const unsigned int        n = n_along_y(nodes);
-      std::vector<unsigned int> corners;
-      for (unsigned int j = 0; j + (dim > 2 ? n : 0) < nodes.size(); j += n)
-        for (unsigned int i = j; i + 1 < j + n; ++i)
-          {
-            corners.insert(corners.end(), {i, i + 1});
-            if (dim > 2)
-              corners.insert(corners.end(), {i + 1 + n, i + n});
-          }
-      return corners;
-    }
-
-
-
     std::string
     array(const std::string                              &attributes,
           const unsigned int                              n,
@@ -83,7 +50,7 @@ namespace ThermoContact
   obstacle_file(const ContactEnd<dim> &end)
   {
     const auto         nodes   = sorted_nodes(end);
-    const auto         corners = corners_of_cells(nodes);
+    const auto         corners = contact_face_corners(nodes);
     const unsigned int n_nodes = nodes.size(), n_corners = dim > 2 ? 4 : 2,
                        n_cells = corners.size() / n_corners;
     const auto number          = [](const double value) {

@@ -27,6 +27,8 @@ namespace ThermoContact
     , end_time(simulation.parameters().time.end_time)
     , communicator(simulation.discretization().communicator())
     , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
+    , columns(
+        contact_columns(dim, simulation.scene().linear_solver.is_iterative))
     , field_output(directory, simulation.body())
     , has_attempts(simulation.parameters().time.has_error_control() ||
                    simulation.parameters().time.locates_contact_events())
@@ -39,11 +41,7 @@ namespace ThermoContact
     field_timer.reset();
     const std::string   &title = simulation.parameters().title;
     const OutputProgress sizes = progress ? *progress : OutputProgress();
-    open(contact_columns(dim),
-         contact_file,
-         "contact.csv",
-         title,
-         sizes.contact_size);
+    open(columns, contact_file, "contact.csv", title, sizes.contact_size);
     open(event_columns(), events_file, "events.csv", title, sizes.events_size);
     if (has_attempts)
       open(attempt_columns(), steps_file, "steps.csv", title, sizes.steps_size);
@@ -166,7 +164,7 @@ namespace ThermoContact
         is_due(parameters.contact_interval, record.time, next_contact))
       {
         if (is_writer)
-          add_row(contact_columns(dim), record, contact_file);
+          add_row(columns, record, contact_file);
         if (probe_output)
           probe_output->write(simulation.state());
       }
@@ -266,14 +264,12 @@ namespace ThermoContact
   Output<dim>::sync()
   {
     OutputProgress progress;
-    std::string    fault;
+    std::string    fault = field_output.sync();
     if (is_writer)
       {
         for (TableFile *file : tables())
           if (const std::string message = file->sync(); fault.empty())
             fault = message;
-        if (fault.empty())
-          fault = field_output.sync();
         progress.contact_size = contact_file.size();
         progress.events_size  = events_file.size();
         progress.steps_size   = steps_file.size();

@@ -28,6 +28,7 @@ namespace ThermoContact
                                      "checkpoint.next.bin",
                                      "checkpoint.previous.bin",
                                      "contact.csv",
+                                     "contact.pvd",
                                      "events.csv",
                                      "fields.pvd",
                                      "log.txt",
@@ -93,7 +94,8 @@ namespace ThermoContact
               if (name.extension() == part_suffix)
                 name = name.stem();
               if (name.extension() == ".vtu" &&
-                  is_numbered(name.stem().string(), "fields-"))
+                  (is_numbered(name.stem().string(), "fields-") ||
+                   is_numbered(name.stem().string(), "contact-")))
                 fs::remove(entry.path());
             }
           if (fs::is_empty(directory / "fields"))

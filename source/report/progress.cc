@@ -21,7 +21,7 @@ namespace ThermoContact
     energy_at_first(const StepRecord &record)
     {
       return record.energy + record.dissipation + record.numerical_dissipation -
-             record.work;
+             record.work - record.algebraic;
     }
   } // namespace
 

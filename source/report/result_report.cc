@@ -70,8 +70,9 @@ namespace ThermoContact
     std::string
     describe_energy(const StepRecord &record, const double initial_energy)
     {
-      const double defect = initial_energy + record.work - record.energy -
-                            record.dissipation - record.numerical_dissipation;
+      const double defect = initial_energy + record.work + record.algebraic -
+                            record.energy - record.dissipation -
+                            record.numerical_dissipation;
       return text(initial_energy,
                   " at first + work ",
                   record.work,
@@ -81,6 +82,10 @@ namespace ThermoContact
                   record.dissipation,
                   " + lost to the scheme ",
                   record.numerical_dissipation,
+                  record.algebraic == 0. ?
+                    "" :
+                    text("; brought in by residuals ",
+                         significant(record.algebraic, 2)),
                   "; defect ",
                   significant(defect, 2));
     }

@@ -221,6 +221,8 @@ namespace ThermoContact
       if (cost.snapshots > 0.)
         line += "; fields: " + count(cost.snapshots) + " snapshots, " +
                 describe_bytes(cost.snapshot_bytes);
+      if (cost.face_bytes > 0.)
+        line += "; contact face: as many, " + describe_bytes(cost.face_bytes);
       return line;
     }
 

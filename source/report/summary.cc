@@ -17,19 +17,20 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace ThermoContact
 {
   namespace
   {
-    /** Largest memory so far, of all ranks together, in MB. */
-    double
-    peak_memory(const MPI_Comm communicator)
+    /** Largest memory so far of each rank in MB; on rank 0. */
+    std::vector<double>
+    peak_memory_per_rank(const MPI_Comm communicator)
     {
       Utilities::System::MemoryStats memory;
       Utilities::System::get_memory_stats(memory);
-      return Utilities::MPI::sum(memory.VmHWM / 1024., communicator);
+      return Utilities::MPI::gather(communicator, memory.VmHWM / 1024.);
     }
 
 
@@ -123,6 +124,9 @@ namespace ThermoContact
     const auto          &space      = simulation.discretization();
     const auto          &events     = simulation.events();
 
+    const std::vector<double> memory =
+      peak_memory_per_rank(space.communicator());
+
     nlohmann::ordered_json summary = {
       {"title", parameters.title},
       {"status", status},
@@ -134,7 +138,7 @@ namespace ThermoContact
       {"dofs", space.n_temperature_dofs() + space.n_displacement_dofs()},
       {"factorized_unknowns", simulation.n_factorized_unknowns()},
       {"scheme", simulation.scene().scheme.name},
-      {"linear_solver", simulation.scene().linear_solver.name()},
+      {"linear_solver", simulation.linear_solver()},
       {"steps", record.step},
       {"rejected_steps", simulation.history().n_rejected_steps},
       {"factorizations", counters.factorizations},
@@ -163,7 +167,8 @@ namespace ThermoContact
       {"contact_seconds", counters.contact_seconds},
       {"output_seconds", times.output},
       {"wall_seconds", times.wall},
-      {"peak_memory_mb", peak_memory(space.communicator())},
+      {"peak_memory_mb", std::accumulate(memory.begin(), memory.end(), 0.)},
+      {"peak_memory_mb_per_rank", memory},
       {"warnings", simulation.history().warnings}};
     if (!events.empty())
       summary["first_contact_time"] = events.front().time;

@@ -99,6 +99,8 @@ namespace ThermoContact
       const ModelParameters &model = parameters.model;
       if (!law.is_active() || model.inertia == 0. || mesh.n_nodes(1) == 2.)
         return false;
+      if (mesh.mass_matrix == "midpoint")
+        return false; // the rule knows no single nodes
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
       if (has_prescribed_start)
@@ -205,15 +207,17 @@ namespace ThermoContact
       const double tolerance         = solver.linear_tolerance.value_or(1e-9);
       if (solver.linear_solver != "automatic")
         return {solver.linear_solver == "iterative",
+                false,
                 tolerance,
                 "Solver/Linear solver = " + solver.linear_solver,
                 needs_factors};
       if (!needs_factors.empty())
-        return {false, tolerance, needs_factors, needs_factors};
+        return {false, dim == 1, tolerance, needs_factors, needs_factors};
       const double n_unknowns =
         parameters.mesh.n_nodes(dim) * fields.n_components(dim);
       const double limit = largest_for_factors(parameters, contact);
       return {n_unknowns > limit,
+              false,
               tolerance,
               text(significant(n_unknowns, 3),
                    " unknowns in ",
@@ -245,6 +249,7 @@ namespace ThermoContact
     , has_rollers(parameters.boundary.lateral_support == "rollers")
     , has_sliding_end(parameters.boundary.fixed_end_support == "sliding")
     , has_lumped_mass(parameters.mesh.mass_matrix == "lumped")
+    , has_midpoint_mass(parameters.mesh.mass_matrix == "midpoint")
     , is_fixed_point(parameters.solver.step_solver == "fixed point")
     , linear_solver(
         resolve_linear_solver(parameters,

@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/probe_positions.h>
+#include <thermocontact/scene/mass_checks.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
 
@@ -80,7 +81,7 @@ namespace ThermoContact
                  scene.scheme.needs_inertia);
       if (!scene.contact.law->is_active())
         return;
-      if (scene.scheme.needs_massless_contact &&
+      if (scene.scheme.needs_massless_contact && !scene.has_midpoint_mass &&
           parameters.contact.massless_nodes == "off")
         refuse("Contact/Massless nodes",
                parameters.contact.massless_nodes,
@@ -241,7 +242,7 @@ namespace ThermoContact
       if (mesh.n_nodes(1) == 2. && scene.contact.law->is_active() &&
           scene.material.has_inertia() &&
           (parameters.contact.massless_nodes == "on" ||
-           scene.scheme.needs_massless_contact))
+           (scene.scheme.needs_massless_contact && !scene.has_midpoint_mass)))
         refuse("Mesh/Cells",
                mesh.cells,
                "at least 2, or Mesh/Degree above 1, for massless contact nodes",
@@ -341,12 +342,7 @@ namespace ThermoContact
              parameters.contact.compliance,
              "epsilon > 0",
              "for a rigid obstacle set Contact/Condition = rigid");
-    if (scene.has_lumped_mass && !scene.geometry->has_uniform_weight())
-      refuse("Mesh/Mass matrix",
-             parameters.mesh.mass_matrix,
-             "consistent, since Mesh/Geometry = " + parameters.mesh.geometry,
-             "Mesh/Mass matrix = consistent: lumped nodes on the axis would "
-             "have no mass");
+    check_mass_matrix(scene);
     check_number_of_unknowns(parameters.mesh, parameters.dimension);
     parse_probe_positions(parameters.output.probes,
                           parameters.dimension,

@@ -56,6 +56,8 @@ namespace ThermoContact
     terms.add_if(scene.has_lumped_mass &&
                    (has_temperature || material.has_inertia()),
                  "lumped mass");
+    terms.add_if(scene.has_midpoint_mass && material.has_inertia(),
+                 "midpoint mass");
     terms.add_if(scene.sources.has_heat_source, "heat source");
     terms.add_if(scene.sources.has_body_force, "body force");
     terms.add_if(scene.sources.has_end_traction, "end traction");

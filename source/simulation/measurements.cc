@@ -15,7 +15,10 @@ namespace ThermoContact
     , mean_weights(body.discretization.make_vector(Field::temperature))
   {
     if (body.scene.fields.has_displacement)
-      find_mid_point();
+      mid_weights = find_weights(0.5);
+    if (body.scene.has_midpoint_mass)
+      last_cell_weights =
+        find_weights(1. - 0.5 * body.scene.parameters.mesh.contact_spacing());
     if (!body.scene.fields.has_temperature)
       return;
     Vector ones(mean_weights);
@@ -50,18 +53,18 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  Measurements<dim>::find_mid_point()
+  typename Measurements<dim>::Weights
+  Measurements<dim>::find_weights(const double position) const
   {
-    const Discretization<dim> &space        = body.discretization;
-    const Point<dim>           mid_point    = space.geometry().on_axis(0.5);
+    const Discretization<dim> &space = body.discretization;
+    const Point<dim>           point = space.geometry().on_axis(position);
     const MPI_Comm             communicator = space.communicator();
     const unsigned int         this_rank =
       Utilities::MPI::this_mpi_process(communicator);
     auto found = space.dof_handler().end();
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() &&
-          cell->bounding_box().point_inside(mid_point, 1e-10))
+          cell->bounding_box().point_inside(point, 1e-10))
         {
           found = cell;
           break;
@@ -76,13 +79,15 @@ namespace ThermoContact
                           communicator);
     std::vector<std::pair<types::global_dof_index, double>> weights;
     if (rank == this_rank)
-      weights = weights_at(mid_point, found);
+      weights = weights_at(point, found);
     weights = Utilities::MPI::broadcast(communicator, weights, rank);
 
     const IndexSet &owned = space.owned_by_block()[Field::displacement];
+    Weights         entries;
     for (const auto &[dof, weight] : weights)
       if (owned.is_element(dof))
-        mid_weights.emplace_back(owned.index_within_set(dof), weight);
+        entries.emplace_back(owned.index_within_set(dof), weight);
+    return entries;
   }
 
 
@@ -141,6 +146,8 @@ namespace ThermoContact
       {
         end.get_values(Field::displacement, state.velocity, contact_values);
         record.velocity_end = end.mean(contact_values);
+        if (body.scene.has_midpoint_mass)
+          record.velocity_end = value(last_cell_weights, state.velocity);
       }
 
     const double largest_pressure =
@@ -157,13 +164,22 @@ namespace ThermoContact
         record.face.min_gap = record.gap;
       }
 
-    double mid = 0.;
-    for (const auto &[entry, weight] : mid_weights)
-      mid += weight * state.displacement.begin()[entry];
+    record.displacement_mid = value(mid_weights, state.displacement);
+  }
+
+
+
+  template <int dim>
+  double
+  Measurements<dim>::value(const Weights &weights, const Vector &vector) const
+  {
+    double sum = 0.;
+    for (const auto &[entry, weight] : weights)
+      sum += weight * vector.begin()[entry];
     const MPI_Comm communicator = body.discretization.communicator();
-    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
-      mid = Utilities::MPI::sum(mid, communicator);
-    record.displacement_mid = mid;
+    return Utilities::MPI::n_mpi_processes(communicator) > 1 ?
+             Utilities::MPI::sum(sum, communicator) :
+             sum;
   }
 
 

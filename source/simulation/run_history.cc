@@ -26,6 +26,7 @@ namespace ThermoContact
     record.work += result.work;
     record.dissipation += result.dissipation;
     record.numerical_dissipation += result.numerical_dissipation;
+    record.algebraic += result.algebraic;
     record.contact_impulse += result.impulse;
     if (!result.is_prescribed)
       max_energy_increase =

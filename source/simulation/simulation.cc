@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/scene/mass_checks.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/simulation/simulation.h>
 
@@ -42,6 +43,9 @@ namespace ThermoContact
       initial_state(body_, controller.propose(0.).size, history_.warnings);
     StepRecord &record = history_.record;
     measurements.measure(state_, record);
+    if (const std::string warning = dispersion_warning(scene_);
+        !warning.empty())
+      history_.warnings.push_back(warning);
     if (!scene_.fields.has_displacement)
       record.contact_impulse = record.contact_force; // there is none
     record.energy_terms = body_.energy.energy(state_);
@@ -181,6 +185,8 @@ namespace ThermoContact
       result.failure = "the solution is not finite\n  remedy:  smaller initial "
                        "values and sources, or a smaller Time/Step size";
     result.agree(discretization().communicator());
+    for (std::string &warning : integrator->stage_solver().take_warnings())
+      history_.warnings.push_back(std::move(warning));
   }
 
 

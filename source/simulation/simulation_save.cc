@@ -3,7 +3,10 @@
 // What a Simulation saves of itself, for checkpoints.
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/parts_file.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/simulation/simulation.h>
+#include <thermocontact/space/node_values.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -26,60 +29,89 @@ namespace ThermoContact
 
 
   template <int dim>
-  std::string
+  SavedRun
   Simulation<dim>::save() const
   {
-    std::ostringstream              stream;
-    boost::archive::binary_oarchive archive(stream, boost::archive::no_header);
-    // one function says what is written and read; writing changes nothing
-    const_cast<Simulation<dim> *>(this)->archive_progress(archive);
-    const RetainedFactorizations retained =
-      integrator->stage_solver().retained();
-    const SolverCounters of_integrator = integrator->own_counters();
-    const SolverCounters of_tracker    = tracker.counters();
-    archive << retained << of_integrator << of_tracker;
-    return stream.str();
+    std::ostringstream stream;
+    {
+      boost::archive::binary_oarchive archive(stream,
+                                              boost::archive::no_header);
+      // one function says what is written and read; writing changes nothing
+      const_cast<Simulation<dim> *>(this)->archive_progress(archive);
+      const RetainedFactorizations retained =
+        integrator->stage_solver().retained();
+      const SolverCounters of_integrator = integrator->own_counters();
+      const SolverCounters of_tracker    = tracker.counters();
+      archive << retained << of_integrator << of_tracker;
+    }
+    return {stream.str(), NodeValues<dim>(discretization()).save(state_)};
   }
 
 
 
   template <int dim>
   void
-  Simulation<dim>::restore(const std::string &saved)
+  Simulation<dim>::restore(const std::string                        &progress,
+                           const unsigned int                        n_ranks,
+                           const std::function<bool(std::string &)> &next_nodes)
   {
+    const MPI_Comm         communicator = discretization().communicator();
+    const unsigned int     n = Utilities::MPI::n_mpi_processes(communicator);
     RetainedFactorizations retained;
     SolverCounters         of_integrator, of_tracker;
     std::string            fault;
+    const NodeValues<dim>  values(discretization());
+    std::size_t            n_set = 0, n_saved = 0;
+    const std::size_t      n_nodes =
+      n == n_ranks ? values.n_nodes() :
+                          Utilities::MPI::sum(values.n_nodes(), communicator);
     try
       {
-        std::istringstream              stream(saved);
+        std::istringstream              stream(progress);
         boost::archive::binary_iarchive archive(stream,
                                                 boost::archive::no_header);
         archive_progress(archive);
         archive >> retained >> of_integrator >> of_tracker;
+        for (std::string nodes; next_nodes(nodes);)
+          {
+            n_set += values.restore(nodes, state_);
+            n_saved += values.n_nodes_of(nodes);
+          }
+        if (n_set != values.n_nodes() || n_saved != n_nodes)
+          fault = "vectors of another discretisation";
       }
     catch (const std::exception &error)
       {
         fault = error.what();
       }
-    // perhaps on one rank alone
-    const auto faults =
-      Utilities::MPI::all_gather(discretization().communicator(), fault);
-    for (const std::string &message : faults)
-      if (!message.empty())
-        throw InputError("--resume: the checkpoint does not fit this scene: " +
-                         message + "\n  remedy:  run without --resume");
+    fault = first_fault(fault, communicator); // perhaps on one rank alone
+    if (!fault.empty())
+      throw InputError("--resume: the checkpoint does not fit this scene: " +
+                       fault + "\n  remedy:  run without --resume");
     integrator->stage_solver().restore(retained);
     integrator->restore_own_counters(of_integrator);
     tracker.restore(of_tracker);
+    if (n != n_ranks)
+      history_.warnings.push_back(
+        text("resumed at t = ",
+             state_.time,
+             " on another number of ranks, ",
+             n,
+             " instead of ",
+             n_ranks,
+             ": from there on equal to an uninterrupted run to the tolerance "
+             "of the solver, not bit for bit"));
     is_restored = true;
   }
 
 
 
-#define INSTANTIATE(dim)                              \
-  template std::string Simulation<dim>::save() const; \
-  template void        Simulation<dim>::restore(const std::string &)
+#define INSTANTIATE(dim)                           \
+  template SavedRun Simulation<dim>::save() const; \
+  template void     Simulation<dim>::restore(      \
+    const std::string &,                       \
+    const unsigned int,                        \
+    const std::function<bool(std::string &)> &)
 
   INSTANTIATE(1);
   INSTANTIATE(2);

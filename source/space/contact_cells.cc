@@ -43,36 +43,11 @@ namespace ThermoContact
   template <int dim>
   ContactCells<dim>::ContactCells(const Scene               &scene,
                                   const Discretization<dim> &discretization)
-    : nodes_along(discretization.degree() + 1)
-    , extension(scene.has_elastic_contact_nodes() ?
-                  extension_from_other_nodes(discretization.degree()) :
-                  std::vector<double>())
+    : n_nodes(Utilities::fixed_power<dim>(discretization.degree() + 1))
   {
-    const FiniteElement<dim> &fe     = discretization.finite_element();
-    const unsigned int        degree = discretization.degree();
-    n_nodes                          = Utilities::fixed_power<dim>(nodes_along);
-    const std::vector<unsigned int> lexicographic =
-      FETools::hierarchic_to_lexicographic_numbering<dim>(degree);
-    const UpdateFlags flags =
-      update_values | update_quadrature_points | update_JxW_values;
-    FEFaceValues<dim> face_values(discretization.mapping(),
-                                  fe,
-                                  QGauss<dim - 1>(degree + 1),
-                                  flags);
-    FEValues<dim>     mass_values(discretization.mapping(),
-                              fe,
-                              mass_quadrature<dim>(degree,
-                                                   scene.has_lumped_mass),
-                              flags);
-    FEValues<dim>     massless_values(
-      discretization.mapping(),
-      fe,
-      massless_quadrature<dim>(degree, scene.has_lumped_mass),
-      flags);
-
     const MatrixFree<dim> &cells = discretization.matrix_free().cells();
+    std::vector<typename DoFHandler<dim>::active_cell_iterator> cells_at_end;
     cells_of_batch.resize(cells.n_cell_batches());
-    unsigned int n_matrices = 0;
     for (unsigned int batch = 0; batch < cells_of_batch.size(); ++batch)
       for (unsigned int lane = 0;
            lane < cells.n_active_entries_per_cell_batch(batch);
@@ -86,35 +61,65 @@ namespace ThermoContact
             &discretization.dof_handler());
           if (!touches_contact_end<dim>(cell))
             continue;
-          cells_of_batch[batch].push_back({lane, n_matrices++});
-          if (scene.fields.has_temperature)
-            {
-              face_values.reinit(cell, contact_face<dim>(cell));
-              add_mass(discretization,
-                       lexicographic,
-                       discretization.first_component(Field::temperature),
-                       face_values,
-                       scene.heat.linear_coefficient(),
-                       heat_exchange.emplace_back(n_nodes, n_nodes));
-            }
-          if (scene.contact.has_massless_nodes)
-            {
-              FullMatrix<double> &matrix =
-                missing_mass.emplace_back(n_nodes, n_nodes);
-              const unsigned int axial =
-                discretization.first_component(Field::displacement);
-              mass_values.reinit(cell);
-              massless_values.reinit(cell);
-              add_mass(
-                discretization, lexicographic, axial, mass_values, -1., matrix);
-              add_mass(discretization,
-                       lexicographic,
-                       axial,
-                       massless_values,
-                       1.,
-                       matrix);
-            }
+          const unsigned int n = cells_at_end.size();
+          cells_of_batch[batch].push_back({lane, n});
+          cells_at_end.push_back(cell);
         }
+    compute_matrices(scene, discretization, cells_at_end);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactCells<dim>::compute_matrices(
+    const Scene                                                       &scene,
+    const Discretization<dim>                                         &space,
+    const std::vector<typename DoFHandler<dim>::active_cell_iterator> &cells)
+  {
+    const unsigned int              degree = space.degree();
+    const FiniteElement<dim>       &fe     = space.finite_element();
+    const std::vector<unsigned int> lexicographic =
+      FETools::hierarchic_to_lexicographic_numbering<dim>(degree);
+    const UpdateFlags flags =
+      update_values | update_quadrature_points | update_JxW_values;
+    const bool        is_lumped = scene.has_lumped_mass;
+    FEFaceValues<dim> face_values(space.mapping(),
+                                  fe,
+                                  QGauss<dim - 1>(degree + 1),
+                                  flags);
+    FEValues<dim>     mass_values(space.mapping(),
+                              fe,
+                              mass_quadrature<dim>(degree, is_lumped),
+                              flags);
+    FEValues<dim>     massless_values(space.mapping(),
+                                  fe,
+                                  massless_quadrature<dim>(degree, is_lumped),
+                                  flags);
+    for (const auto &cell : cells)
+      {
+        if (scene.fields.has_temperature)
+          {
+            face_values.reinit(cell, contact_face<dim>(cell));
+            add_mass(space,
+                     lexicographic,
+                     space.first_component(Field::temperature),
+                     face_values,
+                     scene.heat.linear_coefficient(),
+                     heat_exchange.emplace_back(n_nodes, n_nodes));
+          }
+        if (scene.contact.has_massless_nodes)
+          {
+            const unsigned int axial =
+              space.first_component(Field::displacement);
+            FullMatrix<double> &matrix =
+              missing_mass.emplace_back(n_nodes, n_nodes);
+            mass_values.reinit(cell);
+            massless_values.reinit(cell);
+            add_mass(space, lexicographic, axial, mass_values, -1., matrix);
+            add_mass(space, lexicographic, axial, massless_values, 1., matrix);
+          }
+      }
   }
 
 
@@ -162,40 +167,6 @@ namespace ThermoContact
       return;
     for (const Cell &cell : cells_of_batch[batch])
       add(missing_mass[cell.matrix], factor, cell.lane, x, y);
-  }
-
-
-
-  template <int dim>
-  void
-  ContactCells<dim>::extend(const unsigned int       batch,
-                            VectorizedArray<double> *values) const
-  {
-    for (const Cell &cell : cells_of_batch[batch])
-      for (unsigned int line = 0; line < n_nodes; line += nodes_along)
-        {
-          double value = 0.;
-          for (unsigned int k = 0; k + 1 < nodes_along; ++k)
-            value += extension[k] * values[line + k][cell.lane];
-          values[line + nodes_along - 1][cell.lane] = value;
-        }
-  }
-
-
-
-  template <int dim>
-  void
-  ContactCells<dim>::restrict_to_others(const unsigned int       batch,
-                                        VectorizedArray<double> *values) const
-  {
-    for (const Cell &cell : cells_of_batch[batch])
-      for (unsigned int line = 0; line < n_nodes; line += nodes_along)
-        {
-          double &at_end = values[line + nodes_along - 1][cell.lane];
-          for (unsigned int k = 0; k + 1 < nodes_along; ++k)
-            values[line + k][cell.lane] += extension[k] * at_end;
-          at_end = 0.;
-        }
   }
 
 

@@ -20,11 +20,10 @@
 namespace ThermoContact
 {
   template <int dim>
-  Discretization<dim>::Discretization(const Scene   &scene,
-                                      const MPI_Comm communicator)
-    : communicator_(communicator)
+  Discretization<dim>::Discretization(const Scene &scene, const MPI_Comm all)
+    : communicator_(DimensionTraits<dim>::communicator(all))
     , geometry_(scene)
-    , triangulation(DimensionTraits<dim>::make_triangulation(communicator))
+    , triangulation(DimensionTraits<dim>::make_triangulation(communicator_))
     , finite_element_(FE_Q<dim>(scene.parameters.mesh.degree),
                       scene.fields.n_components(dim))
     , mapping_(1)

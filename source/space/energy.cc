@@ -79,11 +79,14 @@ namespace ThermoContact
 
   template <int dim>
   double
-  Energy<dim>::kinetic_energy(const Vector &velocity) const
+  Energy<dim>::kinetic_energy(const Vector &velocity,
+                              const Vector *subtracted) const
   {
     return material.has_inertia() ?
              0.5 * material.inertia *
-               momentum_form(stage_operator.momentum_mass(), velocity) :
+               momentum_form(stage_operator.momentum_mass(),
+                             velocity,
+                             subtracted) :
              0.;
   }
 
@@ -91,25 +94,36 @@ namespace ThermoContact
 
   template <int dim>
   double
-  Energy<dim>::heat_form(const LinearMap &map, const Vector &vector) const
+  Energy<dim>::heat_form(const LinearMap &map,
+                         const Vector    &vector,
+                         const Vector    *subtracted) const
   {
     if (!discretization.has_field(Field::temperature))
       return 0.;
-    map.vmult(heat_product, vector);
-    return vector * heat_product / discretization.geometry().cross_section();
+    const double form =
+      subtracted == nullptr ?
+        map.form(vector, heat_product) :
+        map.form_of_difference(vector, *subtracted, heat_scratch, heat_product);
+    return form / discretization.geometry().cross_section();
   }
 
 
 
   template <int dim>
   double
-  Energy<dim>::momentum_form(const LinearMap &map, const Vector &vector) const
+  Energy<dim>::momentum_form(const LinearMap &map,
+                             const Vector    &vector,
+                             const Vector    *subtracted) const
   {
     if (!discretization.has_field(Field::displacement))
       return 0.;
-    map.vmult(momentum_product, vector);
-    return vector * momentum_product /
-           discretization.geometry().cross_section();
+    const double form = subtracted == nullptr ?
+                          map.form(vector, momentum_product) :
+                          map.form_of_difference(vector,
+                                                 *subtracted,
+                                                 momentum_scratch,
+                                                 momentum_product);
+    return form / discretization.geometry().cross_section();
   }
 
 
@@ -137,11 +151,10 @@ namespace ThermoContact
   EnergyTerms
   Energy<dim>::energy(const State &state) const
   {
-    heat_scratch = state.temperature;
-    heat_scratch -= steady_profile_;
-
     EnergyTerms terms;
-    terms.thermal = 0.5 * heat_form(stage_operator.heat_mass(), heat_scratch);
+    terms.thermal = 0.5 * heat_form(stage_operator.heat_mass(),
+                                    state.temperature,
+                                    &steady_profile_);
     terms.kinetic = kinetic_energy(state.velocity);
     terms.elastic =
       0.5 * momentum_form(stage_operator.stiffness(), state.displacement);
@@ -186,14 +199,18 @@ namespace ThermoContact
   double
   Energy<dim>::dissipation_rate(const State &state) const
   {
-    heat_scratch = state.temperature;
-    heat_scratch -= steady_profile_;
-    double rate = heat_form(stage_operator.conduction(), heat_scratch);
+    double rate = heat_form(stage_operator.conduction(),
+                            state.temperature,
+                            &steady_profile_);
     if (material.has_viscosity())
       rate += material.viscosity *
               momentum_form(stage_operator.viscous_stiffness(), state.velocity);
     if (!heat.exchange->is_constant())
-      rate += exchange_dissipation(state, heat_scratch);
+      {
+        heat_scratch = state.temperature;
+        heat_scratch -= steady_profile_;
+        rate += exchange_dissipation(state, heat_scratch);
+      }
     return rate;
   }
 
@@ -233,18 +250,13 @@ namespace ThermoContact
   Energy<dim>::numerical_dissipation(const State &old_state,
                                      const State &state) const
   {
-    heat_scratch = state.temperature;
-    heat_scratch -= old_state.temperature;
-    double sum = 0.5 * heat_form(stage_operator.heat_mass(), heat_scratch);
-
-    momentum_scratch = state.velocity;
-    momentum_scratch -= old_state.velocity;
-    sum += kinetic_energy(momentum_scratch);
-
-    momentum_scratch = state.displacement;
-    momentum_scratch -= old_state.displacement;
-    sum += 0.5 * momentum_form(stage_operator.stiffness(), momentum_scratch);
-
+    const double sum = 0.5 * heat_form(stage_operator.heat_mass(),
+                                       state.temperature,
+                                       &old_state.temperature) +
+                       kinetic_energy(state.velocity, &old_state.velocity) +
+                       0.5 * momentum_form(stage_operator.stiffness(),
+                                           state.displacement,
+                                           &old_state.displacement);
     return sum + contact_dissipation(old_state, state);
   }
 

@@ -114,10 +114,31 @@ namespace ThermoContact
       setup_matrix(true, coupling);
     if (scene.has_elastic_contact_nodes())
       setup_matrix(false, viscous_stiffness);
+    start_rod();
     assemble_mass();
     assemble_stiffness();
     if (scene.fields.has_temperature)
       assemble_contact_end();
+    if (rod_cells)
+      rod = rod_cells->make();
+    rod_cells.reset();
+  }
+
+
+
+  template <int dim>
+  void
+  FieldMatrices<dim>::start_rod()
+  {
+    if constexpr (dim == 1)
+      {
+        if (!scene.linear_solver.is_along_rod ||
+            Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
+          return;
+        rod_cells = std::make_unique<RodCells>(discretization);
+        if (!rod_cells->is_in_order())
+          rod_cells.reset();
+      }
   }
 
 
@@ -171,11 +192,12 @@ namespace ThermoContact
                             fe,
                             mass_quadrature<dim>(fe.degree, is_lumped),
                             flags);
-    FEValues<dim>                   massless_values(discretization.mapping(),
-                                  fe,
-                                  massless_quadrature<dim>(fe.degree,
-                                                           is_lumped),
-                                  flags);
+    FEValues<dim>                   axial_values(discretization.mapping(),
+                               fe,
+                               scene.has_midpoint_mass ?
+                                                   midpoint_quadrature<dim>() :
+                                                   massless_quadrature<dim>(fe.degree, is_lumped),
+                               flags);
     const AffineConstraints<double> unconstrained = no_constraints();
 
     const unsigned int                   n = fe.dofs_per_cell;
@@ -203,21 +225,27 @@ namespace ThermoContact
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const bool is_massless =
-            scene.contact.has_massless_nodes && touches_contact_end<dim>(cell);
+          const bool has_axial_rule =
+            scene.has_midpoint_mass || (scene.contact.has_massless_nodes &&
+                                        touches_contact_end<dim>(cell));
           cell_mass = 0.;
           fe_values.reinit(cell);
           integrate(fe_values, [&](const unsigned int c) {
-            return !(is_massless && c == axial);
+            return !(has_axial_rule && c == axial);
           });
-          if (is_massless)
+          if (has_axial_rule)
             {
-              massless_values.reinit(cell);
-              integrate(massless_values,
+              axial_values.reinit(cell);
+              integrate(axial_values,
                         [&](const unsigned int c) { return c == axial; });
             }
           cell->get_dof_indices(dofs);
           unconstrained.distribute_local_to_global(cell_mass, dofs, mass);
+          if (rod_cells)
+            rod_cells->add_diagonal(RodMatrices::heat_mass,
+                                    RodMatrices::momentum_mass,
+                                    cell->active_cell_index(),
+                                    cell_mass);
         }
     mass.compress(VectorOperation::add);
   }
@@ -266,10 +294,31 @@ namespace ThermoContact
             unconstrained.distribute_local_to_global(cell_coupling,
                                                      dofs,
                                                      coupling);
-          if (!has_viscous)
+          if (rod_cells)
+            {
+              const unsigned int index = cell->active_cell_index();
+              rod_cells->add_diagonal(RodMatrices::conduction,
+                                      RodMatrices::stiffness,
+                                      index,
+                                      cell_stiffness);
+              if (has_coupling)
+                {
+                  rod_cells->add(RodMatrices::divergence,
+                                 index,
+                                 Field::temperature,
+                                 Field::displacement,
+                                 cell_coupling);
+                  rod_cells->add(RodMatrices::thermal_stress,
+                                 index,
+                                 Field::displacement,
+                                 Field::temperature,
+                                 cell_coupling);
+                }
+            }
+          if (!has_viscous && !rod_cells)
             continue;
           FullMatrix<double> cell_viscous(cell_stiffness);
-          if (touches_contact_end<dim>(cell))
+          if (has_viscous && touches_contact_end<dim>(cell))
             {
               cell_viscous = 0.;
               cell_viscous.triple_product(cell_stiffness,
@@ -277,9 +326,16 @@ namespace ThermoContact
                                           extension,
                                           true);
             }
-          unconstrained.distribute_local_to_global(cell_viscous,
-                                                   dofs,
-                                                   viscous_stiffness);
+          if (has_viscous)
+            unconstrained.distribute_local_to_global(cell_viscous,
+                                                     dofs,
+                                                     viscous_stiffness);
+          if (rod_cells && scene.fields.has_displacement)
+            rod_cells->add(RodMatrices::viscous_stiffness,
+                           cell->active_cell_index(),
+                           Field::displacement,
+                           Field::displacement,
+                           cell_viscous);
         }
     stiffness.compress(VectorOperation::add);
     if (has_coupling)
@@ -319,6 +375,12 @@ namespace ThermoContact
                 discretization.geometry().weight(face_values, q);
         cell->get_dof_indices(dofs);
         unconstrained.distribute_local_to_global(cell_matrix, dofs, stiffness);
+        if (rod_cells)
+          rod_cells->add(RodMatrices::conduction,
+                         cell->active_cell_index(),
+                         Field::temperature,
+                         Field::temperature,
+                         cell_matrix);
       });
     stiffness.compress(VectorOperation::add);
   }

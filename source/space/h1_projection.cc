@@ -313,7 +313,7 @@ namespace ThermoContact
             kept_entries(Field::temperature),
             heat,
             temperature);
-        const MomentumFactors laplacian{0., 0., 0., 1.};
+        const MomentumFactors laplacian{0., 0., 1.};
         if (discretization.has_field(Field::displacement))
           add_solution(
             [&](Vector &y, const Vector &x) {

@@ -18,10 +18,8 @@ namespace ThermoContact
     , material(scene.material)
     , spaces(discretization.matrix_free())
     , has_lumped_mass(scene.has_lumped_mass)
-    , has_elastic_contact_nodes(scene.has_elastic_contact_nodes())
     , contact_cells(scene, discretization)
     , input(dim * Utilities::fixed_power<dim>(discretization.degree() + 1))
-    , output(input)
   {}
 
 
@@ -153,13 +151,9 @@ namespace ThermoContact
     const unsigned int       n         = u.dofs_per_cell;
     std::copy(values, values + n, input.begin());
 
-    const bool has_own_viscous =
-      is_at_end && has_elastic_contact_nodes && factors.viscous_stiffness != 0.;
     MomentumFactors bulk = factors;
     if (has_lumped_mass)
       bulk.mass = 0.;
-    if (!has_own_viscous)
-      bulk.stiffness += factors.viscous_stiffness;
     integrate_momentum(bulk, input.begin(), u);
     if (has_lumped_mass && factors.mass != 0.)
       add_lumped_mass<dim>(
@@ -169,14 +163,6 @@ namespace ThermoContact
                                      factors.mass,
                                      input.begin(),
                                      values);
-    if (!has_own_viscous)
-      return;
-    std::copy(values, values + n, output.begin());
-    contact_cells.extend(batch, input.begin());
-    integrate_momentum({0., factors.viscous_stiffness, 0.}, input.begin(), u);
-    contact_cells.restrict_to_others(batch, values);
-    for (unsigned int i = 0; i < n; ++i)
-      values[i] += output[i];
   }
 
 
@@ -244,7 +230,7 @@ namespace ThermoContact
         {
           u.reinit(batch);
           u.read_dof_values(x);
-          momentum_on_cell({0., 1., 0.}, u);
+          momentum_on_cell({0., 1.}, u);
           u.distribute_local_to_global(y);
         }
     x.zero_out_ghost_values();
@@ -272,7 +258,7 @@ namespace ThermoContact
             {
               for (unsigned int j = 0; j < n; ++j)
                 values[j] = i == j ? 1. : 0.;
-              momentum_on_cell({0., 1., 0.}, u);
+              momentum_on_cell({0., 1.}, u);
               diagonal[i] = values[i];
             }
           for (unsigned int i = 0; i < n; ++i)

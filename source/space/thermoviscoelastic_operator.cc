@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/space/field_maps.h>
 #include <thermocontact/space/matrix_free_operator.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
@@ -60,12 +61,6 @@ namespace ThermoContact
                      false);
         }
     }
-    /** The diagonal block of the displacement. */
-    const SparseMatrix &
-    last_block(const BlockSparseMatrix &matrix)
-    {
-      return matrix.block(matrix.n_block_rows() - 1, matrix.n_block_cols() - 1);
-    }
 
 
 
@@ -92,90 +87,6 @@ namespace ThermoContact
             scene, discretization);
       return nullptr;
     }
-
-
-
-    std::unique_ptr<const LinearMap>
-    map(const SparseMatrix &matrix)
-    {
-      return std::make_unique<MatrixMap>(matrix);
-    }
-
-
-
-    template <int dim>
-    FieldMaps
-    make_maps(const Scene &scene, const FieldMatrices<dim> &matrices)
-    {
-      FieldMaps maps;
-      if (scene.fields.has_temperature)
-        {
-          maps.heat_mass  = map(matrices.mass.block(0, 0));
-          maps.conduction = map(matrices.stiffness.block(0, 0));
-        }
-      if (scene.fields.has_displacement)
-        {
-          maps.momentum_mass = map(last_block(matrices.mass));
-          maps.stiffness     = map(last_block(matrices.stiffness));
-        }
-      if (scene.material.has_thermal_stress())
-        {
-          maps.divergence     = map(matrices.coupling.block(0, 1));
-          maps.thermal_stress = map(matrices.coupling.block(1, 0));
-        }
-      if (scene.has_elastic_contact_nodes())
-        maps.viscous_stiffness = map(last_block(matrices.viscous_stiffness));
-      return maps;
-    }
-
-
-
-    template <int dim>
-    FieldMaps
-    make_maps(const MatrixFreeOperator<dim> &products)
-    {
-      using Operator  = MatrixFreeOperator<dim>;
-      const auto heat = [&](const typename Operator::HeatFactors &factors) {
-        return std::make_unique<FunctionMap>(
-          [&products, factors](Vector &y, const Vector &x) {
-            products.heat(factors, y, x);
-          });
-      };
-      const auto momentum =
-        [&](const typename Operator::MomentumFactors &factors) {
-          return std::make_unique<FunctionMap>(
-            [&products, factors](Vector &y, const Vector &x) {
-              products.momentum(factors, y, x);
-            });
-        };
-      FieldMaps maps;
-      maps.heat_mass         = heat({1., 0.});
-      maps.conduction        = heat({0., 1.});
-      maps.momentum_mass     = momentum({1., 0., 0.});
-      maps.stiffness         = momentum({0., 1., 0.});
-      maps.viscous_stiffness = momentum({0., 0., 1.});
-      maps.divergence        = std::make_unique<FunctionMap>(
-        [&products](Vector &y, const Vector &x) { products.divergence(y, x); });
-      maps.thermal_stress =
-        std::make_unique<FunctionMap>([&products](Vector &y, const Vector &x) {
-          products.thermal_stress(y, x);
-        });
-      return maps;
-    }
-
-
-
-    template <int dim>
-    FieldMaps
-    make_maps(const Scene                   &scene,
-              const FieldMatrices<dim>      *matrices,
-              const MatrixFreeOperator<dim> *products)
-    {
-      if constexpr (dim > 1)
-        if (products != nullptr)
-          return make_maps(*products);
-      return make_maps(scene, *matrices);
-    }
   } // namespace
 
 
@@ -189,7 +100,7 @@ namespace ThermoContact
     , has_own_viscous_stiffness(scene.has_elastic_contact_nodes())
     , matrices(make_matrices(scene, discretization))
     , matrix_free_(make_matrix_free(scene, discretization))
-    , maps(make_maps(scene, matrices.get(), matrix_free_.get()))
+    , maps(make_field_maps(scene, matrices.get(), rod(), matrix_free_.get()))
     , heat_scratch(discretization.make_vector(Field::temperature))
     , momentum_scratch(discretization.make_vector(Field::displacement))
   {}
@@ -309,6 +220,11 @@ namespace ThermoContact
                                              Vector       &heat,
                                              Vector       &momentum) const
   {
+    if (rod() != nullptr)
+      {
+        rod_stage_rhs(known, tau, heat_load, momentum_load, heat, momentum);
+        return;
+      }
     if (discretization.has_field(Field::temperature))
       {
         conduction().vmult(heat, known.temperature);
@@ -330,6 +246,53 @@ namespace ThermoContact
         momentum_mass().vmult(momentum_scratch, known.velocity);
         momentum.add(material.inertia, momentum_scratch);
       }
+    zero_constrained(Field::displacement, momentum);
+  }
+
+
+
+  template <int dim>
+  void
+  ThermoviscoelasticOperator<dim>::rod_stage_rhs(const State  &known,
+                                                 const double  tau,
+                                                 const Vector &heat_load,
+                                                 const Vector &momentum_load,
+                                                 Vector       &heat,
+                                                 Vector       &momentum) const
+  {
+    using Term                  = RodMatrices::Term;
+    const RodMatrices &products = *rod();
+    if (discretization.has_field(Field::temperature))
+      {
+        products.combine<1>(
+          {{{-1., RodMatrices::conduction, known.temperature.begin()}}},
+          1.,
+          heat_load.begin(),
+          heat.begin());
+        zero_constrained(Field::temperature, heat);
+      }
+    if (!discretization.has_field(Field::displacement))
+      return;
+    const Term elastic = {-tau,
+                          RodMatrices::stiffness,
+                          known.displacement.begin()};
+    const Term inertia = {material.inertia,
+                          RodMatrices::momentum_mass,
+                          known.velocity.begin()};
+    const Term thermal = {tau * material.thermal_stress,
+                          RodMatrices::thermal_stress,
+                          known.temperature.begin()};
+    const auto set     = [&](const auto &terms) {
+      products.combine(terms, tau, momentum_load.begin(), momentum.begin());
+    };
+    if (material.has_inertia() && material.has_thermal_stress())
+      set(std::array<Term, 3>{{elastic, inertia, thermal}});
+    else if (material.has_inertia())
+      set(std::array<Term, 2>{{elastic, inertia}});
+    else if (material.has_thermal_stress())
+      set(std::array<Term, 2>{{elastic, thermal}});
+    else
+      set(std::array<Term, 1>{{elastic}});
     zero_constrained(Field::displacement, momentum);
   }
 

@@ -65,19 +65,23 @@ namespace ThermoContact
                                         const double       step_size,
                                         const unsigned int i)
   {
-    known = state;
+    for (std::vector<Multiple> &sum : rate_sums)
+      sum.clear();
     for (unsigned int j = 0; j < i; ++j)
       {
         const double factor = step_size * tableau.a[i][j];
-        known.temperature.add(factor, stages[j].temperature_rate);
-        known.displacement.add(factor, stages[j].velocity);
-        known.velocity.add(factor, accelerations[j]);
+        rate_sums[0].push_back({factor, &stages[j].temperature_rate});
+        rate_sums[1].push_back({factor, &stages[j].velocity});
+        rate_sums[2].push_back({factor, &accelerations[j]});
       }
-    if (i > 0)
-      {
-        known.contact_pressure     = stages[i - 1].pressure;
-        known.exchange_coefficient = stages[i - 1].exchange_coefficient;
-      }
+    set_sum(known.temperature, state.temperature, rate_sums[0].data(), i);
+    set_sum(known.displacement, state.displacement, rate_sums[1].data(), i);
+    set_sum(known.velocity, state.velocity, rate_sums[2].data(), i);
+    const StageRates *const last = i > 0 ? &stages[i - 1] : nullptr;
+    known.time                   = state.time;
+    known.contact_pressure = last ? last->pressure : state.contact_pressure;
+    known.exchange_coefficient =
+      last ? last->exchange_coefficient : state.exchange_coefficient;
   }
 
 
@@ -165,9 +169,9 @@ namespace ThermoContact
     const double tau   = tableau.gamma() * time_step.size;
     const bool   holds = holds_closing_nodes(mode);
 
-    result.work = result.dissipation = result.impulse = 0.;
-    result.n_iterations                               = 0;
-    result.is_prescribed                              = false;
+    result.work = result.dissipation = result.algebraic = result.impulse = 0.;
+    result.n_iterations                                                  = 0;
+    result.is_prescribed = false;
     for (unsigned int i = 0; i < tableau.n_stages(); ++i)
       {
         const bool   is_last = i + 1 == tableau.n_stages();
@@ -189,19 +193,28 @@ namespace ThermoContact
 
         if (!is_last || tableau.has_error_estimate())
           {
-            accelerations[i] = stage.velocity;
-            accelerations[i].add(-1., known.velocity);
-            accelerations[i] /= tau;
+            set_difference(accelerations[i],
+                           1. / tau,
+                           stage.velocity,
+                           known.velocity);
           }
-        known.time                 = time;
-        known.velocity             = stage.velocity;
+        result.algebraic +=
+          tableau.b()[i] * time_step.size * stage.algebraic_power;
+        known.time = time;
+        set_equal(known.velocity, stage.velocity);
         known.contact_pressure     = stage.pressure;
         known.exchange_coefficient = stage.exchange_coefficient;
-        known.temperature.add(tau, stage.temperature_rate);
-        known.displacement.add(tau, stage.velocity);
+        set_sum(known.temperature,
+                known.temperature,
+                tau,
+                stage.temperature_rate);
+        set_sum(known.displacement, known.displacement, tau, stage.velocity);
         book(known, tableau.b()[i] * time_step.size, result);
       }
-    result.state = known;
+    if (result.state.contact_pressure.size() != known.contact_pressure.size())
+      result.state = known; // the first one: gets its layout
+    else
+      result.state.swap(known);
     find_closed_nodes(state, mode, result);
     result.energy = body.energy.energy(result.state);
     if (tableau.has_error_estimate())
@@ -209,7 +222,8 @@ namespace ThermoContact
     result.numerical_dissipation =
       tableau.n_stages() == 1 ?
         body.energy.numerical_dissipation(state, result.state) :
-        old_energy - result.energy.sum() + result.work - result.dissipation;
+        old_energy - result.energy.sum() + result.work - result.dissipation +
+          result.algebraic;
   }
 
 
@@ -223,16 +237,24 @@ namespace ThermoContact
     difference.temperature  = 0.;
     difference.displacement = 0.;
     difference.velocity     = 0.;
+    for (std::vector<Multiple> &sum : rate_sums)
+      sum.clear();
     for (unsigned int i = 0; i < tableau.n_stages(); ++i)
       {
         const double factor =
           step_size * (tableau.b()[i] - tableau.embedded_b[i]);
         if (factor == 0.)
           continue;
-        difference.temperature.add(factor, stages[i].temperature_rate);
-        difference.displacement.add(factor, stages[i].velocity);
-        difference.velocity.add(factor, accelerations[i]);
+        rate_sums[0].push_back({factor, &stages[i].temperature_rate});
+        rate_sums[1].push_back({factor, &stages[i].velocity});
+        rate_sums[2].push_back({factor, &accelerations[i]});
       }
+    const auto add_sum = [](Vector &vector, const std::vector<Multiple> &sum) {
+      set_sum(vector, vector, sum.data(), sum.size());
+    };
+    add_sum(difference.temperature, rate_sums[0]);
+    add_sum(difference.displacement, rate_sums[1]);
+    add_sum(difference.velocity, rate_sums[2]);
     const std::vector<double> &pressure = result.state.contact_pressure;
     if (can_change_at_once(mode))
       solver->keep_contact(closed_at_end(mode), pressure, difference);
@@ -284,7 +306,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < penetration.size(); ++i)
       result.state.contact_pressure[i] = body.law().pressure(penetration[i]);
 
-    result.work = result.dissipation = result.impulse = 0.;
+    result.work = result.dissipation = result.algebraic = result.impulse = 0.;
     book(result.state, tau, result);
     result.energy                = body.energy.energy(result.state);
     result.numerical_dissipation = body.energy.energy(state).sum() -

@@ -38,6 +38,7 @@ namespace ThermoContact
     scheme.order                  = 2;
     scheme.can_create_energy      = false;
     scheme.needs_massless_contact = true;
+    scheme.has_midpoint_rule      = true;
     scheme.has_viscous_contact    = false;
     scheme.needs_inertia =
       "without inertia there is no energy of motion to conserve";
@@ -65,7 +66,12 @@ namespace ThermoContact
   {
     rates.temperature_rate = heat_load;
     rates.velocity         = momentum_load;
-    if (body.law().is_active())
+    if (!body.law().is_active())
+      return;
+    if (body.scene.has_midpoint_mass)
+      step_contact = std::make_unique<const StepContact>(
+        body.law(), body.scene.parameters.mesh.contact_spacing());
+    else
       set_up_contact();
   }
 
@@ -121,7 +127,7 @@ namespace ThermoContact
                                                   const double end)
   {
     std::vector<double> mean_load;
-    if (body.loads.has_sources() && body.law().is_active())
+    if (body.loads.has_sources() && contact)
       for (const double time : {begin, end})
         {
           body.loads.assemble(time, heat_load, momentum_load);
@@ -242,12 +248,50 @@ namespace ThermoContact
 
 
   template <int dim>
+  void
+  EnergyConservingIntegrator<dim>::apply_step_contact(const State    &state,
+                                                      const TimeStep &time_step)
+  {
+    const ContactEnd<dim> &end = body.contact_end();
+    AssertDimension(end.n_nodes(), 1);
+    end.get_penetrations(state.displacement, old_penetration);
+    end.get_values(Field::displacement, rates.velocity, free_position);
+    free_position[0] =
+      old_penetration[0] + time_step.size * free_position[0]; // penetration
+    rates.pressure.assign(1, 0.);
+    rates.n_iterations = 0;
+    if (old_penetration[0] <= 0. && free_position[0] <= 0.)
+      return;
+    rates.pressure[0]  = step_contact->pressure(old_penetration[0],
+                                               free_position[0],
+                                               2. * solver->response()(0, 0));
+    rates.n_iterations = 1;
+    solver->apply_pressure(rates);
+  }
+
+
+
+  template <int dim>
+  void
+  EnergyConservingIntegrator<dim>::finish_step_contact(State &new_state)
+  {
+    new_state.contact_pressure = rates.pressure;
+    if (!step_contact->conserves_energy())
+      return;
+    body.contact_end().get_penetrations(new_state.displacement,
+                                        old_penetration);
+    new_state.contact_pressure[0] = body.law().pressure(old_penetration[0]);
+  }
+
+
+
+  template <int dim>
   double
   EnergyConservingIntegrator<dim>::work(const double size,
                                         const State &new_state)
   {
     // contact nodes move from end to end, not along their mean velocity
-    if (body.law().is_active())
+    if (contact)
       for (const auto &[node, entry] :
            body.contact_end().all_entries(Field::displacement))
         midpoint.velocity.begin()[entry] = new_state.velocity.begin()[entry];
@@ -269,7 +313,9 @@ namespace ThermoContact
     assemble_loads(state.time, time_step.end);
     solver->solve_without_contact(
       state, 0.5 * size, heat_load, momentum_load, rates);
-    if (body.law().is_active())
+    if (step_contact)
+      apply_step_contact(state, time_step);
+    else if (contact)
       apply_contact(state, time_step);
 
     midpoint.velocity    = rates.velocity;
@@ -281,16 +327,19 @@ namespace ThermoContact
     result.state.temperature.add(size, rates.temperature_rate);
     result.state.displacement.add(size, rates.velocity);
     result.state.velocity.sadd(-1., 2., rates.velocity);
-    if (body.law().is_active())
+    if (step_contact)
+      finish_step_contact(result.state);
+    else if (contact)
       finish_contact(state, time_step, result.state);
 
     result.failure.clear();
     result.n_iterations  = rates.n_iterations;
     result.is_prescribed = false;
     result.dissipation   = size * body.energy.dissipation_rate(midpoint);
-    result.work    = body.energy.has_work() ? work(size, result.state) : 0.;
-    result.impulse = size * body.contact_end().mean(rates.pressure);
-    result.energy  = body.energy.energy(result.state);
+    result.work      = body.energy.has_work() ? work(size, result.state) : 0.;
+    result.impulse   = size * body.contact_end().mean(rates.pressure);
+    result.algebraic = 0.;
+    result.energy    = body.energy.energy(result.state);
     result.numerical_dissipation =
       old_energy - result.energy.sum() + result.work - result.dissipation;
   }

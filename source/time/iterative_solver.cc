@@ -198,6 +198,35 @@ namespace ThermoContact
 
 
   template <int dim>
+  double
+  IterativeSolver<dim>::algebraic_power(
+    const State               &known,
+    const double               tau,
+    const std::vector<double> &pressure) const
+  {
+    double sum = 0.;
+    if (body.scene.fields.has_temperature)
+      {
+        Vector excess(known.temperature);
+        excess += stage.unknowns(Field::temperature);
+        excess -= body.energy.steady_profile();
+        sum += stage.unsolved(Field::temperature) * excess;
+      }
+    if (body.scene.fields.has_displacement)
+      {
+        Vector unsolved(stage.unsolved(Field::displacement));
+        body.contact_end().subtract_load(Field::displacement,
+                                         pressure,
+                                         tau,
+                                         unsolved);
+        sum += unsolved * stage.unknowns(Field::displacement);
+      }
+    return -sum / (tau * body.discretization.geometry().cross_section());
+  }
+
+
+
+  template <int dim>
   void
   IterativeSolver<dim>::solve_fields(const State      &known,
                                      const double      tau,
@@ -278,6 +307,7 @@ namespace ThermoContact
                  mode,
                  body.scene.fields.has_temperature,
                  rates);
+    rates.algebraic_power = algebraic_power(known, tau, rates.pressure);
   }
 
 

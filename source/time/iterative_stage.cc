@@ -155,7 +155,7 @@ namespace ThermoContact
     if (!body.scene.fields.has_displacement)
       return;
     equations.matrix_free()->momentum(
-      {material.inertia, tau * tau, tau * material.viscosity}, y_u, x_u);
+      {material.inertia, tau * (tau + material.viscosity)}, y_u, x_u);
     if (has_heat)
       equations.add_thermal_stress(x_theta, -tau, y_u);
     equations.zero_constrained(Field::displacement, y_u);

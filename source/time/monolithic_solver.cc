@@ -4,6 +4,7 @@
 #include <thermocontact/time/monolithic_solver.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -32,6 +33,7 @@ namespace ThermoContact
     , exchange_solver(body.law(), exchange)
     , max_factorizations(
         cache_size<dim>(body.discretization.dof_handler().n_dofs()))
+    , has_sparse_factors(body.equations.rod() == nullptr)
     , heat_rhs(body.discretization.make_vector(Field::temperature))
     , momentum_rhs(body.discretization.make_vector(Field::displacement))
   {}
@@ -73,6 +75,18 @@ namespace ThermoContact
        EndResponse()});
     counters_.factorizations +=
       factorizations.front().matrix.n_factorizations();
+    const std::string warning = factorizations.front().matrix.warning();
+    if (!warning.empty() && !std::exchange(has_sparse_factors, true))
+      warnings.push_back(warning);
+  }
+
+
+
+  template <int dim>
+  std::string
+  MonolithicSolver<dim>::linear_solver() const
+  {
+    return has_sparse_factors ? "direct" : "block tridiagonal";
   }
 
 
@@ -174,6 +188,7 @@ namespace ThermoContact
           compute_response(factorizations.front());
       }
     counters_ = retained.counters;
+    warnings.clear(); // the run has given them before
   }
 
 

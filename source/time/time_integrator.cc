@@ -19,7 +19,7 @@ namespace ThermoContact
     std::vector<double> values;
     const auto          visit = [this](const auto &act) {
       for (double *value :
-           {&work, &dissipation, &numerical_dissipation, &impulse})
+           {&work, &dissipation, &numerical_dissipation, &algebraic, &impulse})
         act(*value);
     };
     visit([&](const double value) { values.push_back(value); });

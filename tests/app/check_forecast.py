@@ -76,7 +76,7 @@ elif expected[1].startswith("about"):
     print("steps within a factor of 2:",
           verdict(0.5 < predicted / steps < 2, (predicted, steps)))
 else:
-    snapshots = list(directory.glob("fields/*.vtu"))
+    snapshots = list(directory.glob("fields/fields-*.vtu"))
     known = re.match(r"(\d+) steps; contact.csv: (\d+) rows, about (\S+ \w+)"
                      r"(?:; fields: (\d+) snapshots, about (\S+ \w+))?$", expected[1])
     steps_and_rows, n_snapshots = [int(known[1]), int(known[2])], int(known[4] or 0)

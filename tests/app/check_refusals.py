@@ -20,6 +20,8 @@ STUDY = ("Study/Vary=Mesh/Cells = 4 | 8",)
 RIGID = ("Contact/Condition=rigid",)
 ITERATIVE = PLANE + ("Solver/Linear solver=iterative",)
 EXCHANGE = ("Boundary/Heat exchange=1+gap",)
+MIDPOINT = CONSERVING + ("Mesh/Mass matrix=midpoint",)
+WAVES = ("Mesh/Degree=1", "Model/Viscosity=0")
 
 # entry at fault, what the scenes share, what is refused, its accepted neighbours
 SCENES = [
@@ -53,6 +55,21 @@ SCENES = [
     ("Mesh/Mass matrix", ("Dimension=2", "Mesh/Geometry=axisymmetric"),
      "Mesh/Mass matrix=lumped", "Mesh/Mass matrix=consistent",
      ("Mesh/Mass matrix=lumped", "Mesh/Geometry=plane strain")),
+    # one point to a cell: for elastic waves in a rod of equal linear cells
+    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Dimension=2", "Dimension=1",
+     ("Dimension=2", "Mesh/Mass matrix=consistent")),
+    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Model/Fields=temperature",
+     "Model/Fields=displacement"),
+    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Time/Scheme=sdirk4",
+     "Time/Scheme=energy conserving"),
+    ("Mesh/Mass matrix", MIDPOINT + ("Model/Viscosity=0",), "Mesh/Degree=2",
+     "Mesh/Degree=1", ("Mesh/Degree=2", "Mesh/Mass matrix=lumped")),
+    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Mesh/Grading=1.001",
+     "Mesh/Grading=1"),
+    ("Mesh/Mass matrix", MIDPOINT + ("Mesh/Degree=1",), "Model/Viscosity=1e-6",
+     "Model/Viscosity=0"),
+    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Contact/Massless nodes=on",
+     "Contact/Massless nodes=automatic", "Contact/Massless nodes=off"),
     ("Boundary/Fixed end support", PLANE + QUASI_STATIC + (
         "Boundary/Lateral support=free",), "Boundary/Fixed end support=sliding",
      "Boundary/Fixed end support=clamped",

@@ -36,7 +36,7 @@ def contents(directory):
     summary = json.loads(files["summary.json"])
     files["summary.json"] = {key: value for key, value in summary.items()
                              if not key.endswith("_seconds")
-                             and key != "peak_memory_mb"}
+                             and not key.startswith("peak_memory_mb")}
     if "steps.csv" in files:  # its last column is wall time
         files["steps.csv"] = [line.rpartition(b",")[0]
                               for line in files["steps.csv"].splitlines()]

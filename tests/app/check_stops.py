@@ -35,7 +35,7 @@ def contents(directory):
              not path.name.startswith("checkpoint")}
     summary = json.loads(files.pop("summary.json"))
     for key, value in summary.items():
-        if not key.endswith("_seconds") and key != "peak_memory_mb":
+        if not key.endswith("_seconds") and not key.startswith("peak_memory_mb"):
             files[f"summary.json: {key}"] = value
     if "steps.csv" in files:  # its last column is wall time
         files["steps.csv"] = [line.rpartition(b",")[0]

@@ -106,12 +106,16 @@ namespace
   std::string
   words_of_program()
   {
-    // from the program's own words on: MPI may complain of the machine first
+    // the program's own words: MPI may complain of the machine first, and
+    // mpirun of the exit status afterwards, below a line of dashes
     std::ifstream     file("stderr");
     std::stringstream contents;
     contents << file.rdbuf();
     const auto begin = contents.str().find("thermocontact: ");
-    return begin == std::string::npos ? "" : contents.str().substr(begin);
+    if (begin == std::string::npos)
+      return "";
+    const auto end = contents.str().find("--------", begin);
+    return contents.str().substr(begin, end - begin);
   }
 
 

@@ -113,9 +113,11 @@ class Run:
         return [tuple(float(number) for number in re.findall(r"= ([^,]*)", comment))
                 for comment in self.probes.comments if comment.startswith("probe ")]
 
+    index = "fields.pvd"  # of the snapshots
+
     def snapshots(self):
         """Time and mesh of each snapshot."""
-        index = self.directory / "fields.pvd"
+        index = self.directory / self.index
         if self.read_snapshots is None:
             self.read_snapshots = [
                 (float(entry.get("timestep")),

@@ -22,7 +22,22 @@ def check_summary(strip):
                 "max_contact_force": max(c["contact_force"]),
                 "max_penetration": max(c["penetration"])}
     faults = [f"{key} is {s[key]}" for key, value in expected.items() if s[key] != value]
-    return faults + check_linear_solver(strip)
+    return faults + check_linear_solver(strip) + check_memory(strip)
+
+
+def check_memory(strip):
+    """Of all ranks: a scene takes more on two than it took on one, in the run before; each
+    has its share."""
+    memory, ranks = (strip.summary[name] for name in ("peak_memory_mb",
+                                                      "peak_memory_mb_per_rank"))
+    before = Path("memory_on_one_rank")
+    if len(ranks) != strip.summary["ranks"] or abs(sum(ranks) - memory) > 1e-9 * memory:
+        return [f"memory {memory} MB, of the ranks {ranks}"]
+    if len(ranks) == 1:
+        before.write_text(str(memory))
+    elif memory < 1.5 * float(before.read_text()):
+        return [f"peak memory {memory} MB, on one rank {before.read_text()}"]
+    return []
 
 
 def most_of_two_steps(strip):

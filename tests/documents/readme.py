@@ -7,7 +7,7 @@ with results/ names one. A block that begins with `# my.prm` is written to that
 file. All but these are run as they stand:
 
   scripts/install_packages  replaced by nothing: the test installs nothing
-  scripts/build             replaced by nothing: PROGRAM is what was built
+  scripts/build             replaced by what says where PROGRAM is: it is built
   scripts/test              replaced by a check that bash can read it
   paraview FILE             replaced by a check that FILE is XML and the files
                             that it names exist
@@ -23,7 +23,9 @@ from pathlib import Path
 
 STUBS = {
     "scripts/install_packages": "exit 0",
-    "scripts/build": "exit 0",
+    "scripts/build": 'if [ "$1" = --tree ]; then\n'
+                     '  echo "$(cd "$(dirname "$0")/.." && pwd)/build/release"\n'
+                     "fi",
     "scripts/test": 'exec bash -n "$PROJECT/scripts/test"',
     "bin/paraview": 'exec /usr/bin/python3 -c "\n'
                     "import sys, xml.etree.ElementTree as tree\n"

@@ -301,8 +301,9 @@ namespace ThermoContact
     check_audit(const Simulation<dim> &simulation)
     {
       const StepRecord &record = simulation.record();
-      const double      defect = first.energy + record.work - record.energy -
-                            record.dissipation - record.numerical_dissipation;
+      const double      defect = first.energy + record.work + record.algebraic -
+                            record.energy - record.dissipation -
+                            record.numerical_dissipation;
       rounding += step_rounding;
       require_below("audit open",
                     std::abs(defect),

@@ -9,7 +9,8 @@ every image of the page:
              in the same or an earlier section (but title and fields interval)
   picture    the alternative text names the picture that it is, and of which
              experiment; --figure is that of a command scripts/plot
-  factor     --scale is the number in the commands and in the text
+  factor     --scale is the number in the commands of its section, and the number in the
+             text one of them
 An image too many or too few is an error of scripts/gallery. The check is seen
 to fail on faults in scripts/gallery.
 """
@@ -31,7 +32,8 @@ PICTURES = {"Histories": "figure", "Contact": "contact", "Energy audit":
             "Largest contact force": "peak", "largest contact force": "peak",
             "first contact": "first-contact", "End": "last",
             "Start of all experiments": "first",
-            "Fields over space and time": "space-time"}
+            "Fields over space and time": "space-time",
+            "Pressure and gap": "contact-face"}
 STAND_IN = r"""#!/bin/sh
 # Writes its arguments, a line each: the program into its output directory, a
 # script into each of its pictures.
@@ -45,7 +47,7 @@ case ${0##*/} in
   plot) write plot "$@" >"$output" ;;
   paraview)
     mkdir "$1/paraview"
-    for picture in first first-contact peak last space-time; do
+    for picture in first first-contact peak last space-time contact-face; do
       write paraview --picture "$picture" "$@" >"$1/paraview/$picture.png"
     done ;;
 esac
@@ -148,6 +150,7 @@ def faults_of_image(text, name, made, scenes, figures, scales):
 
 def faults_of_page(top, page):
     faults, scenes, n_images, scales = [], [], 0, set()
+    times = re.findall(r"drawn (\S+) times as large", page.replace("\n", " "))
     for section in re.split(r"^## ", page, flags=re.M):
         more, figures, more_scales = commands_of(section)
         scenes += more
@@ -159,9 +162,8 @@ def faults_of_page(top, page):
             n_images += 1
             made = origin_of(top, top / "doc" / name)
             faults += faults_of_image(text, name, made, known, figures,
-                                      more_scales or commands_of(page)[2])
-    times = re.findall(r"drawn (\S+) times as large", page.replace("\n", " "))
-    if set(times) != scales or len(scales) != 1:
+                                      more_scales or set(times))
+    if len(times) != 1 or times[0] not in scales:
         faults.append(f"the text says {times} times, the commands {scales}")
     return faults if n_images else ["no images"]
 

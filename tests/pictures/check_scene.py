@@ -327,6 +327,47 @@ def shows_field(axes, bar, mesh):
             numpy.allclose(limits, [0, 1, 0, end]))
 
 
+def check_contact_face(directory):
+    """Pressure and gap over y, or over y and z: values at their places, each in the panel
+    of its label, at the time that the title says, which has the largest force."""
+    paraview_stand_in.install()
+    sys.path.insert(0, str(source / "scripts"))
+    for name in ("paraview_space_time", "paraview_contact"):
+        sys.modules.pop(name, None)
+    import paraview_contact
+    script, figures = drawings.load(source / "scripts", "paraview"), []
+    paraview_contact.save = lambda figure, path, dpi: figures.append(figure)
+    peak = Truth(Path(directory), gaps=(0., 0.)).marks["peak"]
+    time, path = script.contact_face_at(Path(directory, "contact.pvd"), peak)
+    paraview_contact.draw(path, time, "contact-face.png", 700)
+    mesh = meshio.read(path)
+    labels = {"contact pressure  $p$": "contact_pressure", "gap  $g - u$": "gap"}
+    panels = [axes for axes in figures[0].axes if axes.get_label() != "<colorbar>"]
+    title = figures[0].texts[0].get_text()
+    check(f"contact face of {directory}", time == peak and len(panels) == 2 and
+          title == f"contact end, t = {peak:.3g}", title)
+    for field, axes in zip(labels.values(), panels):
+        shown, label = shown_values(axes)
+        values = {name: numpy.column_stack([
+            mesh.points[:, 1:], mesh.point_data[name].ravel()]) for name in labels.values()}
+        # a map has the middles of the cells as well
+        same = {name: set(map(tuple, value)) <= set(map(tuple, shown))
+                for name, value in values.items()}
+        check(f"contact face of {directory}, {field}", labels[label] == field and
+              [name for name, is_shown in same.items() if is_shown] == [field])
+
+
+def shown_values(axes):
+    """y, z and value of what a panel shows, and its label."""
+    if axes.lines:
+        y, values = axes.lines[0].get_data()
+        return numpy.column_stack([y, 0 * y, values]), axes.get_ylabel()
+    picture, = axes.collections
+    corners = picture._triangulation
+    return (numpy.column_stack([corners.x, corners.y, picture.get_array()]),
+            picture.colorbar.ax.get_ylabel())
+
+
 def moments(corners):
     """Integrals of 1, x and y over all triangles, which must not overlap."""
     x, y = corners.x[corners.triangles], corners.y[corners.triangles]
@@ -391,6 +432,10 @@ def main():
         check_message()
         check_space_time("rod")
         check_space_time("strip")
+        run("block", "examples/tilted-block.prm", "Time/End time=0.2", "Mesh/Cells=4",
+            "Mesh/Cells across=2", "Output/Fields interval=0.1")
+        check_contact_face("strip")
+        check_contact_face("block")
 
 
 with tempfile.TemporaryDirectory() as scratch:

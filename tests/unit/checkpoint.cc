@@ -2,24 +2,30 @@
 //
 // Bytes between ranks, and checkpoints, on two ranks.
 //
-// 1. 1000 bytes travel in ceil(1000/n) pieces of n bytes, in order, to rank 0
-//    and from it, also if it is rank 0 itself that has or gets them: 143 pieces
-//    of 7, one of 1000 and of 1001. 0 bytes are 0 pieces. Of a run of a study
-//    the result travels and the plan stays.
-// 2. Checkpoints whose parts are of 1000 bytes on rank 0 and of 80 MiB on rank
-// 1,
-//    twenty pieces and more than any parameter file: each rank reads its own.
-//    The peak of the memory of rank 0 grows by less than half of what rank 1
-//    has, since it never holds all of it (measured: 8 MiB).
-// 3. One byte of any part otherwise, a byte less or more at the end: the file
+// 1. 1000 bytes travel in ceil(1000/n) pieces of n bytes, in order, to rank 0,
+//    also if it is rank 0 itself that has them: 143 pieces of 7, one of 1000
+//    and of 1001. 0 bytes are 0 pieces. Of a run of a study the result travels
+//    and the plan stays.
+// 2. Files of a part from each rank: the parts in order, whichever of them is
+//    empty; an older, longer file leaves nothing behind. A disk that is full
+//    (/dev/full) for rank 1 alone, which has bytes where rank 0 has none, is
+//    told to both, with the path. What cannot be put in place leaves the older
+//    file and nothing else.
+// 3. Checkpoints whose nodes are 1000 bytes on rank 0 and 80 MiB on rank 1:
+// each
+//    rank reads its own, and each can read that of the other. The peak of the
+//    memory of rank 0 grows by less than half of what rank 1 has, since it
+//    never holds all of it (measured: 1 MiB).
+// 4. One byte of any part otherwise, a byte less or more at the end: the file
 // is
 //    damaged, and the previous checkpoint is read. With both damaged there is
 //    none. A file that cannot be written leaves the earlier ones alone.
-// 4. A checkpoint of one rank, read on two: the number of ranks is told, and no
-//    memory is read.
+// 5. A checkpoint of one rank, read on two: the number of ranks is told, and
+//    both can read its nodes.
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/long_message.h>
+#include <thermocontact/base/parts_file.h>
 #include <thermocontact/output/checkpoint.h>
 #include <thermocontact/study/study.h>
 
@@ -71,7 +77,7 @@ namespace
     for (const unsigned int other : {0u, 1u})
       {
         const std::string bytes   = pattern(size, other), nothing;
-        unsigned int      n_taken = 0, n_given = 0;
+        unsigned int      n_taken = 0;
         std::string       taken;
         send_to_first(
           other,
@@ -82,23 +88,10 @@ namespace
           },
           MPI_COMM_WORLD,
           piece_size);
-        std::size_t       begin = 0;
-        const std::string given = send_from_first(
-          other,
-          rank() == 0 ? size : 0,
-          [&](char *piece, const std::size_t n) {
-            std::copy_n(bytes.data() + begin, n, piece);
-            begin += n;
-            ++n_given;
-          },
-          MPI_COMM_WORLD,
-          piece_size);
-        const bool is_same =
-          everywhere(taken == (rank() == 0 ? bytes : "") &&
-                     given == (rank() == other ? bytes : ""));
+        const bool is_same = everywhere(taken == (rank() == 0 ? bytes : ""));
         deallog << size << " bytes by " << piece_size << ", rank " << other
-                << ": taken " << n_taken << ", given " << n_given
-                << " pieces, the same " << is_same << std::endl;
+                << ": taken " << n_taken << " pieces, the same " << is_same
+                << std::endl;
       }
   }
 
@@ -122,6 +115,59 @@ namespace
 
 
 
+  std::string
+  contents(const std::string &path)
+  {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+  }
+
+
+
+  void
+  test_parts()
+  {
+    const std::string path = directory + "/parts";
+    for (const std::size_t size : {500, 20, 0})
+      for (const unsigned int other : {0u, 1u})
+        {
+          const std::string part = rank() == other ? pattern(size, 1) : "";
+          const std::string fault =
+            write_parts_atomically(path, {"a", part, "b"}, MPI_COMM_WORLD);
+          const std::string expected = other == 0 ?
+                                         "a" + pattern(size, 1) + "bab" :
+                                         "aba" + pattern(size, 1) + "b";
+          deallog << "parts of " << size << " bytes: as they were "
+                  << everywhere(fault.empty() && contents(path) == expected)
+                  << std::endl;
+          MPI_Barrier(MPI_COMM_WORLD);
+        }
+    const auto begins = [](const std::string &fault, const std::string &words) {
+      return everywhere(fault.rfind(words, 0) == 0);
+    };
+    const std::string part = rank() == 1 ? "x" : "";
+    deallog << "full disk: said "
+            << begins(write_parts("/dev/full", {part}, MPI_COMM_WORLD),
+                      "/dev/full: cannot be written: No space left")
+            << ", no directory: said "
+            << begins(write_parts_atomically("no/file", {part}, MPI_COMM_WORLD),
+                      "no/file: cannot be opened: No such file")
+            << std::endl;
+    const std::string taken = directory + "/taken";
+    if (rank() == 0)
+      std::filesystem::create_directories(taken + "/by_a_directory");
+    MPI_Barrier(MPI_COMM_WORLD);
+    deallog << "in place of a directory: said "
+            << begins(write_parts_atomically(taken, {part}, MPI_COMM_WORLD),
+                      taken + ": cannot be replaced")
+            << ", nothing left "
+            << everywhere(!std::filesystem::exists(taken + ".part"))
+            << std::endl;
+  }
+
+
+
   Checkpoint
   make_checkpoint(const unsigned int step,
                   const std::size_t  size_of_last,
@@ -133,19 +179,23 @@ namespace
     checkpoint.n_ranks               = n_ranks;
     checkpoint.parameters            = {{"Time/End time", "1"}};
     checkpoint.output.snapshot_times = {0., 0.5};
-    checkpoint.simulation = pattern(rank() == 0 ? 1000 : size_of_last, step);
+    checkpoint.progress              = "progress " + std::to_string(step);
+    checkpoint.nodes = pattern(rank() == 0 ? 1000 : size_of_last, step);
     return checkpoint;
   }
 
 
 
+  /** @p found was read, and its nodes are those of @p b. */
   bool
-  are_equal(const Checkpoint &a, const Checkpoint &b)
+  are_equal(const Checkpoint &found, const Checkpoint &b)
   {
+    Checkpoint a = found;
+    a.nodes      = read_nodes(found, rank());
     return everywhere(a.time == b.time && a.step == b.step &&
                       a.n_ranks == b.n_ranks && a.parameters == b.parameters &&
                       a.output.snapshot_times == b.output.snapshot_times &&
-                      a.simulation == b.simulation);
+                      a.progress == b.progress && a.nodes == b.nodes);
   }
 
 
@@ -168,9 +218,13 @@ namespace
     const Checkpoint   checkpoint = make_checkpoint(1, megabytes << 20);
     const double       before     = peak_memory();
     write_checkpoint(directory, checkpoint, MPI_COMM_WORLD);
-    const Checkpoint read   = read_checkpoint(directory, MPI_COMM_WORLD);
-    const double     growth = peak_memory() - before;
-    deallog << megabytes << " MiB: the same " << are_equal(read, checkpoint)
+    const Checkpoint read    = read_checkpoint(directory, MPI_COMM_WORLD);
+    const bool       is_same = are_equal(read, checkpoint);
+    const double     growth  = peak_memory() - before;
+    deallog << megabytes << " MiB: the same " << is_same
+            << ", that of the other "
+            << everywhere(read_nodes(read, 1 - rank()).size() ==
+                          (rank() == 1 ? 1000 : megabytes << 20))
             << ", warned " << !read.warning.empty() << ", rank 0 grows by "
             << "less than half of it " << (growth < 0.5 * megabytes)
             << std::endl;
@@ -195,10 +249,8 @@ namespace
     const Checkpoint last  = make_checkpoint(3, 500);
     write_checkpoint(directory, first, MPI_COMM_WORLD);
     write_checkpoint(directory, last, MPI_COMM_WORLD);
-    const std::string  path = directory + "/checkpoint.bin";
-    std::ostringstream contents;
-    contents << std::ifstream(path, std::ios::binary).rdbuf();
-    const std::string text   = contents.str();
+    const std::string path   = directory + "/checkpoint.bin";
+    const std::string text   = contents(path);
     const auto        change = [&text](const std::size_t from_end) {
       std::string changed = text;
       changed[changed.size() - from_end] ^= 1;
@@ -260,7 +312,8 @@ namespace
     MPI_Barrier(MPI_COMM_WORLD);
     const Checkpoint found = read_checkpoint(directory, MPI_COMM_WORLD);
     deallog << "of " << found.n_ranks << " rank: step " << found.step
-            << ", no memory " << everywhere(found.simulation.empty())
+            << ", its nodes "
+            << everywhere(read_nodes(found, 0) == pattern(1000, 4))
             << std::endl;
   }
 } // namespace
@@ -281,6 +334,7 @@ main(int argc, char **argv)
     test_pieces(1000, piece_size);
   test_pieces(0, 7);
   test_object();
+  test_parts();
   test_large();
   test_damage();
   test_other_ranks();

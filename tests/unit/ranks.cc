@@ -2,11 +2,9 @@
 //
 // The same numbers on one rank and on two, to 1e-10 of the largest value of the
 // column, in every column of every step: each rank runs the scene alone
-// (MPI_COMM_SELF) and both run it together (MPI_COMM_WORLD). Dimensions 1, 2
-// and 3; elastic and rigid obstacle; the paper's iteration; sources. Contact
-// occurs in all of them. 1e-9 for the rod on the rigid obstacle: the pressure
-// of an impact is (u_free - g)/chi, and chi is 1e-3 for these steps, so that
-// the rounding of 18 steps, 3e-13 of u, becomes 5e-10 of p.
+// (MPI_COMM_SELF) and both run it together (MPI_COMM_WORLD). Dimensions 2 and
+// 3; elastic and rigid obstacle; the paper's iteration; sources. A rod is not
+// shared: its numbers are the same bit for bit. Contact occurs in all of them.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -76,7 +74,7 @@ namespace
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       deallog << dim << "-D, " << name << ": contact occurs " << (n_contact > 0)
               << ", one rank equals two to " << bound << ' '
-              << (difference < bound) << std::endl;
+              << (difference <= bound) << std::endl;
   }
 } // namespace
 
@@ -93,15 +91,17 @@ main(int argc, char **argv)
               << std::endl;
     }
 
-  compare<1>("elastic obstacle", {});
-  compare<1>("rigid obstacle", {"Contact/Condition=rigid"}, 1e-9);
+  compare<1>("elastic obstacle", {}, 0.);
+  compare<1>("rigid obstacle", {"Contact/Condition=rigid"}, 0.);
   compare<1>("fixed point",
-             {"Solver/Step solver=fixed point", "Time/Scheme=backward euler"});
+             {"Solver/Step solver=fixed point", "Time/Scheme=backward euler"},
+             0.);
   compare<1>("sources",
              {"Sources/Heat source=x*t",
               "Sources/Body force=sin(t)*x",
               "Sources/End traction=0.3*t",
-              "Sources/End heat flux=1+t"});
+              "Sources/End heat flux=1+t"},
+             0.);
   compare<2>("elastic obstacle", {});
   compare<2>("rigid obstacle",
              {"Contact/Condition=rigid", "Time/Scheme=sdirk2"});

@@ -25,6 +25,16 @@ namespace ThermoContact
                    const bool         is_durable = false);
 
   /**
+   * The end of write_atomically(): the file that was written beside @p path
+   * takes its place.
+   *
+   * @param fault what was wrong with writing it, or nothing
+   * @return what is wrong, with the path; then what was written is gone
+   */
+  std::string
+  put_in_place(const std::string &path, std::string fault);
+
+  /**
    * Waits until the file at @p path would survive a loss of power.
    *
    * @return what is wrong, with the path, or nothing

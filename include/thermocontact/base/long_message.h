@@ -41,22 +41,6 @@ namespace ThermoContact
                 const std::size_t piece_size = largest_piece);
 
   /**
-   * The reverse: rank 0 hands bytes to one rank.
-   *
-   * @param receiver may be 0: then nothing travels
-   * @param size bytes altogether; used on rank 0
-   * @param give is called on rank 0 to fill one piece of that many bytes after
-   *   the other; must not throw
-   * @return the bytes on the receiver, nothing elsewhere
-   */
-  std::string
-  send_from_first(const unsigned int                              receiver,
-                  const std::uint64_t                             size,
-                  const std::function<void(char *, std::size_t)> &give,
-                  const MPI_Comm                                  communicator,
-                  const std::size_t piece_size = largest_piece);
-
-  /**
    * Hands an object of one rank to rank 0: whatever boost archives of it is the
    * sender's then, the rest stays. All ranks call it, as send_to_first().
    */

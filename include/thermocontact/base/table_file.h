@@ -8,6 +8,12 @@
 
 namespace ThermoContact
 {
+  /** The message that @p what has gone wrong with a file, from errno. */
+  std::string
+  file_fault(const std::string &path, const std::string &what);
+
+
+
   /**
    * A file that grows by whole rows, text or binary. Rows are collected and
    * written in larger pieces; a piece that does not fit on the disk is taken

@@ -61,13 +61,20 @@ namespace ThermoContact
   constexpr types::boundary_id contact_boundary_id = 1; ///< $x=1$
 
   /**
-   * What differs in one dimension: p4est has no 1-D meshes, and a face is a
-   * point.
+   * What differs in one dimension: p4est has no 1-D meshes, a face is a point,
+   * and the mesh is too small to be shared by ranks.
    */
   template <int dim>
   struct DimensionTraits
   {
     using Triangulation = parallel::distributed::Triangulation<dim>;
+
+    /** The ranks that share the mesh, of those that are there. */
+    static MPI_Comm
+    communicator(const MPI_Comm all)
+    {
+      return all;
+    }
 
     /** A factorisation costs about as much as a step, or less. */
     static constexpr bool has_cheap_factors = false;
@@ -90,6 +97,13 @@ namespace ThermoContact
   struct DimensionTraits<1>
   {
     using Triangulation = parallel::shared::Triangulation<1>;
+
+    /** Each rank has the whole rod: the same bits on any number of them. */
+    static MPI_Comm
+    communicator(const MPI_Comm)
+    {
+      return MPI_COMM_SELF;
+    }
 
     static constexpr bool has_cheap_factors = true;
 

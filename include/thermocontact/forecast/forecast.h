@@ -44,6 +44,7 @@ namespace ThermoContact
     double row_bytes      = 0.;    ///< of contact.csv, about
     double snapshots      = 0.;
     double snapshot_bytes = 0.; ///< of all of them, about
+    double face_bytes     = 0.; ///< of the contact face, if there is one
   };
 
 

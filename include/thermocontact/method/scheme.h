@@ -30,7 +30,7 @@ namespace ThermoContact
     /** Why it needs a body with inertia; empty: it does not. */
     std::string needs_inertia;
 
-    /** Its contact nodes have no mass. */
+    /** Its contact nodes have no mass, unless Scene::has_midpoint_mass. */
     bool needs_massless_contact = false;
 
     /** Why it treats linear contact laws alone; empty: it treats all. */
@@ -41,6 +41,9 @@ namespace ThermoContact
 
     /** Its steps need responses to unit pressures, and so sparse factors. */
     bool needs_factors = false;
+
+    /** A step is the midpoint rule. */
+    bool has_midpoint_rule = false;
 
     /** The viscosity acts on its contact nodes. */
     bool has_viscous_contact = true;

@@ -21,10 +21,9 @@ namespace ThermoContact
     /** From the next coarser level; of all but the coarsest. */
     MGTwoLevelTransfer<dim, Vector> transfer;
 
-    /** Diagonals of mass, stiffness (conduction) and viscous stiffness. */
+    /** Diagonals of mass and stiffness (conduction). */
     Vector mass;
     Vector stiffness;
-    Vector viscous_stiffness;
 
     /** What a V-cycle works with, of all stage lengths in turn. */
     mutable Vector right;

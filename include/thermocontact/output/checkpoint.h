@@ -6,11 +6,30 @@
 #include <thermocontact/base/types.h>
 #include <thermocontact/output/output.h>
 
+#include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace ThermoContact
 {
+  /** A part of a file. */
+  struct PartPlace
+  {
+    std::uint64_t begin    = 0;
+    std::uint64_t size     = 0;
+    std::uint32_t checksum = 0;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &begin &size &checksum;
+    }
+  };
+
+
+
   /**
    * A run at the end of a step: all that it takes to go on as if it had never
    * stopped. The newest two are kept in the output directory, checkpoint.bin
@@ -30,10 +49,15 @@ namespace ThermoContact
     /** Ranks of the run. */
     unsigned int n_ranks = 0;
 
-    /** What Simulation::save() gave on this rank. */
-    std::string simulation;
+    /** What Simulation::save() gave. */
+    std::string progress; ///< of all ranks
+    std::string nodes;    ///< of this rank
 
     OutputProgress output;
+
+    /** Where the nodes of each rank are in the file. */
+    std::string            path;
+    std::vector<PartPlace> parts;
 
     /** What is wrong with a newer one that cannot be read; mostly empty. */
     std::string warning;
@@ -43,8 +67,7 @@ namespace ThermoContact
 
   /**
    * Makes @p checkpoint the newest of @p directory, in one piece and surviving
-   * a loss of power. Collective; rank 0 writes, and holds no other rank's
-   * memory as a whole.
+   * a loss of power. Collective; each rank writes its nodes.
    *
    * @throw ComputationError saying what is wrong, with the path; the earlier
    *   ones are as they were then
@@ -55,14 +78,21 @@ namespace ThermoContact
                    const MPI_Comm     communicator);
 
   /**
-   * Reads the newest checkpoint of @p directory that is whole. Collective, read
-   * by rank 0. The parts of the ranks are read only if they are as many as
-   * those of the run.
+   * Reads the newest checkpoint of @p directory that is whole, without the
+   * nodes. Collective: each rank looks at its share of the file.
    *
    * @throw InputError if there is none, with what is wrong with each file
    */
   Checkpoint
   read_checkpoint(const std::string &directory, const MPI_Comm communicator);
+
+  /**
+   * Reads the nodes that rank @p rank of the run had; any rank can.
+   *
+   * @throw std::runtime_error if the file cannot be read any more
+   */
+  std::string
+  read_nodes(const Checkpoint &checkpoint, const unsigned int rank);
 
   /**
    * Before a run goes on from @p checkpoint: a newer one that cannot be read is
@@ -82,7 +112,8 @@ namespace ThermoContact
 
   /**
    * Compares a checkpoint with the run that is to go on from it. End time,
-   * the directory and the intervals of the output may differ.
+   * the directory, the intervals of the output and the number of ranks may
+   * differ.
    *
    * @param parameters path and value of every parameter of that run
    * @throw InputError naming what differs, or an end time before the
@@ -91,8 +122,7 @@ namespace ThermoContact
   void
   check_compatibility(const Checkpoint                         &checkpoint,
                       const std::map<std::string, std::string> &parameters,
-                      const double                              end_time,
-                      const unsigned int                        n_ranks);
+                      const double                              end_time);
 } // namespace ThermoContact
 
 #endif

@@ -11,9 +11,12 @@
 
 namespace ThermoContact
 {
-  /** The columns of contact.csv; a body in 2-D or 3-D has some more. */
+  /**
+   * The columns of contact.csv; a body in 2-D or 3-D has some more, and one
+   * more if its stages are solved iteratively.
+   */
   const CsvColumns<StepRecord> &
-  contact_columns(const unsigned int dim);
+  contact_columns(const unsigned int dim, const bool is_iterative = false);
 
   /** The columns of events.csv. */
   const CsvColumns<ContactEvent> &

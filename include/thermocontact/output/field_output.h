@@ -3,6 +3,7 @@
 #ifndef thermocontact_output_field_output_h
 #define thermocontact_output_field_output_h
 
+#include <thermocontact/output/snapshot_series.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
 
@@ -10,17 +11,17 @@
 
 #include <deal.II/lac/trilinos_parallel_block_vector.h>
 
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ThermoContact
 {
   /**
    * Snapshots of temperature, displacement, velocity and stress for ParaView:
-   * fields/fields-NNNNN.vtu and fields.pvd with their times. The PVD file is
-   * replaced in one piece after each snapshot, so that it can be opened while
-   * the run goes on.
+   * fields/fields-NNNNN.vtu and fields.pvd with their times, each file written
+   * by all ranks together. If dim > 1 and there is an obstacle, the contact end
+   * is beside them, fields/contact-NNNNN.vtu and contact.pvd.
    *
    * Cells of degree p are cut into p parts along each direction. The stress is
    * $C\varepsilon(u+\zeta v)-a\theta I$, if dim > 1 a tensor in space. Fields
@@ -46,7 +47,7 @@ namespace ThermoContact
     const std::vector<double> &
     times() const
     {
-      return times_;
+      return fields.times();
     }
 
     /**
@@ -58,16 +59,24 @@ namespace ThermoContact
     void
     restore(const std::vector<double> &times);
 
-    /** The snapshots so far survive a loss of power; returns what is wrong. */
+    /**
+     * The snapshots so far survive a loss of power; returns what is wrong, on
+     * all ranks. Collective.
+     */
     std::string
     sync();
 
   private:
-    const std::string          directory;
-    const Body<dim>           &body;
-    const Discretization<dim> &discretization;
-    std::vector<double>        times_;
-    unsigned int               n_synced = 0; ///< snapshots
+    const std::string             directory;
+    const Body<dim>              &body;
+    const Discretization<dim>    &discretization;
+    const bool                    is_writer;
+    SnapshotSeries                fields;
+    std::optional<SnapshotSeries> contact_face; ///< if there is one
+
+    /** Both, as far as they are there. */
+    std::vector<SnapshotSeries *>
+    all_series();
 
     /**
      * Both fields in one vector. By blocks: DataOut takes other vectors only if
@@ -77,17 +86,19 @@ namespace ThermoContact
     joined(const Vector &temperature, const Vector &displacement) const;
 
     /**
-     * Writes a snapshot from the parts of all ranks, and the PVD file. Rank 0
-     * does; returns what is wrong, or nothing.
+     * Writes the fields from this rank's part; returns what is wrong, on all
+     * ranks. Collective.
      */
     std::string
-    write_files(const double                    time,
-                const std::vector<std::string> &pieces,
-                const DataOutBase::VtkFlags    &flags);
+    write_fields(const std::string           &piece,
+                 const DataOutBase::VtkFlags &flags) const;
 
-    /** Returns what is wrong, or nothing. On one rank. */
+    /**
+     * Writes what is small: contact end, obstacle, PVD files. Rank 0 does;
+     * returns what is wrong, or nothing. Collective.
+     */
     std::string
-    write_pvd(const std::string &path) const;
+    write_others(const State &state, const DataOutBase::VtkFlags &flags);
   };
 } // namespace ThermoContact
 

@@ -3,6 +3,7 @@
 #ifndef thermocontact_output_output_h
 #define thermocontact_output_output_h
 
+#include <thermocontact/base/csv_columns.h>
 #include <thermocontact/base/table_file.h>
 #include <thermocontact/output/field_output.h>
 #include <thermocontact/output/probe_output.h>
@@ -97,19 +98,20 @@ namespace ThermoContact
     sync();
 
   private:
-    const std::string      directory;
-    const OutputParameters parameters;
-    const double           end_time;
-    const MPI_Comm         communicator;
-    const bool             is_writer;
-    FieldOutput<dim>       field_output;
-    Timer                  field_timer;
-    Timer                  since_flush;
-    TableFile              contact_file;
-    TableFile              events_file;
-    TableFile              steps_file;
-    const bool             has_attempts; ///< steps that can be rejected
-    unsigned int           n_written_events;
+    const std::string             directory;
+    const OutputParameters        parameters;
+    const double                  end_time;
+    const MPI_Comm                communicator;
+    const bool                    is_writer;
+    const CsvColumns<StepRecord> &columns; ///< of contact.csv
+    FieldOutput<dim>              field_output;
+    Timer                         field_timer;
+    Timer                         since_flush;
+    TableFile                     contact_file;
+    TableFile                     events_file;
+    TableFile                     steps_file;
+    const bool                    has_attempts; ///< steps that can be rejected
+    unsigned int                  n_written_events;
 
     /** Of columns that an earlier part of the run has left, for a later one. */
     std::uint64_t unused_space_time_size = 0;

@@ -194,7 +194,11 @@ namespace ThermoContact
   /** How the linear systems of stages are solved. */
   struct LinearSolver
   {
-    bool        is_iterative;
+    bool is_iterative;
+
+    /** Direct, by blocks along the rod, where one process has all of it. */
+    bool is_along_rod;
+
     double      tolerance; ///< relative residual; of the iterative one
     std::string reason;    ///< of the choice
 
@@ -268,6 +272,9 @@ namespace ThermoContact
     const bool has_sliding_end;
 
     const bool has_lumped_mass;
+
+    /** One point to a cell for the mass of displacements, (M.80). */
+    const bool has_midpoint_mass;
 
     /** Stages are solved by the iteration of the paper. */
     const bool is_fixed_point;

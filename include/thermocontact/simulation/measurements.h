@@ -60,7 +60,8 @@ namespace ThermoContact
     unsigned int iterations            = 0;
     double       work                  = 0.; ///< sum of (M.25)
     double       temperature_mean      = 0.;
-    FaceRecord   face;         ///< of a body in 2-D or 3-D
+    double       algebraic             = 0.; ///< sum of (M.65)
+    FaceRecord   face;                       ///< of a body in 2-D or 3-D
     EnergyTerms  energy_terms; ///< the terms of energy; not in the file
 
     template <class Archive>
@@ -71,7 +72,7 @@ namespace ThermoContact
         &velocity_end &stress_end &gap &penetration &contact_force
           &contact_impulse &temperature_end &heat_flux_end &energy &dissipation
             &numerical_dissipation &in_contact &iterations &work
-              &temperature_mean &face &energy_terms;
+              &temperature_mean &algebraic &face &energy_terms;
     }
   };
 
@@ -99,12 +100,22 @@ namespace ThermoContact
     Body<dim> &body;
 
     /** Position in the local vector and weight; empty on other ranks. */
-    std::vector<std::pair<unsigned int, double>> mid_weights;
-    Vector                                       mean_weights;
-    std::vector<double>                          contact_values;
+    using Weights = std::vector<std::pair<unsigned int, double>>;
 
-    void
-    find_mid_point();
+    Weights mid_weights; ///< of the middle of the body
+
+    /** Of the middle of the last cell, where nodes do not have the velocity. */
+    Weights             last_cell_weights;
+    Vector              mean_weights;
+    std::vector<double> contact_values;
+
+    /** Of the axial displacement at @p position on the axis. Collective. */
+    Weights
+    find_weights(const double position) const;
+
+    /** What they weigh, on all ranks. */
+    double
+    value(const Weights &weights, const Vector &vector) const;
 
     /** Weights of the displacements of a cell in that at @p point. */
     std::vector<std::pair<types::global_dof_index, double>>

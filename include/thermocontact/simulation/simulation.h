@@ -19,6 +19,15 @@
 
 namespace ThermoContact
 {
+  /** What a run that goes on needs, as bytes. */
+  struct SavedRun
+  {
+    std::string progress; ///< the same on all ranks
+    std::string nodes;    ///< values of those of this rank, NodeValues
+  };
+
+
+
   /**
    * One scene from its initial state to its end time. Writes no file and
    * prints nothing: at the initial state and after every accepted step it
@@ -71,23 +80,28 @@ namespace ThermoContact
     void
     run(const Observers &observers = {});
 
-    /**
-     * All that changes during a run, as bytes: the part of this rank, after a
-     * step or at the start. Collective.
-     */
-    std::string
+    /** All that changes during a run, after a step or at the start. */
+    SavedRun
     save() const;
 
     /**
-     * Goes on from what save() gave on the same number of ranks, for a scene
-     * that may differ in end time and output: each later step is the same, bit
-     * for bit. Observers are not called for the state that is restored.
-     * Collective.
+     * Goes on from what save() gave, for a scene that may differ in end time
+     * and output. On the same number of ranks each later step is the same, bit
+     * for bit; on another number it agrees to the tolerance of the solver,
+     * which becomes a warning of the run. Observers are not called for the
+     * state that is restored. Collective.
      *
-     * @throw InputError if @p saved is not of such a run
+     * @param progress of rank 0
+     * @param n_ranks that saved the run
+     * @param next_nodes fetches the nodes of one rank after the other, and
+     *   returns false if there are no more; those of this rank alone if the
+     *   ranks are as many
+     * @throw InputError if that is not of such a run
      */
     void
-    restore(const std::string &saved);
+    restore(const std::string                        &progress,
+            const unsigned int                        n_ranks,
+            const std::function<bool(std::string &)> &next_nodes);
 
     /** The state that was accepted last. */
     const State &
@@ -124,6 +138,13 @@ namespace ThermoContact
     n_factorized_unknowns() const
     {
       return integrator->stage_solver().n_factorized_unknowns();
+    }
+
+    /** How linear systems of stages are solved, in one word or two. */
+    std::string
+    linear_solver() const
+    {
+      return integrator->stage_solver().linear_solver();
     }
 
     const Scene &

@@ -15,9 +15,9 @@ namespace ThermoContact
 {
   /**
    * What differs in the cells at the contact end, for products without
-   * matrices: the heat exchange, contact nodes without mass (M.36) and without
-   * viscous stress (M.37). Small dense matrices of each cell; values of a cell
-   * are in lexicographic order, component by component, as in FEEvaluation.
+   * matrices: the heat exchange, and contact nodes without mass (M.36). Small
+   * dense matrices of each cell; values of a cell are in lexicographic order,
+   * component by component, as in FEEvaluation.
    */
   template <int dim>
   class ContactCells
@@ -48,18 +48,8 @@ namespace ThermoContact
                      const VectorizedArray<double> *x,
                      VectorizedArray<double>       *y) const;
 
-    /** Gives the contact nodes the values that the others extend to. */
-    void
-    extend(const unsigned int batch, VectorizedArray<double> *values) const;
-
-    /** The transpose of extend(). */
-    void
-    restrict_to_others(const unsigned int       batch,
-                       VectorizedArray<double> *values) const;
-
   private:
-    const unsigned int nodes_along; ///< in the direction of the axis
-    unsigned int       n_nodes;     ///< of a cell
+    const unsigned int n_nodes; ///< of a cell
 
     /** A cell at the end: its place in a batch, and that of its matrices. */
     struct Cell
@@ -73,8 +63,12 @@ namespace ThermoContact
     std::vector<FullMatrix<double>> heat_exchange;
     std::vector<FullMatrix<double>> missing_mass;
 
-    /** Values at the end of the polynomials through the other nodes. */
-    std::vector<double> extension;
+    /** Those of the cells at the end, in the order of their batches. */
+    void
+    compute_matrices(
+      const Scene                                                       &scene,
+      const Discretization<dim>                                         &space,
+      const std::vector<typename DoFHandler<dim>::active_cell_iterator> &cells);
 
     void
     add(const FullMatrix<double>      &matrix,

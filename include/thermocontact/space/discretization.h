@@ -44,7 +44,8 @@ namespace ThermoContact
   class Discretization
   {
   public:
-    Discretization(const Scene &scene, const MPI_Comm communicator);
+    /** @param all the ranks, of which communicator() shares the mesh */
+    Discretization(const Scene &scene, const MPI_Comm all);
 
     ~Discretization();
 
@@ -54,6 +55,7 @@ namespace ThermoContact
       return geometry_;
     }
 
+    /** Of the ranks that share the mesh: of a rod, this rank alone. */
     MPI_Comm
     communicator() const
     {

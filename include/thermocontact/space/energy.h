@@ -138,15 +138,20 @@ namespace ThermoContact
     EnergyTerms
     common(const EnergyTerms &terms) const;
 
-    /** $b/2\|v\|^2$ */
+    /** $b/2\|v\|^2$, of a difference if there is what to subtract. */
     double
-    kinetic_energy(const Vector &velocity) const;
+    kinetic_energy(const Vector &velocity,
+                   const Vector *subtracted = nullptr) const;
 
     double
-    heat_form(const LinearMap &map, const Vector &vector) const;
+    heat_form(const LinearMap &map,
+              const Vector    &vector,
+              const Vector    *subtracted = nullptr) const;
 
     double
-    momentum_form(const LinearMap &map, const Vector &vector) const;
+    momentum_form(const LinearMap &map,
+                  const Vector    &vector,
+                  const Vector    *subtracted = nullptr) const;
 
     double
     contact_dissipation(const State &old_state, const State &state) const;

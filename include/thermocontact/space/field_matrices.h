@@ -6,9 +6,21 @@
 #include <thermocontact/base/types.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/discretization.h>
+#include <thermocontact/space/rod_cells.h>
+
+#include <memory>
 
 namespace ThermoContact
 {
+  /** The diagonal block of the displacement. */
+  inline const SparseMatrix &
+  last_block(const BlockSparseMatrix &matrix)
+  {
+    return matrix.block(matrix.n_block_rows() - 1, matrix.n_block_cols() - 1);
+  }
+
+
+
   /**
    * The matrices of both fields, doc/model.md section 4, assembled once without
    * constraints. The first diagonal block belongs to the temperature, the last
@@ -39,7 +51,15 @@ namespace ThermoContact
     /** $S_\zeta$ in the last block, where it is not $S$, (M.37). */
     BlockSparseMatrix viscous_stiffness;
 
+    /** All of them cell by cell, of a rod that one process has; else null. */
+    std::unique_ptr<const RodMatrices> rod;
+
   private:
+    std::unique_ptr<RodCells> rod_cells; ///< while they are assembled
+
+    void
+    start_rod();
+
     /** @param couples_fields two blocks off the diagonal, else those on it */
     void
     setup_matrix(const bool couples_fields, BlockSparseMatrix &matrix) const;

@@ -4,6 +4,7 @@
 #define thermocontact_space_linear_map_h
 
 #include <thermocontact/base/types.h>
+#include <thermocontact/rod/rod_matrices.h>
 
 #include <functional>
 #include <utility>
@@ -22,6 +23,34 @@ namespace ThermoContact
     /** @p y $=A$ @p x; the layouts are those of its rows and columns. */
     virtual void
     vmult(Vector &y, const Vector &x) const = 0;
+
+    /**
+     * $x\cdot Ax$ of a symmetric map.
+     *
+     * @param product scratch of the layout of @p x
+     */
+    virtual double
+    form(const Vector &x, Vector &product) const
+    {
+      vmult(product, x);
+      return x * product;
+    }
+
+    /**
+     * $(x-y)\cdot A(x-y)$ of a symmetric map.
+     *
+     * @param difference,product scratch of the layout of @p x
+     */
+    virtual double
+    form_of_difference(const Vector &x,
+                       const Vector &y,
+                       Vector       &difference,
+                       Vector       &product) const
+    {
+      difference = x;
+      difference -= y;
+      return form(difference, product);
+    }
   };
 
 
@@ -42,6 +71,43 @@ namespace ThermoContact
 
   private:
     const SparseMatrix &matrix;
+  };
+
+
+
+  /** A matrix of a rod, which is borrowed. */
+  class RodMap : public LinearMap
+  {
+  public:
+    RodMap(const RodMatrices &matrices, const RodMatrices::Matrix matrix)
+      : matrices(matrices)
+      , matrix(matrix)
+    {}
+
+    void
+    vmult(Vector &y, const Vector &x) const override
+    {
+      matrices.combine<1>({{{1., matrix, x.begin()}}}, 0., nullptr, y.begin());
+    }
+
+    double
+    form(const Vector &x, Vector &) const override
+    {
+      return matrices.form(matrix, x.begin());
+    }
+
+    double
+    form_of_difference(const Vector &x,
+                       const Vector &y,
+                       Vector &,
+                       Vector &) const override
+    {
+      return matrices.form_of_difference(matrix, x.begin(), y.begin());
+    }
+
+  private:
+    const RodMatrices        &matrices;
+    const RodMatrices::Matrix matrix;
   };
 
 

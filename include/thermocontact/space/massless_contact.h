@@ -21,11 +21,16 @@ namespace ThermoContact
   Quadrature<dim>
   mass_quadrature(const unsigned int degree, const bool is_lumped);
 
+  /** One point in the middle of a cell, doc/model.md (M.80). */
+  template <int dim>
+  Quadrature<dim>
+  midpoint_quadrature();
+
   /**
-   * The same across the body, and along it the interpolatory rule on the nodes
-   * off the contact end $x=1$ of a cell that touches it: exact for polynomials
-   * of degree p - 1, it leaves the contact nodes without mass and keeps the
-   * mass of the cell, doc/model.md (M.36).
+   * The same as mass_quadrature() across the body, and along it the
+   * interpolatory rule on the nodes off the contact end $x=1$ of a cell that
+   * touches it: exact for polynomials of degree p - 1, it leaves the contact
+   * nodes without mass and keeps the mass of the cell, doc/model.md (M.36).
    */
   template <int dim>
   Quadrature<dim>

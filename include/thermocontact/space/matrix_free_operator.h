@@ -36,14 +36,13 @@ namespace ThermoContact
     };
 
     /**
-     * Factors of $M_u$, $S$ and $S_\zeta$, and of the vector Laplacian of the
-     * mesh.
+     * Factors of $M_u$ and $S$, which is $S_\zeta$ here, and of the vector
+     * Laplacian of the mesh.
      */
     struct MomentumFactors
     {
       double mass;
       double stiffness;
-      double viscous_stiffness;
       double laplacian = 0.;
     };
 
@@ -91,10 +90,8 @@ namespace ThermoContact
     const Material              &material;
     const MatrixFreeSpaces<dim> &spaces;
     const bool                   has_lumped_mass;
-    const bool                   has_elastic_contact_nodes;
     const ContactCells<dim>      contact_cells;
-    mutable Values               input;  ///< values of a batch
-    mutable Values               output; ///< likewise
+    mutable Values               input; ///< values of a batch
 
     /** What quadrature points of the present batch weigh beside the mesh. */
     template <typename Evaluation>

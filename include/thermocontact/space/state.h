@@ -5,8 +5,6 @@
 
 #include <thermocontact/base/types.h>
 
-#include <algorithm>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -44,26 +42,12 @@ namespace ThermoContact
       exchange_coefficient.swap(other.exchange_coefficient);
     }
 
-    /**
-     * The part of this rank, for checkpoints. A state that is read has its
-     * layout already.
-     *
-     * @throw std::length_error if the layout is another one
-     */
+    /** What all ranks know; the vectors are saved by NodeValues. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
       archive &time &contact_pressure &exchange_coefficient;
-      for (Vector *vector : {&temperature, &displacement, &velocity})
-        {
-          std::vector<double> values(vector->begin(), vector->end());
-          archive            &values;
-          if (values.size() != vector->locally_owned_size())
-            throw std::length_error("vectors of another discretisation");
-          if (Archive::is_loading::value)
-            std::copy(values.begin(), values.end(), vector->begin());
-        }
     }
   };
 } // namespace ThermoContact

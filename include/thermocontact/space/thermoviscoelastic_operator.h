@@ -6,29 +6,12 @@
 #include <thermocontact/base/types.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/discretization.h>
+#include <thermocontact/space/field_maps.h>
 #include <thermocontact/space/field_matrices.h>
-#include <thermocontact/space/linear_map.h>
 #include <thermocontact/space/state.h>
 
 namespace ThermoContact
 {
-  template <int dim>
-  class MatrixFreeOperator;
-
-
-
-  /**
-   * Products with the field matrices. With assembled matrices, those of absent
-   * fields and terms are null; without, they are there and must not be used.
-   */
-  struct FieldMaps
-  {
-    std::unique_ptr<const LinearMap> heat_mass, conduction, divergence,
-      thermal_stress, momentum_mass, stiffness, viscous_stiffness;
-  };
-
-
-
   /**
    * The semidiscrete equations, doc/model.md (M.11), (M.12):
    * @f[
@@ -122,6 +105,19 @@ namespace ThermoContact
       return matrix_free_.get();
     }
 
+    /** The matrices of a rod in one process; else null. */
+    const RodMatrices *
+    rod() const
+    {
+      return matrices ? matrices->rod.get() : nullptr;
+    }
+
+    const Material &
+    coefficients() const
+    {
+      return material;
+    }
+
     /** True if the motion heats the body: one stage matrix for both fields. */
     bool
     is_coupled() const
@@ -184,6 +180,15 @@ namespace ThermoContact
     const FieldMaps                                      maps;
     mutable Vector                                       heat_scratch;
     mutable Vector                                       momentum_scratch;
+
+    /** stage_rhs() by one pass over the rod for each field. */
+    void
+    rod_stage_rhs(const State  &known,
+                  const double  tau,
+                  const Vector &heat_load,
+                  const Vector &momentum_load,
+                  Vector       &heat,
+                  Vector       &momentum) const;
 
     /** Weighted sum of two matrices of a block, with constrained rows. */
     SparseMatrix

@@ -3,9 +3,11 @@
 #ifndef thermocontact_time_dirk_integrator_h
 #define thermocontact_time_dirk_integrator_h
 
+#include <thermocontact/base/local_sums.h>
 #include <thermocontact/method/butcher_tableau.h>
 #include <thermocontact/time/time_integrator.h>
 
+#include <array>
 #include <vector>
 
 namespace ThermoContact
@@ -66,6 +68,9 @@ namespace ThermoContact
     State                              difference;
     Vector                             heat_load;
     Vector                             momentum_load;
+
+    /** Of the rates of temperature, displacement and velocity. */
+    std::array<std::vector<Multiple>, 3> rate_sums;
 
     /** The known values of stage @p i of a step by @p step_size. */
     void

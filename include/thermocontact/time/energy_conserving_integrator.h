@@ -4,6 +4,7 @@
 #define thermocontact_time_energy_conserving_integrator_h
 
 #include <thermocontact/method/conserving_contact.h>
+#include <thermocontact/method/step_contact.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <memory>
@@ -66,6 +67,11 @@ namespace ThermoContact
     std::vector<Vector>                temperature_responses;
     std::unique_ptr<ConservingContact> contact;
 
+    /** Of a node that keeps its mass; one of the two, if there is an obstacle.
+     */
+    std::unique_ptr<const StepContact> step_contact;
+    std::vector<double>                old_penetration;
+
     std::vector<double> old_free_position; ///< $s$ at the beginning
     std::vector<double> free_position;     ///< $s$ at the end
 
@@ -98,6 +104,14 @@ namespace ThermoContact
     /** Finds $\bar p$ and adds its response to the rates. */
     void
     apply_contact(const State &state, const TimeStep &time_step);
+
+    /** The same of a node that keeps its mass, (M.81). */
+    void
+    apply_step_contact(const State &state, const TimeStep &time_step);
+
+    /** Its pressure at the end of the step. */
+    void
+    finish_step_contact(State &new_state);
 
     /** Moves the contact nodes to their equilibrium at the end of the step. */
     void

@@ -42,6 +42,12 @@ namespace ThermoContact
                    ContactMode   mode,
                    StageRates   &rates);
 
+    std::string
+    linear_solver() const override
+    {
+      return "iterative";
+    }
+
     /**
      * The velocity of a body without inertia that does not move nodes in
      * contact into a rigid obstacle, times $\zeta/(\zeta+1)$, and pressures
@@ -93,6 +99,12 @@ namespace ThermoContact
                const std::vector<bool>   &is_fixed,
                const bool                 only_the_first,
                std::vector<bool>         &is_active) const;
+
+    /** (M.65) of the stage that was solved last. */
+    double
+    algebraic_power(const State               &known,
+                    const double               tau,
+                    const std::vector<double> &pressure) const;
 
     /** The stage that was prepared, from the pressures of @p known on. */
     void

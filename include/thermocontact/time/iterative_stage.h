@@ -112,6 +112,13 @@ namespace ThermoContact
       return solution.block(field);
     }
 
+    /** What is left of the rows (M.50), without contact. */
+    const Vector &
+    unsolved(const Field::Block field) const
+    {
+      return residual.block(field);
+    }
+
     /** $\tau$ of the present stage. */
     double
     length() const

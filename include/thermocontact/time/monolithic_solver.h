@@ -51,6 +51,9 @@ namespace ThermoContact
     types::global_dof_index
     n_factorized_unknowns() const override;
 
+    std::string
+    linear_solver() const override;
+
     RetainedFactorizations
     retained() const override;
 
@@ -102,6 +105,7 @@ namespace ThermoContact
 
     const unsigned int       max_factorizations;
     std::list<Factorization> factorizations; ///< the one used last in front
+    bool                     has_sparse_factors;
 
     Vector              heat_rhs;
     Vector              momentum_rhs;

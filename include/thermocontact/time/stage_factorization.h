@@ -3,10 +3,12 @@
 #ifndef thermocontact_time_stage_factorization_h
 #define thermocontact_time_stage_factorization_h
 
+#include <thermocontact/rod/rod_factors.h>
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
 #include <memory>
+#include <string>
 
 namespace ThermoContact
 {
@@ -15,6 +17,8 @@ namespace ThermoContact
    * in as many pieces as the scene allows: fields that act on each other are
    * one matrix; if the motion does not heat the body, or a field is absent,
    * each field has a matrix of its own, and the heat equation is solved first.
+   * The matrices of a rod in one process are eliminated by blocks along it; if
+   * blocks grow on the way, and otherwise, they are left to sparse factors.
    */
   template <int dim>
   class StageFactorization
@@ -52,18 +56,36 @@ namespace ThermoContact
     unsigned int
     n_factorizations() const
     {
-      return (whole ? 1 : 0) + (heat ? 1 : 0) + (momentum ? 1 : 0);
+      return stage_operator.is_coupled() ?
+               1 :
+               discretization.has_field(Field::temperature) +
+                 discretization.has_field(Field::displacement);
     }
+
+    /** Why a rod was left to sparse factors; empty: it was not. */
+    std::string
+    warning() const;
 
   private:
     const Discretization<dim>             &discretization;
     const ThermoviscoelasticOperator<dim> &stage_operator;
     const double                           tau_;
+    double                                 refused_growth;
+    std::unique_ptr<const RodFactors<2>>   rod_whole;
+    std::unique_ptr<const RodFactors<1>>   rod_heat;
+    std::unique_ptr<const RodFactors<1>>   rod_momentum;
     std::unique_ptr<DirectSolver>          whole;
     std::unique_ptr<DirectSolver>          heat;
     std::unique_ptr<DirectSolver>          momentum;
     SystemVector                           system_rhs;
     SystemVector                           system_rates;
+
+    /** False if blocks grow: nothing is factorised then. */
+    bool
+    factorize_rod(const RodMatrices &matrices, const Material &material);
+
+    void
+    factorize_sparse();
   };
 } // namespace ThermoContact
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ThermoContact
@@ -24,7 +25,11 @@ namespace ThermoContact
     std::vector<double> exchange_coefficient; ///< $k_i$ there
     std::vector<bool>   is_held; ///< in: nodes that stay closed; empty: none
     unsigned int        n_iterations = 0; ///< active sets or fixed point
-    std::string         failure;          ///< empty: solved
+
+    /** Power of what a linear solver has left unsolved, (M.65). */
+    double algebraic_power = 0.;
+
+    std::string failure; ///< empty: solved
 
     /** What a solver begins with: no pressures, nothing of the last stage. */
     void
@@ -167,6 +172,20 @@ namespace ThermoContact
     virtual types::global_dof_index
     n_factorized_unknowns() const = 0;
 
+    /** How linear systems are solved, in one word or two. */
+    virtual std::string
+    linear_solver() const
+    {
+      return "direct";
+    }
+
+    /** What the user is to know of the stages since the last call. */
+    std::vector<std::string>
+    take_warnings()
+    {
+      return std::exchange(warnings, {});
+    }
+
     const SolverCounters &
     counters() const
     {
@@ -185,7 +204,8 @@ namespace ThermoContact
     restore(const RetainedFactorizations &retained) = 0;
 
   protected:
-    SolverCounters counters_;
+    SolverCounters           counters_;
+    std::vector<std::string> warnings;
   };
 
 

@@ -24,6 +24,7 @@ namespace ThermoContact
     double       work                  = 0.; ///< $W$
     double       dissipation           = 0.; ///< $D$
     double       numerical_dissipation = 0.; ///< $N$
+    double       algebraic             = 0.; ///< $A$, (M.65)
     double       impulse               = 0.; ///< of the contact force
     unsigned int n_iterations          = 0;  ///< of the stages, added up
     bool         is_prescribed = false;      ///< the paper's first step, (M.26)
@@ -37,8 +38,8 @@ namespace ThermoContact
     std::string failure; ///< empty: the step is solved
 
     /**
-     * All ranks take work, dissipation and impulse of rank 0, as energies are,
-     * and the failure of any, so that they decide alike. Collective.
+     * All ranks take work, dissipation, $A$ and impulse of rank 0, as energies
+     * are, and the failure of any, so that they decide alike. Collective.
      */
     void
     agree(const MPI_Comm communicator);

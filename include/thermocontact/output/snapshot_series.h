@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_output_snapshot_series_h
+#define thermocontact_output_snapshot_series_h
+
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * VTU files of one kind at times, fields/NAME-NNNNN.vtu, and NAME.pvd, which
+   * lists them for ParaView. The PVD file is replaced in one piece after each
+   * snapshot, so that it can be opened while the run goes on.
+   *
+   * All ranks know the times; files are written on one.
+   */
+  class SnapshotSeries
+  {
+  public:
+    SnapshotSeries(const std::string &directory, const std::string &name);
+
+    /** Times of the snapshots so far. */
+    const std::vector<double> &
+    times() const
+    {
+      return times_;
+    }
+
+    /** The file of the snapshot that comes next. */
+    std::string
+    next_path() const
+    {
+      return path_of(times_.size());
+    }
+
+    /** That snapshot is there, of a state at @p time. */
+    void
+    add(const double time)
+    {
+      times_.push_back(time);
+    }
+
+    /** Writes the PVD file; returns what is wrong, or nothing. On one rank. */
+    std::string
+    write_pvd() const;
+
+    /** Goes on behind the snapshots at @p times. */
+    void
+    restore(const std::vector<double> &times);
+
+    /**
+     * Removes what an earlier run has written after these snapshots; returns
+     * what is wrong, or nothing. On one rank.
+     */
+    std::string
+    remove_later() const;
+
+    /**
+     * The snapshots so far survive a loss of power, as far as this rank has
+     * written them; returns what is wrong, or nothing.
+     */
+    std::string
+    sync();
+
+  private:
+    const std::string   directory;
+    const std::string   name;
+    std::vector<double> times_;
+    unsigned int        n_synced = 0; ///< snapshots
+
+    /** File of snapshot @p i, from the output directory. */
+    std::string
+    file_name(const unsigned int i) const;
+
+    std::string
+    path_of(const unsigned int i) const
+    {
+      return directory + "/" + file_name(i);
+    }
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_rod_rod_factors_h
+#define thermocontact_rod_rod_factors_h
+
+#include <thermocontact/rod/rod_matrices.h>
+
+#include <utility>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * The factors of a linear system of a rod for @p n_fields unknowns at a node,
+   * whose rates vanish at node 0. Inner nodes are eliminated cell by cell, once
+   * for all cells of a run; what remains is a block-tridiagonal system of the
+   * vertices, which is eliminated from both ends at once: two chains of
+   * operations that do not wait for each other.
+   *
+   * Blocks are eliminated without pivots between them, which is stable if the
+   * symmetric part of the matrix is definite, as that of every stage is.
+   * growth() tells how well it went.
+   */
+  template <unsigned int n_fields>
+  class RodFactors
+  {
+  public:
+    /** A block of the system, as a sum of matrices. */
+    using Block  = std::vector<std::pair<double, RodMatrices::Matrix>>;
+    using Blocks = std::array<std::array<Block, n_fields>, n_fields>;
+
+    /** Arrays of all nodes, one for each field. */
+    using Right    = std::array<const double *, n_fields>;
+    using Solution = std::array<double *, n_fields>;
+
+    RodFactors(const RodMatrices &matrices, const Blocks &blocks);
+
+    /** Node 0 of the right-hand side is not read. */
+    void
+    solve(const Right &right, const Solution &solution) const;
+
+    /**
+     * How much larger intermediate values were than what they were computed
+     * from: solutions satisfy a system that differs from the right one by as
+     * many roundings. Infinite if a pivot vanishes.
+     */
+    double
+    growth() const
+    {
+      return growth_;
+    }
+
+  private:
+    static constexpr unsigned int n_entries = n_fields * n_fields;
+
+    /** By rows. */
+    using Small = std::array<double, n_entries>;
+
+    /** What a vertex needs in both sweeps. */
+    struct Vertex
+    {
+      Small elimination;  ///< times the neighbour that is eliminated before
+      Small inverse;      ///< of its own block
+      Small substitution; ///< times the neighbour that is known before
+    };
+
+    /** The system of a cell of a run, and its inner nodes eliminated. */
+    struct Cell
+    {
+      std::vector<double> system; ///< by columns: both vertices, inner nodes
+      std::vector<double> inner_inverse;     ///< by columns
+      std::vector<double> vertices_to_inner; ///< by columns
+      std::vector<double> inner_to_vertices; ///< by rows
+      std::vector<double> vertices; ///< by columns, inner nodes eliminated
+    };
+
+    const RodLayout                     layout;
+    const std::vector<RodMatrices::Run> runs;
+    const unsigned int                  n_inner; ///< unknowns of a cell
+    const unsigned int                  middle;  ///< vertex that is last
+    std::vector<Cell>                   cells;   ///< one for each run
+    std::vector<Vertex>                 vertices;
+    Small                               from_left, from_right;
+    mutable std::vector<double>         vertex_values;
+    mutable std::vector<double>         inner_values;
+    double                              growth_;
+
+    void
+    eliminate_inner_nodes(Cell &cell);
+
+    void
+    note_growth(const double growth);
+
+    void
+    factorize_vertices();
+
+    /** @p right of cell @p i, its inner nodes eliminated, into vertex_values.
+     */
+    template <unsigned int fixed_degree>
+    void
+    condense(const Right &right) const;
+
+    template <unsigned int fixed_degree>
+    void
+    solve_inner_nodes(const Solution &solution) const;
+
+    /**
+     * @param value of a vertex and field on the right
+     * @param set_value takes vertex, field, value
+     */
+    template <typename Value, typename SetValue>
+    void
+    solve_vertices(const Value &value, const SetValue &set_value) const;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_rod_rod_matrices_h
+#define thermocontact_rod_rod_matrices_h
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * Cells of one degree in a row. The nodes of a field are numbered as deal.II
+   * does: node 0 is the left end, and cell c adds the degree() nodes from
+   * first_node(c) on, its right vertex first, then those within it. A cell has
+   * its left vertex, its right vertex, its inner nodes, in this order.
+   */
+  struct RodLayout
+  {
+    unsigned int n_cells;
+    unsigned int degree;
+
+    unsigned int
+    n_nodes() const
+    {
+      return n_cells * degree + 1;
+    }
+
+    unsigned int
+    nodes_per_cell() const
+    {
+      return degree + 1;
+    }
+
+    unsigned int
+    first_node(const unsigned int cell) const
+    {
+      return cell * degree + 1;
+    }
+
+    unsigned int
+    left_vertex(const unsigned int cell) const
+    {
+      return cell == 0 ? 0 : first_node(cell - 1);
+    }
+
+    /** The node of @p cell at place @p i of its own order. */
+    unsigned int
+    node(const unsigned int cell, const unsigned int i) const
+    {
+      return i == 0 ? left_vertex(cell) : first_node(cell) + i - 1;
+    }
+  };
+
+
+
+  /**
+   * The field matrices of a rod, doc/model.md (M.11), (M.12), cell by cell.
+   * Neighbours with the same entries are one run, and those of a uniform rod
+   * are read once for all of its cells.
+   *
+   * Products read the values of nodes and know nothing of constraints. Arrays
+   * of a product must not overlap. Vectors are arrays of n_nodes().
+   */
+  class RodMatrices
+  {
+  public:
+    enum Matrix : unsigned int
+    {
+      heat_mass,
+      conduction,
+      divergence,     ///< rows of the temperature
+      thermal_stress, ///< its transpose
+      momentum_mass,
+      stiffness,
+      viscous_stiffness,
+      n_matrices
+    };
+
+    /** The entry of a cell for two of its nodes; 0 for absent fields. */
+    using Entry = std::function<double(const Matrix       matrix,
+                                       const unsigned int cell,
+                                       const unsigned int row,
+                                       const unsigned int column)>;
+
+    /**
+     * @param tolerance up to which entries of cells are the same, as a part of
+     *   the largest one of the matrix in the cell
+     */
+    RodMatrices(const RodLayout &layout,
+                const double     tolerance,
+                const Entry     &entry);
+
+    const RodLayout &
+    layout() const
+    {
+      return layout_;
+    }
+
+    /** What is added to a sum of products. */
+    struct Term
+    {
+      double        factor;
+      Matrix        matrix;
+      const double *vector;
+    };
+
+    /** @p y $=\sum_k$ factor$_k\,A_k\,x_k$ $+$ @p factor @p base, where
+     * @p base may be null, in one pass. */
+    template <std::size_t n_terms>
+    void
+    combine(const std::array<Term, n_terms> &terms,
+            const double                     factor,
+            const double                    *base,
+            double                          *y) const;
+
+    /** $x\cdot Ax$ of a symmetric matrix; all terms are added in one order. */
+    double
+    form(const Matrix matrix, const double *x) const;
+
+    /** $(x-y)\cdot A(x-y)$ of a symmetric matrix. */
+    double
+    form_of_difference(const Matrix  matrix,
+                       const double *x,
+                       const double *y) const;
+
+    /** Cells with the same entries. */
+    struct Run
+    {
+      unsigned int begin;
+      unsigned int end;
+      std::size_t  first_entry; ///< of the first matrix
+    };
+
+    const std::vector<Run> &
+    runs() const
+    {
+      return runs_;
+    }
+
+    /** The entries of a cell of @p run, column by column. */
+    const double *
+    entries(const Run &run, const Matrix matrix) const
+    {
+      return entries_.data() + run.first_entry +
+             matrix * layout_.nodes_per_cell() * layout_.nodes_per_cell();
+    }
+
+  private:
+    const RodLayout     layout_;
+    std::vector<Run>    runs_;
+    std::vector<double> entries_;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/first_rank_alone.h>
+#include <thermocontact/base/interruption.h>
+
+#include <chrono>
+#include <optional>
+#include <thread>
+
+namespace ThermoContact
+{
+  using namespace dealii;
+
+  Outcome
+  share_outcome(const Outcome outcome, const MPI_Comm communicator)
+  {
+    std::optional<SignalWatch> signals; // they mean rank 0
+    if (Utilities::MPI::this_mpi_process(communicator) != 0)
+      signals.emplace();
+    int         value = static_cast<int>(outcome);
+    MPI_Request request;
+    int fault = MPI_Ibcast(&value, 1, MPI_INT, 0, communicator, &request);
+    AssertThrowMPI(fault);
+    // A wait of MPI would take a processor.
+    int is_done = 0;
+    while (true)
+      {
+        fault = MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
+        AssertThrowMPI(fault);
+        if (is_done != 0)
+          return static_cast<Outcome>(value);
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      }
+  }
+} // namespace ThermoContact

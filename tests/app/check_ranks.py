@@ -1,0 +1,145 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs the scene of an output directory again on other numbers of ranks.
+
+usage: check_ranks.py DIR
+
+DIR holds a finished run of one rank. A rod on two ranks; a body stopped at half of its end
+time and resumed.
+"""
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy
+
+sys.dont_write_bytecode = True
+from run_files import Run  # noqa: E402
+
+PROGRAM = os.environ["THERMOCONTACT"]
+BOUND = 1e-7
+SAID = "on another number of ranks, {} instead of {}"
+
+
+def run(ranks, directory, *options):
+    """Exit status and screen."""
+    launcher = [] if ranks == 1 else ["mpirun", "--allow-run-as-root", "--oversubscribe",
+                                      "-n", str(ranks)]
+    process = subprocess.run([*launcher, PROGRAM, "--output", str(directory), *options],
+                             capture_output=True, text=True, check=False)
+    return process.returncode, process.stdout
+
+
+def contents(directory):
+    """All that a run computes, by file; wall times and memory are left out."""
+    files = {str(path.relative_to(directory)): path.read_bytes()
+             for path in sorted(directory.rglob("*")) if path.is_file() and
+             path.name not in ("log.txt", "used.prm") and
+             not path.name.startswith("checkpoint")}
+    summary = json.loads(files.pop("summary.json"))
+    for key, value in summary.items():
+        if not key.endswith("_seconds") and not key.startswith("peak_memory_mb"):
+            files[f"summary.json: {key}"] = value
+    return files
+
+
+def different(reference, directory):
+    expected, found = contents(reference), contents(directory)
+    return [name for name in sorted(expected.keys() | found.keys())
+            if expected.get(name) != found.get(name)]
+
+
+def largest_difference(reference, directory):
+    """Of all columns of contact.csv, relative to the largest value of each."""
+    a, b = Run(reference).contact, Run(directory).contact
+    worst = float(a.names != b.names or len(a) != len(b))
+    for name in a.names if not worst else ():
+        # counts may differ; what a solver leaves is of the size of its tolerance
+        if name not in ("iterations", "algebraic"):
+            scale = max(1.0, abs(a[name]).max())
+            worst = max(worst, numpy.nan_to_num(abs(a[name] - b[name])).max() / scale)
+    return worst
+
+
+def snapshots_differ(reference, directory):
+    """Fields and contact faces as sets of points with values, to single precision."""
+    runs = Run(reference), Run(directory)
+    worst = 0.0
+    for index in ("fields.pvd", "contact.pvd"):
+        tables = []
+        for r in runs:
+            r.index, r.read_snapshots = index, None
+            tables.append([numpy.column_stack([mesh.points] + [
+                values.reshape(len(mesh.points), -1) for _, values in
+                sorted(mesh.point_data.items())]) for _, mesh in r.snapshots()])
+        if len(tables[0]) != len(tables[1]) or not tables[0]:
+            return float("inf")
+        for a, b in zip(*tables):
+            scale = abs(a).max(axis=0) + 1e-3  # what is zero has rounding
+            for table in (a, b):
+                order = numpy.lexsort(numpy.round(table[:, :3], 5).T)
+                table[:] = table[order]
+            # points that several cells have are told apart by the stress alone: means
+            _, of = numpy.unique(numpy.round(a[:, :3], 5), axis=0, return_inverse=True)
+            means = [numpy.array([numpy.bincount(of.ravel(), column) / numpy.bincount(of.ravel())
+                                  for column in table.T]) for table in (a, b)]
+            worst = max(worst, (abs(means[0] - means[1]) / scale[:, None]).max())
+    return worst
+
+
+def check_rod(reference, prm):
+    directory = Path("two")
+    status, screen = run(2, directory, prm)
+    print(f"rod on two ranks: status {status}, said",
+          f"{int('of 2 one computes' in screen)},", "files that differ:",
+          ", ".join(different(reference, directory)) or "none")
+    shutil.rmtree(directory)
+
+
+def check_resumed(reference, prm, first, then):
+    """Half of the time on some ranks, the rest on others."""
+    directory = Path("resumed")
+    status = [run(first, directory, prm, "--set", "Time/End time=0.1")[0]]
+    end, screen = run(then, directory, "--resume", prm)
+    status.append(end)
+    warnings = json.loads((directory / "summary.json").read_text())["warnings"]
+    said = SAID.format(then, first)
+    is_said = [said in text for text in (screen, (directory / "log.txt").read_text(),
+                                         " ".join(warnings))]
+    if first == then:
+        files = different(reference, directory) if first == 1 else []
+        what = "files that differ: " + (", ".join(files) or "none")
+    else:
+        what = "agrees to 1e-7" if largest_difference(reference, directory) < BOUND else \
+            f"differs by {largest_difference(reference, directory)}"
+        worst = snapshots_differ(reference, directory)
+        what += ", snapshots to 1e-5" if worst < 1e-5 else f", snapshots by {worst}"
+    if first == 1 or first != then:
+        print(f"{first} to {then}: status {status}, said {[int(word) for word in is_said]},",
+              what)
+    if first != then or first == 1:
+        shutil.rmtree(directory)
+        return
+    # two ranks all the way
+    status, _ = run(2, Path("whole"), prm)
+    print(f"2 to 2 and 2: status {status}, files that differ:",
+          ", ".join(different(Path("whole"), directory)) or "none")
+    shutil.rmtree(directory)
+    shutil.rmtree("whole")
+
+
+def main():
+    reference = Path(sys.argv[1])
+    shutil.copy(reference / "used.prm", "scene.prm")
+    if json.loads((reference / "summary.json").read_text())["dimension"] == 1:
+        check_rod(reference, "scene.prm")
+    else:
+        for first, then in ((1, 1), (2, 2), (1, 2), (2, 1), (2, 3)):
+            check_resumed(reference, "scene.prm", first, then)
+    os.remove("scene.prm")
+
+
+main()
