@@ -29,8 +29,7 @@
 //    sides arrive, W/2 after the impact. Mean over the middle of that time, 2
 //    %.
 // 6. A block with symmetric data stays so: pressures of nodes that y <-> W - y,
-//    z <-> W - z, y <-> z map to each other agree to 1e-10 of the largest, with
-//    both solvers of stages.
+//    z <-> W - z, y <-> z map to each other agree to 1e-10 of the largest.
 
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/simulation/simulation.h>

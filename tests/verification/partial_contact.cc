@@ -20,7 +20,11 @@
 //    by a quarter of the peak if its pressures are those of the last stage.
 // 3. A node that touches the obstacle stays in contact: without inertia the
 //    mean displacement of the nodes at T is the gap, to rounding (1e-12).
-// 4. Without inertia, in steps of 0.002 against an obstacle with a shape, which
+// 4. The iterative solver of stages steps alike: 4 x 4 cells of degree 2,
+//    tolerance 1e-4, T = 0.5: at most 20 rejected attempts in 100 steps and 60
+//    preconditioners; u(1) and the impulse at T are those of the direct solver
+//    to ten tolerances. Measured: 17 and 15 in 100, 19 and 14.
+// 5. Without inertia, in steps of 0.002 against an obstacle with a shape, which
 //    the nodes meet one after another: two factorisations, one of the stage and
 //    one for the velocities after a node has closed, in however many steps.
 
@@ -62,9 +66,10 @@ namespace
 
 
   Run
-  run(const bool        has_inertia,
-      const std::string tolerance,
-      const std::string end_time)
+  run(const bool                      has_inertia,
+      const std::string               tolerance,
+      const std::string               end_time,
+      const std::vector<std::string> &others = {})
   {
     std::vector<std::string> overrides = {"Dimension=2",
                                           "Model/Poisson ratio=0.3",
@@ -80,6 +85,14 @@ namespace
                                           "Time/End time=" + end_time};
     overrides.push_back(has_inertia ? "Initial values/Velocity=0" :
                                       "Model/Inertia=0");
+    for (const std::string &other : others)
+      {
+        if (other.rfind("Mesh/Cells across=", 0) == 0)
+          overrides.erase(std::find(overrides.begin(),
+                                    overrides.end(),
+                                    "Mesh/Cells across=8"));
+        overrides.push_back(other);
+      }
 
     Simulation<2> simulation(read_parameters("", overrides), MPI_COMM_SELF);
     Run           result;
@@ -210,6 +223,32 @@ namespace
                   1e-12 * gap)
               << std::endl;
   }
+
+
+
+  void
+  check_iterative(const std::string &title, const bool has_inertia)
+  {
+    const std::string              solver = "Solver/Linear solver=";
+    const std::vector<std::string> mesh{"Mesh/Cells across=4",
+                                        "Mesh/Cells=4",
+                                        "Mesh/Degree=2"};
+    std::vector<std::string>       direct(mesh), iterative(mesh);
+    direct.push_back(solver + "direct");
+    iterative.push_back(solver + "iterative");
+    const Run          a       = run(has_inertia, "1e-4", "0.5", direct);
+    const Run          b       = run(has_inertia, "1e-4", "0.5", iterative);
+    const unsigned int n_steps = b.rows.size() - 1;
+    const Row         &x = a.rows.back(), &y = b.rows.back();
+    deallog << title << ", iterative: at most 20 rejections in 100 steps "
+            << (5 * b.n_rejected <= n_steps) << ", at most 60 preconditioners "
+            << (b.n_factorizations <= 60) << ", ten tolerances for u(1) "
+            << (std::abs(x.displacement - y.displacement) <=
+                1e-3 * x.displacement)
+            << ", impulse "
+            << (std::abs(x.impulse - y.impulse) <= 1e-3 * x.impulse)
+            << std::endl;
+  }
 } // namespace
 
 
@@ -221,5 +260,7 @@ main(int argc, char **argv)
   initlog();
   check("with inertia", true, "0.13");
   check("without inertia", false, "3");
+  check_iterative("with inertia", true);
+  check_iterative("without inertia", false);
   count_factorizations();
 }
