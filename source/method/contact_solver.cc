@@ -138,7 +138,7 @@ namespace ThermoContact
 
   namespace
   {
-    /** The nodes of (M.68): penetrations of either sign, and pressures. */
+    /** The nodes of (M.70): penetrations of either sign, and pressures. */
     struct Penetrations
     {
       std::vector<double> penetration, pressure, defect;

@@ -23,7 +23,7 @@ namespace ThermoContact
    * may cycle in theory; past a limit the least-index rule of Murty changes one
    * node at a time, which ends for every P-matrix, and $W+s'$ is one. Laws
    * whose contact begins without stiffness are solved for the penetrations
-   * instead, (M.68), since their $s'(0)$ is infinite. No mesh, no
+   * instead, (M.70), since their $s'(0)$ is infinite. No mesh, no
    * communication.
    */
   class ContactSolver
