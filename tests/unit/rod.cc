@@ -293,8 +293,6 @@ namespace
             << "growth below 1e2: " << (growth < 1e2 ? "yes" : "no")
             << std::endl
             << "at the fixed end " << fixed << std::endl;
-    if (getenv("ROD_VERBOSE"))
-      printf("%g %g %g %g\n", products, one, two, growth);
   }
 
 

@@ -84,8 +84,6 @@ namespace
       }
     deallog << "gradient to 1e-12 " << (error <= 1e-12) << ", p at least "
             << smallest << std::endl;
-    if (std::getenv("VERBOSE"))
-      std::cerr << error << std::endl;
   }
 } // namespace
 

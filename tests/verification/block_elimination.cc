@@ -75,8 +75,6 @@ namespace
     deallog << title << ": " << name << ", " << direct_name << ", steps "
             << (rows.size() == direct.size()) << ", 1e-11 " << (error <= 1e-11)
             << std::endl;
-    if (std::getenv("VERBOSE"))
-      std::cerr << title << ' ' << rows.size() << ' ' << error << std::endl;
   }
 } // namespace
 
