@@ -17,6 +17,9 @@ QUASI_STATIC = ("Model/Inertia=0",)
 ITERATION = EULER + ("Solver/Step solver=fixed point",)
 MASSLESS = ("Contact/Massless nodes=on",)
 STUDY = ("Study/Vary=Mesh/Cells = 4 | 8",)
+# 100 x 100 x 11 runs are too many, 100 x 2 are not
+HUNDRED = " | ".join(f"0.{n}" for n in range(100, 200))
+MANY = f"Study/Vary=Contact/Compliance = {HUNDRED} ; Contact/Gap = "
 RIGID = ("Contact/Condition=rigid",)
 ITERATIVE = PLANE + ("Solver/Linear solver=iterative",)
 POWER = ("Contact/Condition=power law",)
@@ -79,8 +82,8 @@ SCENES = [
     # one point to a cell: for elastic waves in a rod of equal linear cells
     ("Mesh/Mass matrix", MIDPOINT + WAVES, "Dimension=2", "Dimension=1",
      ("Dimension=2", "Mesh/Mass matrix=consistent")),
-    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Model/Fields=temperature",
-     "Model/Fields=displacement"),
+    ("Mesh/Mass matrix", MIDPOINT + ("Mesh/Degree=1",), "Model/Fields=temperature",
+     ("Model/Fields=displacement", "Model/Viscosity=0")),
     ("Mesh/Mass matrix", MIDPOINT + WAVES, "Time/Scheme=sdirk4",
      "Time/Scheme=energy conserving"),
     ("Mesh/Mass matrix", MIDPOINT + ("Model/Viscosity=0",), "Mesh/Degree=2",
@@ -264,9 +267,15 @@ SCENES = [
      "Study/Vary=Time/Tolerance = 1e-4"),
     ("Study/Vary", (), "Study/Vary=Mesh/Cells = 4; Mesh/Cells = 8",
      "Study/Vary=Mesh/Cells = 4 | 8"),
+    ("Study/Vary", (), MANY + HUNDRED + " ; Mesh/Degree = " + " | ".join(
+        map(str, range(2, 13))), MANY + "0.1 | 0.2"),
+    ("Study/Vary", (), "Study/Vary=Time/Scheme = sdirk4 | sdirk2",
+     "Study/Vary=Time/Scheme = sdirk4"),
     ("Study/Target error", STUDY + ("Study/Target error=1e-3",),
      "Study/Reference=none", "Study/Reference=Time/Tolerance = 1e-9"),
     ("Study/Reference", STUDY, "Study/Reference=Mesh/Cells = 8 | 16",
+     "Study/Reference=Mesh/Cells = 8"),
+    ("Study/Reference", STUDY, "Study/Reference=Mesh/Cells = 8; Mesh/Cells = 16",
      "Study/Reference=Mesh/Cells = 8"),
     ("Study/Reference", STUDY, "Study/Reference=Mesh/Width = 2",
      ("Study/Reference=Mesh/Width = 2", "Dimension=2")),

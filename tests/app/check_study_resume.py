@@ -5,8 +5,8 @@
 usage: check_study_resume.py DIR
 
 DIR holds a finished study. Kills come at random moments of its first rows, on one and
-on two ranks; then the same after SIGTERM, with a row that was cut off, with another
-scene and another study, which are refused, and with a file that may not grow. All
+on two ranks; then the same after SIGTERM, with a row that was cut off, with another scene,
+another study and tables of others, which are refused, and with a file that may not grow. All
 columns but times have to be those of DIR, and so do study.txt and study.md. THERMOCONTACT_KILLS is the
 number of kills, 4 unless it is set.
 """
@@ -117,8 +117,21 @@ def refuse(directory):
     before = (directory / "study.csv").read_bytes()
     for option in ("Model/Viscosity=0.5", "Study/Vary=Contact/Gap=0.1|0.2"):
         status, message = finish(directory, "--set", option)
-        print(f"{option}: status {status}, named", int(option.split("=")[0] in message),
-              "unharmed", int((directory / "study.csv").read_bytes() == before))
+        print(f"{option}: status {status}, unharmed",
+              int((directory / "study.csv").read_bytes() == before))
+        print("\n".join(message.splitlines()[:2]))
+    for change, what in ((lambda text: text.replace("run,", "runs,", 1), "columns"),
+                         (lambda text: text.replace("\n3,1,", "\n3,2,"), "entries"),
+                         (lambda text: text.replace("\n3,1,", "\n20,1,"), "numbers")):
+        (directory / "study.csv").write_text(change(before.decode()))
+        status, message = finish(directory)
+        print(f"study.csv with other {what}: status {status}")
+        print(message.strip())
+    (directory / "study.csv").write_bytes(before)
+    (directory / "used.prm").unlink()
+    status, message = finish(directory, "--resume")
+    print(f"no used.prm: status {status}")
+    print(message.strip())
 
 
 def let_no_file_grow(directory):

@@ -195,8 +195,8 @@ def main():
                                 without_comments(file)))
                  for file in source_files())
     # corner layer; contact at the start or preload; energy; dispersion; blocks that
-    # grow, noted by the solver of a stage and handed on; loads
-    print("kinds of warnings in the sources:", "known" if places == 7 else places)
+    # grow, noted by the solver of a stage and handed on; loads; other ranks than before
+    print("kinds of warnings in the sources:", "known" if places == 8 else places)
 
 
 main()

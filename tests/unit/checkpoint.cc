@@ -1,33 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Bytes between ranks, and checkpoints, on two ranks.
+// Checkpoints, on two ranks.
 //
-// 1. 1000 bytes travel in ceil(1000/n) pieces of n bytes, in order, to rank 0,
-//    also if it is rank 0 itself that has them: 143 pieces of 7, one of 1000
-//    and of 1001. 0 bytes are 0 pieces. Of a run of a study the result travels
-//    and the plan stays.
-// 2. Files of a part from each rank: the parts in order, whichever of them is
+// 1. Files of a part from each rank: the parts in order, whichever of them is
 //    empty; an older, longer file leaves nothing behind. A disk that is full
 //    (/dev/full) for rank 1 alone, which has bytes where rank 0 has none, is
 //    told to both, with the path. What cannot be put in place leaves the older
 //    file and nothing else.
-// 3. Checkpoints whose nodes are 1000 bytes on rank 0 and 80 MiB on rank 1:
-// each
-//    rank reads its own, and each can read that of the other. The peak of the
-//    memory of rank 0 grows by less than half of what rank 1 has, since it
+// 2. Checkpoints whose nodes are 1000 bytes on rank 0 and 80 MiB on rank 1:
+//    each rank reads its own, and each can read that of the other. The peak of
+//    the memory of rank 0 grows by less than half of what rank 1 has, since it
 //    never holds all of it (measured: 1 MiB).
-// 4. One byte of any part otherwise, a byte less or more at the end: the file
-// is
-//    damaged, and the previous checkpoint is read. With both damaged there is
-//    none. A file that cannot be written leaves the earlier ones alone.
-// 5. A checkpoint of one rank, read on two: the number of ranks is told, and
+// 3. One byte of any part otherwise, a byte less or more at the end: the file
+//    is damaged, and the previous checkpoint is read. With both damaged there
+//    is none. A file that cannot be written leaves the earlier ones alone.
+// 4. A checkpoint of one rank, read on two: the number of ranks is told, and
 //    both can read its nodes.
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/long_message.h>
 #include <thermocontact/base/parts_file.h>
 #include <thermocontact/output/checkpoint.h>
-#include <thermocontact/study/study.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
@@ -67,50 +59,6 @@ namespace
     for (std::size_t i = 0; i < size; ++i)
       bytes[i] = static_cast<char>(i * 2654435761u >> 13) + seed;
     return bytes;
-  }
-
-
-
-  void
-  test_pieces(const std::size_t size, const std::size_t piece_size)
-  {
-    for (const unsigned int other : {0u, 1u})
-      {
-        const std::string bytes   = pattern(size, other), nothing;
-        unsigned int      n_taken = 0;
-        std::string       taken;
-        send_to_first(
-          other,
-          rank() == other ? bytes : nothing,
-          [&](const std::string_view piece) {
-            taken += piece;
-            ++n_taken;
-          },
-          MPI_COMM_WORLD,
-          piece_size);
-        const bool is_same = everywhere(taken == (rank() == 0 ? bytes : ""));
-        deallog << size << " bytes by " << piece_size << ", rank " << other
-                << ": taken " << n_taken << " pieces, the same " << is_same
-                << std::endl;
-      }
-  }
-
-
-
-  void
-  test_object()
-  {
-    StudyRun run;
-    run.set = 5 + rank();
-    if (rank() == 1)
-      {
-        run.failure      = "failed";
-        run.n_steps      = 7;
-        run.loop_seconds = {1., 2.};
-      }
-    send_object_to_first(1, run, MPI_COMM_WORLD);
-    deallog << "result: " << run.failure << ' ' << run.n_steps << ' '
-            << run.loop_seconds.size() << ", plan: " << run.set << std::endl;
   }
 
 
@@ -330,10 +278,6 @@ main(int argc, char **argv)
       std::filesystem::remove_all(directory);
       std::filesystem::create_directory(directory);
     }
-  for (const std::size_t piece_size : {1, 7, 1000, 1001})
-    test_pieces(1000, piece_size);
-  test_pieces(0, 7);
-  test_object();
   test_parts();
   test_large();
   test_damage();
