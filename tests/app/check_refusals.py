@@ -269,8 +269,8 @@ SCENES = [
      "Study/Vary=Mesh/Cells = 4 | 8"),
     ("Study/Vary", (), MANY + HUNDRED + " ; Mesh/Degree = " + " | ".join(
         map(str, range(2, 13))), MANY + "0.1 | 0.2"),
-    ("Study/Vary", (), "Study/Vary=Time/Scheme = sdirk4 | sdirk2",
-     "Study/Vary=Time/Scheme = sdirk4"),
+    ("Study/Vary", (), "Study/Vary=Time/Scheme = sdirk4 | sdirk2 | sdirk3 ; "
+     "Contact/Gap = 0.1 | 0.2", "Study/Vary=Time/Scheme = sdirk4"),
     ("Study/Target error", STUDY + ("Study/Target error=1e-3",),
      "Study/Reference=none", "Study/Reference=Time/Tolerance = 1e-9"),
     ("Study/Reference", STUDY, "Study/Reference=Mesh/Cells = 8 | 16",
