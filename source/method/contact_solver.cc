@@ -201,19 +201,23 @@ namespace ThermoContact
       const unsigned int         n = nodes.penetration.size();
       dealii::FullMatrix<double> matrix(response);
       dealii::Vector<double>     rhs(n), change(n);
+      std::vector<double>        scale(n);
       for (unsigned int j = 0; j < n; ++j)
         {
+          // columns of stiff nodes are larger by any factor: their diagonal is
+          // made 1
           const double stiffness = 1. / law.tangent(nodes.pressure[j]);
+          scale[j]               = 1. + stiffness * response(j, j);
           for (unsigned int i = 0; i < n; ++i)
-            matrix(i, j) *= stiffness;
-          matrix(j, j) += 1.;
-          rhs(j) = nodes.defect[j];
+            matrix(i, j) *= stiffness / scale[j];
+          matrix(j, j) = 1.;
+          rhs(j)       = nodes.defect[j];
         }
       matrix.gauss_jordan();
       matrix.vmult(change, rhs);
       std::vector<double> penetration(nodes.penetration);
       for (unsigned int i = 0; i < n; ++i)
-        penetration[i] -= change(i);
+        penetration[i] -= change(i) / scale[i];
       return penetration;
     }
 
