@@ -128,14 +128,9 @@ namespace ThermoContact
       const Material &material = body.scene.material;
       if (material.is_static())
         {
-          solver.solve_momentum(known,
-                                1.,
-                                heat_load,
-                                momentum_load,
-                                ContactMode::unilateral,
-                                rates);
-          state.displacement += rates.velocity;
-          state.contact_pressure = rates.pressure;
+          solver.solve_equilibrium(heat_load, momentum_load, known);
+          state.displacement     = known.displacement;
+          state.contact_pressure = known.contact_pressure;
           return;
         }
       if (body.law().is_rigid())

@@ -88,10 +88,6 @@ namespace ThermoContact
                                   fe,
                                   QGauss<dim - 1>(degree + 1),
                                   flags);
-    FEValues<dim>     mass_values(space.mapping(),
-                              fe,
-                              mass_quadrature<dim>(degree, is_lumped),
-                              flags);
     FEValues<dim>     massless_values(space.mapping(),
                                   fe,
                                   massless_quadrature<dim>(degree, is_lumped),
@@ -113,10 +109,8 @@ namespace ThermoContact
             const unsigned int axial =
               space.first_component(Field::displacement);
             FullMatrix<double> &matrix =
-              missing_mass.emplace_back(n_nodes, n_nodes);
-            mass_values.reinit(cell);
+              axial_mass.emplace_back(n_nodes, n_nodes);
             massless_values.reinit(cell);
-            add_mass(space, lexicographic, axial, mass_values, -1., matrix);
             add_mass(space, lexicographic, axial, massless_values, 1., matrix);
           }
       }
@@ -157,16 +151,29 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  ContactCells<dim>::add_missing_mass(const unsigned int             batch,
-                                      const double                   factor,
-                                      const VectorizedArray<double> *x,
-                                      VectorizedArray<double>       *y) const
+  VectorizedArray<double>
+  ContactCells<dim>::share_of_axial_mass(const unsigned int batch) const
   {
-    if (missing_mass.empty())
+    VectorizedArray<double> share = 1.;
+    if (!axial_mass.empty())
+      for (const Cell &cell : cells_of_batch[batch])
+        share[cell.lane] = 0.;
+    return share;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactCells<dim>::add_axial_mass(const unsigned int             batch,
+                                    const double                   factor,
+                                    const VectorizedArray<double> *x,
+                                    VectorizedArray<double>       *y) const
+  {
+    if (axial_mass.empty())
       return;
     for (const Cell &cell : cells_of_batch[batch])
-      add(missing_mass[cell.matrix], factor, cell.lane, x, y);
+      add(axial_mass[cell.matrix], factor, cell.lane, x, y);
   }
 
 

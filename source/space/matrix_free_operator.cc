@@ -27,9 +27,9 @@ namespace ThermoContact
   template <int dim>
   template <int n_components>
   void
-  MatrixFreeOperator<dim>::add_lumped_mass(const unsigned int batch,
-                                           const Field::Block field,
-                                           const double       factor,
+  MatrixFreeOperator<dim>::add_lumped_mass(const unsigned int      batch,
+                                           const Field::Block      field,
+                                           const MassOfComponents &factors,
                                            const VectorizedArray<double> *x,
                                            VectorizedArray<double> *y) const
   {
@@ -38,7 +38,15 @@ namespace ThermoContact
     values.reinit(batch);
     values.evaluate(x, EvaluationFlags::values);
     for (unsigned int q = 0; q < values.n_q_points; ++q)
-      values.submit_value(factor * weight(values, q) * values.get_value(q), q);
+      {
+        auto mass = weight(values, q) * values.get_value(q);
+        if constexpr (n_components == 1)
+          mass *= factors[0];
+        else
+          for (unsigned int d = 0; d < n_components; ++d)
+            mass[d] *= factors[d > 0];
+        values.submit_value(mass, q);
+      }
     values.integrate(EvaluationFlags::values, y, true);
   }
 
@@ -70,8 +78,11 @@ namespace ThermoContact
     theta.integrate(EvaluationFlags::values | EvaluationFlags::gradients,
                     values);
     if (has_lumped_mass && factors.mass != 0.)
-      add_lumped_mass<1>(
-        batch, Field::temperature, factors.mass, input.begin(), values);
+      add_lumped_mass<1>(batch,
+                         Field::temperature,
+                         {{factors.mass, factors.mass}},
+                         input.begin(),
+                         values);
     if (!factors.is_laplacian && contact_cells.contain(batch))
       contact_cells.add_heat_exchange(batch,
                                       factors.conduction,
@@ -83,13 +94,15 @@ namespace ThermoContact
 
   template <int dim>
   void
-  MatrixFreeOperator<dim>::integrate_momentum(const MomentumFactors &factors,
+  MatrixFreeOperator<dim>::integrate_momentum(const MomentumFactors  &factors,
+                                              const MassOfComponents &mass,
                                               const VectorizedArray<double> *x,
                                               Vectorial &u) const
   {
     const bool has_hoop =
       dim == 2 && !has_uniform_weight && factors.laplacian == 0.;
-    const bool needs_values = factors.mass != 0. || has_hoop;
+    const bool needs_values =
+      mass[1][0] != 0. || has_hoop; // all lanes have the same
     const EvaluationFlags::EvaluationFlags flags =
       needs_values ? EvaluationFlags::values | EvaluationFlags::gradients :
                      EvaluationFlags::gradients;
@@ -117,7 +130,8 @@ namespace ThermoContact
                 dilatation += strain;
                 hoop_stress = c * (2. * mu * strain + lambda * dilatation);
               }
-            force *= VectorizedArray<double>(factors.mass);
+            for (unsigned int d = 0; d < dim; ++d)
+              force[d] *= mass[d > 0];
             force[dim - 1] += hoop_stress;
             u.submit_value(has_uniform_weight ? force : force * weight(u, q),
                            q);
@@ -151,18 +165,18 @@ namespace ThermoContact
     const unsigned int       n         = u.dofs_per_cell;
     std::copy(values, values + n, input.begin());
 
-    MomentumFactors bulk = factors;
-    if (has_lumped_mass)
-      bulk.mass = 0.;
-    integrate_momentum(bulk, input.begin(), u);
+    MassOfComponents mass{{factors.mass, factors.mass}};
+    if (is_at_end)
+      mass[0] *= contact_cells.share_of_axial_mass(batch);
+    integrate_momentum(factors,
+                       has_lumped_mass ? MassOfComponents{{0., 0.}} : mass,
+                       input.begin(),
+                       u);
     if (has_lumped_mass && factors.mass != 0.)
       add_lumped_mass<dim>(
-        batch, Field::displacement, factors.mass, input.begin(), values);
+        batch, Field::displacement, mass, input.begin(), values);
     if (is_at_end && factors.mass != 0.)
-      contact_cells.add_missing_mass(batch,
-                                     factors.mass,
-                                     input.begin(),
-                                     values);
+      contact_cells.add_axial_mass(batch, factors.mass, input.begin(), values);
   }
 
 

@@ -242,7 +242,14 @@ namespace ThermoContact
       const StopWatch watch_of_hierarchy(counters_.factorization_seconds);
       stage.preconditioners().provide(tau);
     }
-    stage.prepare(known, tau, heat_load, momentum_load, with_heat);
+    stage.prepare(known,
+                  tau,
+                  heat_load,
+                  momentum_load,
+                  mode == ContactMode::open ?
+                    std::vector<double>(known.contact_pressure.size(), 0.) :
+                    known.contact_pressure,
+                  with_heat);
     solve_prepared(known, mode, rates);
     counters_.factorizations += stage.preconditioners().n_made() - n_made;
     ++counters_.solves;
@@ -322,30 +329,6 @@ namespace ThermoContact
                                        StageRates       &rates)
   {
     solve_fields(known, tau, heat_load, momentum_load, mode, false, rates);
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeSolver<dim>::solve_quasi_static_velocity(
-    const State             &known,
-    const Vector            &heat_load,
-    const Vector            &momentum_load,
-    const std::vector<bool> &is_closed,
-    StageRates              &rates)
-  {
-    const StopWatch watch(counters_.solve_seconds);
-    const double    tau = 1.; // its matrix is (zeta + 1) S
-    stage.prepare(known, tau, heat_load, momentum_load, false);
-    stage.set_penetrations(std::vector<double>(is_closed.size(), 0.));
-    std::vector<bool> is_active(is_closed.size(), false), is_away(is_closed);
-    is_away.flip();
-    rates.pressure.assign(is_closed.size(), 0.);
-    solve_by_sets(is_active, is_away, rates);
-    ++counters_.solves;
-    rates.velocity.copy_locally_owned_data_from(
-      stage.unknowns(Field::displacement));
   }
 
 

@@ -27,6 +27,15 @@ namespace ThermoContact
     correction      = rhs;
     scaled_residual = rhs;
     is_active.assign(body.contact_end().n_nodes(), false);
+    if (body.scene.contact.has_massless_nodes &&
+        body.scene.material.has_inertia())
+      {
+        massless_rows.assign(
+          rhs.block(Field::displacement).locally_owned_size(), false);
+        for (const auto &[node, entry] :
+             body.contact_end().all_entries(Field::displacement))
+          massless_rows[entry] = true;
+      }
   }
 
 
@@ -81,11 +90,12 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeStage<dim>::prepare(const State  &known,
-                               const double  stage_length,
-                               const Vector &heat_load,
-                               const Vector &momentum_load,
-                               const bool    with_heat)
+  IterativeStage<dim>::prepare(const State               &known,
+                               const double               stage_length,
+                               const Vector              &heat_load,
+                               const Vector              &momentum_load,
+                               const std::vector<double> &pressure,
+                               const bool                 with_heat)
   {
     hierarchies.provide(stage_length);
     tau      = stage_length;
@@ -107,7 +117,7 @@ namespace ThermoContact
         v.copy_locally_owned_data_from(known.velocity);
         body.equations.zero_constrained(Field::displacement, v);
       }
-    set_weights(known);
+    set_weights(known, pressure);
     largest_residual = 0.;
   }
 
@@ -124,53 +134,6 @@ namespace ThermoContact
     largest_residual = 0.;
     for (unsigned int i = 0; i < displacement.size(); ++i)
       known_penetration[i] = -displacement[i];
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeStage<dim>::set_weights(const State &known)
-  {
-    // Residuals are compared to the terms of the equations, whose sum may
-    // vanish where a body is at rest, and by rows, since those of contact nodes
-    // without mass are of the order of the square of a short
-    compute_residual();
-    for (const Field::Block field : all_fields)
-      {
-        if (!body.discretization.has_field(field))
-          continue;
-        Vector &weights = this->weights.block(field);
-        Vector &roots   = inverse_weights.block(field);
-        roots.copy_locally_owned_data_from(
-          hierarchies.current().diagonals[field]);
-        for (unsigned int i = 0; i < roots.locally_owned_size(); ++i)
-          {
-            roots.local_element(i)   = std::sqrt(roots.local_element(i));
-            weights.local_element(i) = 1. / roots.local_element(i);
-          }
-        Vector     scratch(weights);
-        const auto norm = [&](const Vector &vector) {
-          scratch.copy_locally_owned_data_from(vector);
-          scratch.scale(weights);
-          return scratch.l2_norm();
-        };
-        double size =
-          std::max(norm(rhs.block(field)), norm(residual.block(field)));
-        if (field == Field::displacement || has_heat)
-          {
-            Vector internal(scratch);
-            if (field == Field::temperature)
-              body.equations.conduction().vmult(internal, known.temperature);
-            else
-              body.equations.stiffness().vmult(internal, known.displacement);
-            size = std::max(size, tau * norm(internal));
-          }
-        if (size == 0.)
-          continue;
-        weights /= size;
-        roots *= size;
-      }
   }
 
 

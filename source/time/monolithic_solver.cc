@@ -284,42 +284,6 @@ namespace ThermoContact
 
   template <int dim>
   void
-  MonolithicSolver<dim>::keep_contact(const std::vector<bool>   &is_closed,
-                                      const std::vector<double> &pressure,
-                                      State                     &difference)
-  {
-    if (std::find(is_closed.begin(), is_closed.end(), true) == is_closed.end())
-      return;
-    std::vector<double> displacement;
-    body.contact_end().get_values(Field::displacement,
-                                  difference.displacement,
-                                  displacement);
-    const std::vector<double> change = contact_solver.solve_linearized(
-      response(), pressure, is_closed, displacement);
-
-    // Viscous stress alone has carried the displacement of the nodes into the
-    // velocity of the others: elastic stress does so with higher order.
-    const Factorization &factorization = factorizations.front();
-    const double         tau           = factorization.matrix.tau();
-    const double         viscosity     = body.scene.material.viscosity;
-    for (unsigned int j = 0; j < change.size(); ++j)
-      if (const double p = change[j]; p != 0.)
-        {
-          const UnitResponse &unit_response =
-            factorization.unit_responses[Field::displacement][j];
-          difference.displacement.add(-p * tau, unit_response.velocity);
-          difference.velocity.add(-p * viscosity / (viscosity + tau),
-                                  unit_response.velocity);
-          if (body.equations.is_coupled())
-            difference.temperature.add(-p * tau,
-                                       unit_response.temperature_rate);
-        }
-  }
-
-
-
-  template <int dim>
-  void
   MonolithicSolver<dim>::solve_exchange(const State      &known,
                                         const ContactMode mode,
                                         StageRates       &rates)
@@ -384,10 +348,20 @@ namespace ThermoContact
                                StageRates       &rates)
   {
     solve_without_contact(known, tau, heat_load, momentum_load, rates);
-    if (!exchange.is_constant())
+    const bool has_flux = !exchange.is_constant();
+    const bool has_contact =
+      body.law().is_active() && mode != ContactMode::open;
+    if (has_flux)
       solve_exchange(known, mode, rates);
-    else if (body.law().is_active() && mode != ContactMode::open)
+    else if (has_contact)
       solve_contact(known, mode, rates);
+    if (has_contact && has_lost_digits(known, rates))
+      refine(known,
+             heat_load,
+             momentum_load,
+             mode,
+             has_flux ? end_exchange.flux : std::vector<double>(),
+             rates);
   }
 
 

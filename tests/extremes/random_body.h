@@ -11,7 +11,8 @@ namespace ThermoContact
    * Draws bodies in two and three dimensions for a few fixed steps, which every
    * solver of stages can do, with all that makes stages hard: flat cells,
    * nearly incompressible materials, soft and hard obstacles, short and long
-   * steps, nodes without mass and viscosity.
+   * steps, nodes without mass and viscosity. What contradicts itself, and would
+   * be refused, is drawn and left out.
    */
   class RandomBody : private RandomScene
   {
@@ -36,6 +37,10 @@ namespace ThermoContact
     }
 
   private:
+    bool has_free_sides = false;
+    bool slides         = false;
+    bool is_round       = false;
+
     void
     draw_body()
     {
@@ -44,7 +49,8 @@ namespace ThermoContact
       const double across   = 1. + std::floor((is_block ? 3. : 6.) * uniform());
       const double ratio    = happens(0.3) ? 1. : log_uniform(1., 20.);
       set("Dimension", is_block ? "3" : "2");
-      if (!is_block && happens(0.3))
+      is_round = !is_block && happens(0.3);
+      if (is_round)
         set("Mesh/Geometry", "axisymmetric");
       set("Mesh/Cells", along);
       set("Mesh/Cells across", across);
@@ -53,11 +59,11 @@ namespace ThermoContact
       set("Mesh/Refinements", happens(0.3) && !is_block ? 1. : 0.);
       if (happens(0.2))
         set("Mesh/Grading", log_uniform(0.1, 10.));
-      if (happens(0.2))
+      if (happens(0.2) && !is_round) // nodes on the axis would have no mass
         set("Mesh/Mass matrix", "lumped");
-      set("Boundary/Lateral support", happens(0.7) ? "free" : "rollers");
-      if (happens(0.3))
-        set("Boundary/Fixed end support", "sliding");
+      has_free_sides = happens(0.7);
+      set("Boundary/Lateral support", has_free_sides ? "free" : "rollers");
+      slides = happens(0.3);
     }
 
     void
@@ -66,7 +72,10 @@ namespace ThermoContact
       set("Model/Poisson ratio",
           happens(0.3) ? 0.5 - log_uniform(1e-3, 0.1) :
                          -0.5 + 0.95 * uniform());
-      set("Model/Inertia", happens(0.25) ? 0. : log_uniform(0.01, 10.));
+      const double inertia = happens(0.25) ? 0. : log_uniform(0.01, 10.);
+      set("Model/Inertia", inertia);
+      if (slides && !(has_free_sides && inertia == 0. && !is_round))
+        set("Boundary/Fixed end support", "sliding"); // or nothing holds it
       set("Model/Viscosity", happens(0.3) ? 0. : log_uniform(1e-3, 10.));
       set("Model/Coupling", happens(0.2) ? 0. : sign() * log_uniform(1e-3, 2.));
       set("Boundary/Heat exchange", happens(0.2) ? 0. : log_uniform(0.1, 1e3));

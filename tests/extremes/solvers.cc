@@ -7,29 +7,40 @@
 // stages, at Linear tolerance = 1e-10. Either
 //
 //   agrees      temperatures, displacements, velocities and pressures at the
-//               end are the same to 1e-6 of the largest values of the run, and
-//               to 1e-5 the velocities, which at nodes without mass are
-//               quotients of small displacements and steps: the tolerance
-//               bounds residuals, and an error is larger by the condition of
-//               the matrix with unit diagonal, at most 1e4 here;
+//               end are the same to 1e-6 of the largest values of the run: the
+//               tolerance bounds residuals, and an error is larger by the
+//               condition of the matrix with unit diagonal, 1e3 to 1e5 here,
+//               if it is of the smoothest kind. Two bounds are larger. Bodies
+//               without mass and viscosity, and contact nodes without them,
+//               have velocities that are differences of displacements over a
+//               stage: what rounding makes of them (rounding_of_velocity.h).
+//               Nothing but inertia holds a body with free sides whose end
+//               slides: what is left of its momentum, the tolerance times the
+//               largest velocity, displaces it by that times the time;
 //   explained   the iterative solver ends the run, or refuses the scene, with a
 //               message that names the remedy Solver/Linear solver = direct (or
 //               automatic).
 //
 // In the suite at most one in ten may be explained; scripts/extremes runs as
-// many as one wants. The environment is that of campaign.cc.
+// many as one wants. The environment is that of campaign.cc. Four bodies of
+// seed 1 are always among them, whose velocities come out of equilibrium: 72 is
+// at rest, 64, 140 and 177 have steps below 1e-8.
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <memory>
 
 #include "../matched_spaces.h"
+#include "../rounding_of_velocity.h"
 #include "random_body.h"
 
 using namespace ThermoContact;
@@ -41,7 +52,8 @@ namespace
   /** Temperature, displacement, velocity, pressure. */
   using Sizes = std::array<double, 4>;
 
-  const Sizes bounds{{1e-6, 1e-6, 1e-5, 1e-6}};
+  constexpr double relative_bound = 1e-6;
+  constexpr double tolerance      = 1e-10;
 
   unsigned int
   from_environment(const char *name, const unsigned int value)
@@ -59,13 +71,14 @@ namespace
     Sizes                            largest{};
     std::string                      message; ///< of what ended it early
     bool                             has_contact = false;
+    double shortest_step = std::numeric_limits<double>::max();
 
     Run(const TestScene &scene, const std::string &solver)
     {
       Overrides overrides = scene.overrides;
       overrides.push_back("Solver/Linear solver=" + solver);
       if (solver == "iterative")
-        overrides.push_back("Solver/Linear tolerance=1e-10");
+        overrides.push_back("Solver/Linear tolerance=" + text(tolerance));
       try
         {
           simulation =
@@ -89,6 +102,8 @@ namespace
       for (const double p : state.contact_pressure)
         raise(largest[3], p);
       has_contact |= s.record().in_contact;
+      if (state.time > 0.)
+        shortest_step = std::min(shortest_step, s.record().step_size);
     }
   };
 
@@ -124,6 +139,27 @@ namespace
 
 
 
+  /** Those of the comment at the top, relative to the largest values. */
+  template <int dim>
+  Sizes
+  bounds(const Run<dim> &direct)
+  {
+    Sizes result;
+    result.fill(relative_bound);
+    const Scene &scene = direct.simulation->scene();
+    const double u = direct.largest[1], v = direct.largest[2];
+    if (v == 0. || u == 0.)
+      return result;
+    if (scene.material.is_static() || scene.contact.is_in_equilibrium)
+      result[2] +=
+        rounding_of_velocity(scene.scheme.name, u, direct.shortest_step) / v;
+    if (scene.has_sliding_end && !scene.has_rollers)
+      result[1] += tolerance * v * direct.simulation->state().time / u;
+    return result;
+  }
+
+
+
   struct Counts
   {
     unsigned int n_scenes = 0, n_agree = 0, n_explained = 0, n_contact = 0;
@@ -153,14 +189,19 @@ namespace
       verdict << "FAILS with the direct solver alone: " << direct.message;
     else
       {
-        const Sizes sizes  = differences(direct, iterative);
-        bool        agrees = true;
+        const Sizes sizes   = differences(direct, iterative);
+        const Sizes allowed = bounds(direct);
+        bool        agrees  = true;
         for (unsigned int i = 0; i < sizes.size(); ++i)
-          agrees = agrees && sizes[i] <= bounds[i];
+          agrees = agrees && sizes[i] <= allowed[i];
         counts.n_agree += agrees;
         verdict << (agrees ? "agrees" : "DIFFERS");
-        for (const double size : sizes)
-          verdict << ' ' << size;
+        for (unsigned int i = 0; i < sizes.size(); ++i)
+          {
+            verdict << ' ' << sizes[i];
+            if (allowed[i] > 1.1 * relative_bound)
+              verdict << " (of " << allowed[i] << ')';
+          }
         verdict << ", iterations "
                 << iterative.simulation->counters().max_linear_iterations;
       }
@@ -186,14 +227,18 @@ main(int argc, char **argv)
   const unsigned int seed  = from_environment("EXTREMES_SEED", 1);
   const unsigned int first = from_environment("EXTREMES_FIRST", 0);
   Counts             counts;
+  const auto         run = [&counts](RandomBody &&body) {
+    const TestScene scene = body.draw();
+    if (scene.overrides.front() == "Dimension=3")
+      judge<3>(scene, counts);
+    else
+      judge<2>(scene, counts);
+  };
   for (unsigned int i = 0; i < n; ++i)
-    {
-      const TestScene scene = RandomBody(seed, first + i).draw();
-      if (scene.overrides.front() == "Dimension=3")
-        judge<3>(scene, counts);
-      else
-        judge<2>(scene, counts);
-    }
+    run(RandomBody(seed, first + i));
+  for (const unsigned int i : {64, 72, 140, 177})
+    if (seed != 1 || i < first || i >= first + n)
+      run(RandomBody(1, i));
   std::cout << counts.n_scenes << " bodies, " << counts.n_contact
             << " with contact: " << counts.n_agree << " agree, "
             << counts.n_explained << " explained" << std::endl;

@@ -41,12 +41,24 @@ namespace ThermoContact
                       const VectorizedArray<double> *x,
                       VectorizedArray<double>       *y) const;
 
-    /** Adds @p factor times what $M_u$ lacks to $M$; axial component first. */
+    /**
+     * What is left of the axial mass that quadrature gives the cells of a
+     * batch: 0 for cells that have that of add_axial_mass() instead, else 1.
+     */
+    VectorizedArray<double>
+    share_of_axial_mass(const unsigned int batch) const;
+
+    /**
+     * Adds @p factor times the axial mass of cells whose contact nodes have
+     * none; axial component first. Their rows are zero, not a difference that
+     * is: in short stages they have nothing but stiffness, which is smaller
+     * than the rounding of a mass.
+     */
     void
-    add_missing_mass(const unsigned int             batch,
-                     const double                   factor,
-                     const VectorizedArray<double> *x,
-                     VectorizedArray<double>       *y) const;
+    add_axial_mass(const unsigned int             batch,
+                   const double                   factor,
+                   const VectorizedArray<double> *x,
+                   VectorizedArray<double>       *y) const;
 
   private:
     const unsigned int n_nodes; ///< of a cell
@@ -61,7 +73,7 @@ namespace ThermoContact
     std::vector<std::vector<Cell>> cells_of_batch;
 
     std::vector<FullMatrix<double>> heat_exchange;
-    std::vector<FullMatrix<double>> missing_mass;
+    std::vector<FullMatrix<double>> axial_mass;
 
     /** Those of the cells at the end, in the order of their batches. */
     void

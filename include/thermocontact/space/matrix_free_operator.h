@@ -10,6 +10,8 @@
 
 #include <deal.II/matrix_free/fe_evaluation.h>
 
+#include <array>
+
 namespace ThermoContact
 {
   /**
@@ -84,6 +86,9 @@ namespace ThermoContact
     using Vectorial = FEEvaluation<dim, -1, 0, dim, double>;
     using Values    = typename ContactCells<dim>::Values;
 
+    /** Factors of the mass of the first component, and of all others. */
+    using MassOfComponents = std::array<VectorizedArray<double>, 2>;
+
     const Discretization<dim>   &discretization;
     const Geometry<dim>         &geometry;
     const bool                   has_uniform_weight;
@@ -143,18 +148,27 @@ namespace ThermoContact
     void
     momentum_on_cell(const MomentumFactors &factors, Vectorial &u) const;
 
-    /** Bulk terms from @p x to the values of @p u. */
+    /**
+     * Bulk terms from @p x to the values of @p u.
+     *
+     * @param mass instead of that of @p factors
+     */
     void
     integrate_momentum(const MomentumFactors         &factors,
+                       const MassOfComponents        &mass,
                        const VectorizedArray<double> *x,
                        Vectorial                     &u) const;
 
-    /** Adds the product with a lumped mass of a batch to @p y. */
+    /**
+     * Adds the product with a lumped mass of a batch to @p y.
+     *
+     * @param factors of the first component, of the others
+     */
     template <int n_components>
     void
     add_lumped_mass(const unsigned int             batch,
                     const Field::Block             field,
-                    const double                   factor,
+                    const MassOfComponents        &factors,
                     const VectorizedArray<double> *x,
                     VectorizedArray<double>       *y) const;
   };

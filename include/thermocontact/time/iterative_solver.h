@@ -49,6 +49,17 @@ namespace ThermoContact
     }
 
     /**
+     * Displacement and pressures that balance all forces on a body without
+     * inertia and viscosity, for its temperature; to rounding.
+     *
+     * @param known in: also to start from; its velocity becomes zero
+     */
+    void
+    solve_equilibrium(const Vector &heat_load,
+                      const Vector &momentum_load,
+                      State        &known);
+
+    /**
      * The velocity of a body without inertia that does not move nodes in
      * contact into a rigid obstacle, times $\zeta/(\zeta+1)$, and pressures
      * there, (M.34).

@@ -6,6 +6,7 @@
 #include <thermocontact/multigrid/stage_hierarchies.h>
 #include <thermocontact/space/body.h>
 
+#include <array>
 #include <vector>
 
 namespace ThermoContact
@@ -40,14 +41,17 @@ namespace ThermoContact
     /**
      * A new stage; its solution starts at the velocity at its beginning.
      *
+     * @param pressure that is expected: residuals are compared to the forces
+     *   that are left beside it
      * @param with_heat false: the temperature stays as it is
      */
     void
-    prepare(const State  &known,
-            const double  stage_length,
-            const Vector &heat_load,
-            const Vector &momentum_load,
-            const bool    with_heat);
+    prepare(const State               &known,
+            const double               stage_length,
+            const Vector              &heat_load,
+            const Vector              &momentum_load,
+            const std::vector<double> &pressure,
+            const bool                 with_heat);
 
     /**
      * Instead of a new stage the displacement $\tau v$ and what goes with it,
@@ -154,9 +158,35 @@ namespace ThermoContact
 
     double largest_residual = 0.; ///< of the present stage, at the start
 
-    /** Makes residuals relative: one over the size of the terms of a row. */
+    /** Local rows of contact nodes without mass; empty: none, or all are. */
+    std::vector<bool> massless_rows;
+
+    bool
+    is_massless(const unsigned int row) const
+    {
+      return !massless_rows.empty() && massless_rows[row];
+    }
+
+    /**
+     * Makes residuals relative, doc/model.md (M.53): one over the root of the
+     * diagonal and over the size of the terms.
+     */
     void
-    set_weights(const State &known);
+    set_weights(const State &known, const std::vector<double> &pressure);
+
+    void
+    set_heat_weights(const State &known);
+
+    void
+    set_momentum_weights(const State               &known,
+                         const std::vector<double> &pressure);
+
+    /** Rows with mass, and those of contact nodes without it among them. */
+    using Sizes = std::array<double, 2>;
+
+    /** Norms of a vector of momentum rows over the roots of the diagonal. */
+    Sizes
+    momentum_sizes(const Vector &rows) const;
 
     /** Springs and held nodes, and preconditioners that heed them. */
     void

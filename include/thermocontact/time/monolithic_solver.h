@@ -148,6 +148,37 @@ namespace ThermoContact
                   const ContactMode mode,
                   StageRates       &rates);
 
+    /**
+     * Whether the pressures of a stage have taken away so much of the
+     * motion without contact that rounding of it spoils what is left: a body
+     * in equilibrium with the obstacle, in a short stage.
+     */
+    bool
+    has_lost_digits(const State &known, const StageRates &rates) const;
+
+    /**
+     * Iterative refinement of a stage and its pressures, with the set of nodes
+     * in contact as it is.
+     *
+     * @param flux into the obstacle at the contact nodes, which stays as it is;
+     *   empty: it is part of the matrix
+     */
+    void
+    refine(const State               &known,
+           const Vector              &heat_load,
+           const Vector              &momentum_load,
+           const ContactMode          mode,
+           const std::vector<double> &flux,
+           StageRates                &rates);
+
+    /** The right-hand sides become what the rates leave of (M.15). */
+    void
+    compute_residual(const State               &known,
+                     const Vector              &heat_load,
+                     const Vector              &momentum_load,
+                     const std::vector<double> &flux,
+                     const StageRates          &rates);
+
     /** Pressures and heat fluxes from the end of the stage without them. */
     void
     solve_exchange(const State      &known,

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/stop_watch.h>
+#include <thermocontact/time/monolithic_solver.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Four of sixteen digits may go. */
+    constexpr double largest_loss = 1e4;
+
+    constexpr unsigned int max_refinements = 3;
+
+    /** Relative change at which velocities are refined no further. */
+    constexpr double small_change = 1e-8;
+
+    double
+    largest_difference(const std::vector<double> &x,
+                       const std::vector<double> &y)
+    {
+      double largest = 0.;
+      for (unsigned int i = 0; i < x.size(); ++i)
+        largest = std::max(largest, std::abs(x[i] - y[i]));
+      return largest;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  MonolithicSolver<dim>::keep_contact(const std::vector<bool>   &is_closed,
+                                      const std::vector<double> &pressure,
+                                      State                     &difference)
+  {
+    if (std::find(is_closed.begin(), is_closed.end(), true) == is_closed.end())
+      return;
+    std::vector<double> displacement;
+    body.contact_end().get_values(Field::displacement,
+                                  difference.displacement,
+                                  displacement);
+    const std::vector<double> change = contact_solver.solve_linearized(
+      response(), pressure, is_closed, displacement);
+
+    // Viscous stress alone has carried the displacement of the nodes into the
+    // velocity of the others: elastic stress does so with higher order.
+    const Factorization &factorization = factorizations.front();
+    const double         tau           = factorization.matrix.tau();
+    const double         viscosity     = body.scene.material.viscosity;
+    for (unsigned int j = 0; j < change.size(); ++j)
+      if (const double p = change[j]; p != 0.)
+        {
+          const UnitResponse &unit_response =
+            factorization.unit_responses[Field::displacement][j];
+          difference.displacement.add(-p * tau, unit_response.velocity);
+          difference.velocity.add(-p * viscosity / (viscosity + tau),
+                                  unit_response.velocity);
+          if (body.equations.is_coupled())
+            difference.temperature.add(-p * tau,
+                                       unit_response.temperature_rate);
+        }
+  }
+
+
+
+  template <int dim>
+  bool
+  MonolithicSolver<dim>::has_lost_digits(const State      &known,
+                                         const StageRates &rates) const
+  {
+    const double        tau = factorizations.front().matrix.tau();
+    std::vector<double> start, velocity;
+    body.contact_end().get_penetrations(known.displacement, start);
+    const double free = largest_difference(free_penetration, start);
+    body.contact_end().get_values(Field::displacement,
+                                  rates.velocity,
+                                  velocity);
+    const double moved =
+      tau * largest_difference(velocity, std::vector<double>(velocity.size()));
+    // velocities of a body at rest need no digits: what moves it by its
+    // displacement in a unit of time is small
+    return free > largest_loss * moved &&
+           free > largest_loss * tau * known.displacement.linfty_norm();
+  }
+
+
+
+  template <int dim>
+  void
+  MonolithicSolver<dim>::compute_residual(const State  &known,
+                                          const Vector &heat_load,
+                                          const Vector &momentum_load,
+                                          const std::vector<double> &flux,
+                                          const StageRates          &rates)
+  {
+    const ThermoviscoelasticOperator<dim> &equations = body.equations;
+    const Material                        &material  = body.scene.material;
+    const double tau = factorizations.front().matrix.tau();
+    equations.stage_rhs(
+      known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
+    const auto subtract = [](const LinearMap &matrix,
+                             const double     factor,
+                             const Vector    &x,
+                             Vector          &rows) {
+      Vector product(rows);
+      matrix.vmult(product, x);
+      rows.add(-factor, product);
+    };
+    if (body.scene.fields.has_temperature)
+      {
+        const Vector &rate = rates.temperature_rate;
+        subtract(equations.heat_mass(), 1., rate, heat_rhs);
+        subtract(equations.conduction(), tau, rate, heat_rhs);
+        equations.subtract_heating(rates.velocity, heat_rhs);
+        if (!flux.empty())
+          body.contact_end().subtract_load(Field::temperature,
+                                           flux,
+                                           1.,
+                                           heat_rhs);
+        equations.zero_constrained(Field::temperature, heat_rhs);
+        equations.add_thermal_stress(rate, tau * tau, momentum_rhs);
+      }
+    const Vector &velocity = rates.velocity;
+    if (material.has_inertia())
+      subtract(equations.momentum_mass(),
+               material.inertia,
+               velocity,
+               momentum_rhs);
+    if (material.has_viscosity())
+      subtract(equations.viscous_stiffness(),
+               tau * material.viscosity,
+               velocity,
+               momentum_rhs);
+    subtract(equations.stiffness(), tau * tau, velocity, momentum_rhs);
+    body.contact_end().subtract_load(Field::displacement,
+                                     rates.pressure,
+                                     tau,
+                                     momentum_rhs);
+    equations.zero_constrained(Field::displacement, momentum_rhs);
+  }
+
+
+
+  template <int dim>
+  void
+  MonolithicSolver<dim>::refine(const State               &known,
+                                const Vector              &heat_load,
+                                const Vector              &momentum_load,
+                                const ContactMode          mode,
+                                const std::vector<double> &flux,
+                                StageRates                &rates)
+  {
+    const double        tau = factorizations.front().matrix.tau();
+    const unsigned int  n   = rates.pressure.size();
+    StageRates          change(rates);
+    std::vector<double> start, velocity, misfit(n);
+    std::vector<bool>   is_fixed(rates.is_held), is_active(n);
+    is_fixed.resize(n, mode == ContactMode::closed);
+    for (unsigned int i = 0; i < n; ++i)
+      is_active[i] = is_fixed[i] || rates.pressure[i] > 0.;
+    body.contact_end().get_penetrations(known.displacement, start);
+
+    for (unsigned int k = 0; k < max_refinements; ++k)
+      {
+        compute_residual(known, heat_load, momentum_load, flux, rates);
+        factorizations.front().matrix.solve(heat_rhs,
+                                            momentum_rhs,
+                                            change.temperature_rate,
+                                            change.velocity);
+        // what the nodes in contact then miss the law by
+        change.velocity += rates.velocity;
+        body.contact_end().get_values(Field::displacement,
+                                      change.velocity,
+                                      velocity);
+        change.velocity -= rates.velocity;
+        for (unsigned int i = 0; i < n; ++i)
+          misfit[i] = start[i] + tau * velocity[i] -
+                      body.law().penetration(rates.pressure[i]);
+        change.pressure = contact_solver.solve_linearized(response(),
+                                                          rates.pressure,
+                                                          is_active,
+                                                          misfit);
+        for (unsigned int i = 0; i < n; ++i)
+          if (!is_fixed[i])
+            change.pressure[i] =
+              std::max(change.pressure[i], -rates.pressure[i]);
+        apply_pressure(change);
+
+        rates.temperature_rate += change.temperature_rate;
+        rates.velocity += change.velocity;
+        for (unsigned int i = 0; i < n; ++i)
+          rates.pressure[i] += change.pressure[i];
+        if (change.velocity.linfty_norm() <=
+            small_change * std::max(rates.velocity.linfty_norm(),
+                                    known.displacement.linfty_norm()))
+          return;
+      }
+  }
+
+
+
+#define INSTANTIATE(dim)                                                   \
+  template void MonolithicSolver<dim>::keep_contact(                       \
+    const std::vector<bool> &, const std::vector<double> &, State &);      \
+  template bool MonolithicSolver<dim>::has_lost_digits(const State &,      \
+                                                       const StageRates &) \
+    const;                                                                 \
+  template void MonolithicSolver<dim>::refine(const State &,               \
+                                              const Vector &,              \
+                                              const Vector &,              \
+                                              const ContactMode,           \
+                                              const std::vector<double> &, \
+                                              StageRates &)
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace ThermoContact
