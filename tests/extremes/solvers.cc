@@ -13,10 +13,13 @@
 //               if it is of the smoothest kind. Two bounds are larger. Bodies
 //               without mass and viscosity, and contact nodes without them,
 //               have velocities that are differences of displacements over a
-//               stage: what rounding makes of them (rounding_of_velocity.h).
-//               Nothing but inertia holds a body with free sides whose end
-//               slides: what is left of its momentum, the tolerance times the
-//               largest velocity, displaces it by that times the time;
+//               stage: what rounding makes of them (rounding_of_velocity.h),
+//               and, in a last step that is shorter than those before, what
+//               the tolerance has left of their displacements, 1e3 times the
+//               tolerance of u in a unit of time and of u at most, over that
+//               step. Nothing but inertia holds a body with free sides whose
+//               end slides: what is left of its momentum, the tolerance times
+//               the largest velocity, displaces it by that times the time;
 //   explained   the iterative solver ends the run, or refuses the scene, with a
 //               message that names the remedy Solver/Linear solver = direct (or
 //               automatic).
@@ -72,6 +75,7 @@ namespace
     std::string                      message; ///< of what ended it early
     bool                             has_contact = false;
     double shortest_step = std::numeric_limits<double>::max();
+    double longest_step  = 0.;
 
     Run(const TestScene &scene, const std::string &solver)
     {
@@ -102,8 +106,10 @@ namespace
       for (const double p : state.contact_pressure)
         raise(largest[3], p);
       has_contact |= s.record().in_contact;
-      if (state.time > 0.)
-        shortest_step = std::min(shortest_step, s.record().step_size);
+      if (state.time == 0.)
+        return;
+      shortest_step = std::min(shortest_step, s.record().step_size);
+      longest_step  = std::max(longest_step, s.record().step_size);
     }
   };
 
@@ -151,8 +157,13 @@ namespace
     if (v == 0. || u == 0.)
       return result;
     if (scene.material.is_static() || scene.contact.is_in_equilibrium)
-      result[2] +=
-        rounding_of_velocity(scene.scheme.name, u, direct.shortest_step) / v;
+      {
+        const double left = 1e3 * tolerance * std::min(1., direct.longest_step);
+        result[2] +=
+          (rounding_of_velocity(scene.scheme.name, u, direct.shortest_step) +
+           left * u / direct.shortest_step) /
+          v;
+      }
     if (scene.has_sliding_end && !scene.has_rollers)
       result[1] += tolerance * v * direct.simulation->state().time / u;
     return result;
