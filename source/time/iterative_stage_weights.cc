@@ -73,10 +73,16 @@ namespace ThermoContact
                            norm(residual.block(Field::temperature)));
     if (has_heat)
       {
-        // the terms may cancel in a steady state
+        // the terms may cancel in a steady state, and leave rounding
         Vector flow(scratch);
         body.equations.conduction().vmult(flow, known.temperature);
         size = std::max(size, tau * norm(flow));
+        flow.copy_locally_owned_data_from(known.temperature);
+        flow.scale(
+          levels.field(levels.n_levels() - 1, Field::temperature).stiffness);
+        size = std::max(size,
+                        tau * epsilon / body.scene.linear_solver.tolerance *
+                          norm(flow));
       }
     if (size == 0.)
       return;
