@@ -80,6 +80,35 @@ namespace ThermoContact
 
 
 
+    /**
+     * Puts a node on a rigid obstacle that the initial displacement leaves
+     * before it or on it, but for rounding, and the projection moves behind.
+     */
+    template <int dim>
+    void
+    stay_before_obstacle(const Body<dim> &body, State &state)
+    {
+      if (!body.scene.contact.law->is_rigid() ||
+          body.scene.material.is_static())
+        return;
+      const unsigned int component =
+        body.discretization.first_component(Field::displacement);
+      for (const auto &[i, entry] :
+           body.contact_end().entries(Field::displacement))
+        {
+          const ContactNode<dim> &node = body.contact_end().nodes()[i];
+          const double            given =
+            body.data.initial_fields().value(node.position, component);
+          const double rounding =
+            1e-12 * std::max(std::abs(given), std::abs(node.gap));
+          double &projected = state.displacement.begin()[entry];
+          if (projected > node.gap && given <= node.gap + rounding)
+            projected = node.gap;
+        }
+    }
+
+
+
     /** A rigid obstacle must not be penetrated. */
     template <int dim>
     void
@@ -180,6 +209,7 @@ namespace ThermoContact
       projection.project(body.data.initial_velocity(), unused, state.velocity);
     }
     check_values(body, state, warnings);
+    stay_before_obstacle(body, state);
     check_penetration(body, first_step_size, state);
     for (const unsigned int entry :
          discretization.constrained_entries(Field::temperature))
