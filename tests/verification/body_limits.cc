@@ -35,7 +35,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iostream>
 #include <vector>
 
 #include "../tests.h"
@@ -99,7 +98,6 @@ namespace
         if (difference > 0.)
           raise(error, difference / largest);
       }
-      std::cout << name << error << std::endl;
     deallog << "  " << name << ": within 1e-8 " << (error <= 1e-8);
     if (!(error <= 1e-8))
       deallog << " (" << error << ')';
@@ -205,7 +203,6 @@ namespace
             << ", nu = " << scene.poisson_ratio << ": within 2 % "
             << (error <= 0.02) << ", waves arrive " << (late > 0.02)
             << std::endl;
-      std::cout << error << ' ' << late << std::endl;
   }
 
 
