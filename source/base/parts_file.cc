@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/parts_file.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/table_file.h>
 
 #include <fcntl.h>
@@ -82,20 +83,6 @@ namespace ThermoContact
       return end - size;
     }
   } // namespace
-
-
-
-  std::string
-  first_fault(const std::string &fault, const MPI_Comm communicator)
-  {
-    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-      return fault;
-    for (const std::string &message :
-         Utilities::MPI::all_gather(communicator, fault))
-      if (!message.empty())
-        return message;
-    return "";
-  }
 
 
 

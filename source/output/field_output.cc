@@ -3,6 +3,7 @@
 #include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/parts_file.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/field_output.h>
 #include <thermocontact/output/obstacle_file.h>

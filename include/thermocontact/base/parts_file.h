@@ -38,10 +38,6 @@ namespace ThermoContact
   write_parts_atomically(const std::string                            &path,
                          const std::initializer_list<std::string_view> part,
                          const MPI_Comm communicator);
-
-  /** On all ranks, the message of the first rank that has one. Collective. */
-  std::string
-  first_fault(const std::string &fault, const MPI_Comm communicator);
 } // namespace ThermoContact
 
 #endif
