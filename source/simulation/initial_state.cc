@@ -81,8 +81,9 @@ namespace ThermoContact
 
 
     /**
-     * Puts a node on a rigid obstacle that the initial displacement leaves
-     * before it or on it, but for rounding, and the projection moves behind.
+     * What the initial displacement says of a rigid obstacle holds for its
+     * projection: a node on it, but for rounding, is there, and one before it
+     * not behind it.
      */
     template <int dim>
     void
@@ -102,7 +103,8 @@ namespace ThermoContact
           const double rounding =
             1e-12 * std::max(std::abs(given), std::abs(node.gap));
           double &projected = state.displacement.begin()[entry];
-          if (projected > node.gap && given <= node.gap + rounding)
+          if (std::abs(given - node.gap) <= rounding ||
+              (given < node.gap && projected > node.gap))
             projected = node.gap;
         }
     }
