@@ -87,10 +87,10 @@ namespace ThermoContact
 
 
   std::string
-  write_parts(const std::string                            &path,
-              const std::initializer_list<std::string_view> part,
-              const MPI_Comm                                communicator,
-              const bool                                    is_durable)
+  write_parts(const std::string                   &path,
+              const std::vector<std::string_view> &part,
+              const MPI_Comm                       communicator,
+              const bool                           is_durable)
   {
     std::uint64_t size = 0;
     for (const std::string_view piece : part)
@@ -119,9 +119,9 @@ namespace ThermoContact
 
 
   std::string
-  write_parts_atomically(const std::string                            &path,
-                         const std::initializer_list<std::string_view> part,
-                         const MPI_Comm communicator)
+  write_parts_atomically(const std::string                   &path,
+                         const std::vector<std::string_view> &part,
+                         const MPI_Comm                       communicator)
   {
     std::string fault = write_parts(path + part_suffix, part, communicator);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
