@@ -87,7 +87,9 @@ namespace ThermoContact
 
     /** Runs the reference on the last rank and hands it to all. */
     Trajectory
-    run_reference(const StudyPlan &plan, const SignalWatch &signals)
+    run_reference(const StudyPlan   &plan,
+                  SceneReader       &reader,
+                  const SignalWatch &signals)
     {
       const MPI_Comm     communicator = MPI_COMM_WORLD;
       const unsigned int last =
@@ -96,8 +98,9 @@ namespace ThermoContact
       if (Utilities::MPI::this_mpi_process(communicator) == last)
         try
           {
-            StudyRun run = execute(plan, *plan.reference(), 1, "", signals);
-            result       = {run.failure, std::move(run.trajectory)};
+            StudyRun run =
+              execute(plan, reader, *plan.reference(), 1, "", signals);
+            result = {run.failure, std::move(run.trajectory)};
           }
         catch (const Interruption &)
           {} // all ranks ask for signals next
@@ -149,12 +152,13 @@ namespace ThermoContact
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const StudyPlan   &plan    = table.plan();
     const SignalWatch  signals;
+    SceneReader        reader(plan.scene_assignments());
     StudyProgress      progress(table, log);
 
     const std::vector<unsigned int> missing = missing_runs(table);
     Trajectory                      reference;
     if (plan.reference() && !missing.empty())
-      reference = run_reference(plan, signals);
+      reference = run_reference(plan, reader, signals);
 
     std::string fault;
     const bool  has_begun =
@@ -167,6 +171,7 @@ namespace ThermoContact
           const unsigned int number = missing[i];
           StudyRun           run =
             execute(plan,
+                    reader,
                     plan.overrides(number),
                     parameters.repetitions,
                     parameters.keep_files ? text(directory, "/run-", number) :
@@ -210,7 +215,7 @@ namespace ThermoContact
                   plan.n_runs(),
                   " runs, reference: ",
                   parameters.reference));
-    // reading a scene takes some milliseconds
+    SceneReader        reader(plan.scene_assignments());
     const unsigned int n_checked = std::min(plan.n_runs(), 2000u);
     unsigned int       n_refused = 0, n_known = 0;
     std::string        refused;
@@ -218,9 +223,8 @@ namespace ThermoContact
     for (unsigned int run = 0; run < n_checked; ++run)
       try
         {
-          Parameters       scene;
-          ParameterHandler prm;
-          plan.read_scene(plan.overrides(run), scene, prm);
+          plan.read_scene(plan.overrides(run), reader);
+          const Parameters &scene = reader.scene();
           if (const auto cost = expected_cost(Scene(scene), scene.mesh.cells))
             {
               steps += cost->steps;

@@ -104,6 +104,7 @@ namespace ThermoContact
 
   StudyRun
   execute(const StudyPlan   &plan,
+          SceneReader       &reader,
           const Overrides   &overrides,
           const unsigned int n_repetitions,
           const std::string &directory,
@@ -112,15 +113,14 @@ namespace ThermoContact
     StudyRun run;
     try
       {
-        Parameters       scene;
-        ParameterHandler prm;
-        plan.read_scene(overrides, scene, prm);
+        plan.read_scene(overrides, reader);
+        const Parameters &scene = reader.scene();
         if (!directory.empty())
           {
             prepare_output_directory(directory, MPI_COMM_SELF);
             write_used_parameters(directory,
                                   foreign_entries(scene),
-                                  prm,
+                                  reader.prm(),
                                   MPI_COMM_SELF);
           }
         for (unsigned int i = 0; i < n_repetitions; ++i)

@@ -37,6 +37,7 @@ namespace ThermoContact
   /**
    * Runs one scene of a study, on this rank alone.
    *
+   * @param reader of the plan's scene_assignments(), for all runs
    * @param n_repetitions of the same run, for its time
    * @param directory where the run leaves all its files; empty: it leaves none
    * @param signals a signal ends the run
@@ -45,6 +46,7 @@ namespace ThermoContact
    */
   StudyRun
   execute(const StudyPlan   &plan,
+          SceneReader       &reader,
           const Overrides   &overrides,
           const unsigned int n_repetitions,
           const std::string &directory,
