@@ -87,9 +87,7 @@ namespace ThermoContact
 
     /** Runs the reference on the last rank and hands it to all. */
     Trajectory
-    run_reference(const StudyPlan   &plan,
-                  SceneReader       &reader,
-                  const SignalWatch &signals)
+    run_reference(const StudyPlan &plan, StudyRunner &runner)
     {
       const MPI_Comm     communicator = MPI_COMM_WORLD;
       const unsigned int last =
@@ -98,9 +96,8 @@ namespace ThermoContact
       if (Utilities::MPI::this_mpi_process(communicator) == last)
         try
           {
-            StudyRun run =
-              execute(plan, reader, *plan.reference(), 1, "", signals);
-            result = {run.failure, std::move(run.trajectory)};
+            StudyRun run = runner.execute(*plan.reference(), 1, "");
+            result       = {run.failure, std::move(run.trajectory)};
           }
         catch (const Interruption &)
           {} // all ranks ask for signals next
@@ -152,13 +149,13 @@ namespace ThermoContact
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const StudyPlan   &plan    = table.plan();
     const SignalWatch  signals;
-    SceneReader        reader(plan.scene_assignments());
+    StudyRunner        runner(plan, signals);
     StudyProgress      progress(table, log);
 
     const std::vector<unsigned int> missing = missing_runs(table);
     Trajectory                      reference;
     if (plan.reference() && !missing.empty())
-      reference = run_reference(plan, reader, signals);
+      reference = run_reference(plan, runner);
 
     std::string fault;
     const bool  has_begun =
@@ -169,14 +166,11 @@ namespace ThermoContact
       try
         {
           const unsigned int number = missing[i];
-          StudyRun           run =
-            execute(plan,
-                    reader,
-                    plan.overrides(number),
-                    parameters.repetitions,
-                    parameters.keep_files ? text(directory, "/run-", number) :
-                                            "",
-                    signals);
+          StudyRun           run    = runner.execute(plan.overrides(number),
+                                        parameters.repetitions,
+                                        parameters.keep_files ?
+                                                       text(directory, "/run-", number) :
+                                                       "");
           if (plan.reference() && run.failure.empty())
             run.error = run.trajectory.compare(reference);
           fault = table.append(number, run);

@@ -38,13 +38,17 @@ namespace ThermoContact
     template <int dim>
     void
     run_scene(const Parameters  &parameters,
+              const Overrides   &overrides,
+              SharedSpaces      &spaces,
               const std::string &directory,
               const SignalWatch &signals,
               StudyRun          &run)
     {
       RunTimes        times;
       const Timer     since_start;
-      Simulation<dim> simulation(parameters, MPI_COMM_SELF);
+      Simulation<dim> simulation(parameters,
+                                 MPI_COMM_SELF,
+                                 &spaces.get<dim>(parameters, overrides));
       times.set_up = since_start.wall_time();
       std::unique_ptr<Output<dim>> output;
       run.trajectory                                = Trajectory();
@@ -103,12 +107,9 @@ namespace ThermoContact
 
 
   StudyRun
-  execute(const StudyPlan   &plan,
-          SceneReader       &reader,
-          const Overrides   &overrides,
-          const unsigned int n_repetitions,
-          const std::string &directory,
-          const SignalWatch &signals)
+  StudyRunner::execute(const Overrides   &overrides,
+                       const unsigned int n_repetitions,
+                       const std::string &directory)
   {
     StudyRun run;
     try
@@ -125,11 +126,11 @@ namespace ThermoContact
           }
         for (unsigned int i = 0; i < n_repetitions; ++i)
           if (scene.dimension == 1)
-            run_scene<1>(scene, directory, signals, run);
+            run_scene<1>(scene, overrides, spaces, directory, signals, run);
           else if (scene.dimension == 2)
-            run_scene<2>(scene, directory, signals, run);
+            run_scene<2>(scene, overrides, spaces, directory, signals, run);
           else
-            run_scene<3>(scene, directory, signals, run);
+            run_scene<3>(scene, overrides, spaces, directory, signals, run);
       }
     catch (const Interruption &)
       {
