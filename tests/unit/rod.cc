@@ -17,6 +17,9 @@
 //    rows [e 1; 1 1] of the two vertices, e = 1e-8: the first pivot takes 1/e =
 //    1e8 times the second from it. A pivot of 0 has infinite growth, and so has
 //    a cell of degree 2 whose inner node has the diagonal 0.
+// 4. Forms whose terms cancel, 100 cells: [1, -1; -1, 1] of u_i = 1e8 + i is
+//    100; [1, 1; 1, 1] / 4 of v_i = (-1)^i 1e8 + i is the sum of (2 i + 1)^2 /
+//    4 for i < 100, 100 (4 * 100^2 - 1) / 12 = 333325.
 
 #include <thermocontact/rod/rod_factors.h>
 
@@ -332,6 +335,31 @@ namespace
     deallog << "inner node without diagonal: growth "
             << growth_of({1, 2}, quadratic) << std::endl;
   }
+
+
+
+  void
+  test_cancellation()
+  {
+    for (const double sign : {-1., 1.})
+      {
+        const RodMatrices rod({100, 1},
+                              0.,
+                              [&](const RodMatrices::Matrix,
+                                  const unsigned int,
+                                  const unsigned int i,
+                                  const unsigned int j) {
+                                return (i == j ? 1. : sign) /
+                                       (sign < 0. ? 1. : 4.);
+                              });
+        Vector            x;
+        for (unsigned int i = 0; i <= 100; ++i)
+          x.push_back((sign > 0. && i % 2 == 1 ? -1e8 : 1e8) + i);
+        deallog << (sign < 0. ? "differences of a large displacement " :
+                                "sums of an alternating velocity ")
+                << rod.form(RodMatrices::stiffness, x.data()) << std::endl;
+      }
+  }
 } // namespace
 
 
@@ -342,4 +370,5 @@ main()
   initlog();
   test_random();
   test_growth();
+  test_cancellation();
 }
