@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/first_rank_alone.h>
 #include <thermocontact/base/log.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/command_line.h>

@@ -9,6 +9,17 @@
 namespace ThermoContact
 {
   double
+  ContactLaw::local_pressure(const double free_penetration,
+                             const double receptance) const
+  {
+    return free_penetration > 0. ?
+             local_closed_pressure(free_penetration, receptance) :
+             0.;
+  }
+
+
+
+  double
   ContactLaw::numerical_dissipation(const double change,
                                     const double,
                                     const double old_pressure,

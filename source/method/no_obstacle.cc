@@ -53,12 +53,6 @@ namespace ThermoContact
       }
 
       double
-      local_pressure(const double, const double) const override
-      {
-        return 0.;
-      }
-
-      double
       local_closed_pressure(const double, const double) const override
       {
         return 0.;

@@ -55,15 +55,6 @@ namespace ThermoContact
       }
 
       double
-      local_pressure(const double free_penetration,
-                     const double receptance) const override
-      {
-        return free_penetration > 0. ?
-                 local_closed_pressure(free_penetration, receptance) :
-                 0.;
-      }
-
-      double
       local_closed_pressure(const double free_penetration,
                             const double receptance) const override
       {

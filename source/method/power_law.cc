@@ -73,15 +73,6 @@ namespace ThermoContact
                                      1. / (exponent + 1.));
       }
 
-      double
-      local_pressure(const double free_penetration,
-                     const double receptance) const override
-      {
-        return free_penetration > 0. ?
-                 local_closed_pressure(free_penetration, receptance) :
-                 0.;
-      }
-
       /**
        * Newton's method for $x+(\chi/\varepsilon)x^m=s_{free}/\varepsilon$,
        * $x=s/\varepsilon$, convex and increasing: from a value that is too

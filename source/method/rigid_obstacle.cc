@@ -53,13 +53,6 @@ namespace ThermoContact
       }
 
       double
-      local_pressure(const double free_penetration,
-                     const double receptance) const override
-      {
-        return free_penetration > 0. ? free_penetration / receptance : 0.;
-      }
-
-      double
       local_closed_pressure(const double free_penetration,
                             const double receptance) const override
       {

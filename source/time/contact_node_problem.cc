@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/method/active_set.h>
 #include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/matrix_free_operator.h>
 #include <thermocontact/time/contact_node_problem.h>
@@ -16,14 +17,8 @@ namespace ThermoContact
   {
     constexpr unsigned int max_sets_of_many_changes = 20;
 
-    double
-    largest_of(const std::vector<double> &values)
-    {
-      double largest = 0.;
-      for (const double value : values)
-        largest = std::max(largest, std::abs(value));
-      return largest;
-    }
+    /** Ten times the tolerance of the equations. */
+    constexpr double node_rounding = 1e-12;
   } // namespace
 
 
@@ -128,33 +123,6 @@ namespace ThermoContact
 
 
   template <int dim>
-  bool
-  ContactNodeProblem<dim>::update_set(const std::vector<bool>   &can_touch,
-                                      const std::vector<double> &pressure,
-                                      const std::vector<double> &reach,
-                                      const bool                 only_the_first)
-  {
-    // a node that touches without pressure must not flip for ever
-    const double rounding         = 1e-12;
-    const double largest_pressure = largest_of(pressure);
-    const double largest_reach    = largest_of(reach);
-    bool         changed          = false;
-    for (unsigned int i = 0;
-         i < pressure.size() && !(changed && only_the_first);
-         ++i)
-      if (can_touch[i] &&
-          (is_active[i] ? pressure[i] < -rounding * largest_pressure :
-                          reach[i] > rounding * largest_reach))
-        {
-          is_active[i] = !is_active[i];
-          changed      = true;
-        }
-    return changed;
-  }
-
-
-
-  template <int dim>
   std::vector<double>
   ContactNodeProblem<dim>::solve(const std::vector<double> &load,
                                  const std::vector<double> &penetration,
@@ -178,8 +146,12 @@ namespace ThermoContact
             pressure[i] =
               is_active[i] ? (load[i] - force[i]) / end.nodes()[i].weight : 0.;
           }
-        if (!update_set(
-              can_touch, pressure, reach, n_sets > max_sets_of_many_changes))
+        if (!update_active_set(pressure,
+                               reach,
+                               can_touch,
+                               node_rounding,
+                               n_sets > max_sets_of_many_changes,
+                               is_active))
           {
             for (double &p : pressure)
               p = std::max(p, 0.);

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/method/active_set.h>
 #include <thermocontact/time/iterative_solver.h>
 
 #include <algorithm>
@@ -19,6 +20,9 @@ namespace ThermoContact
 
     /** Parts of the largest displacement that a node need not be moved. */
     constexpr double negligible_on_obstacle = 1e-6;
+
+    /** Of pressures and reaches, as a part of the largest. */
+    constexpr double sign_rounding = 1e-13;
 
     constexpr unsigned int max_block_sets  = 20;
     constexpr unsigned int max_single_sets = 200;
@@ -102,38 +106,6 @@ namespace ThermoContact
 
 
   template <int dim>
-  bool
-  IterativeSolver<dim>::update_set(const std::vector<double> &pressure,
-                                   const std::vector<bool>   &is_fixed,
-                                   const bool                 only_the_first,
-                                   std::vector<bool>         &is_active) const
-  {
-    std::vector<double> reach;
-    stage.get_reach(reach);
-    double largest_pressure = 0., largest_reach = 0.;
-    for (unsigned int i = 0; i < reach.size(); ++i)
-      {
-        largest_pressure = std::max(largest_pressure, std::abs(pressure[i]));
-        largest_reach    = std::max(largest_reach, std::abs(reach[i]));
-      }
-    // A node that touches without pressure must not flip for ever.
-    const double rounding = 1e-13;
-    bool         changed  = false;
-    for (unsigned int i = 0; i < reach.size() && !(changed && only_the_first);
-         ++i)
-      if (!is_fixed[i] &&
-          (is_active[i] ? pressure[i] < -rounding * largest_pressure :
-                          reach[i] > rounding * largest_reach))
-        {
-          is_active[i] = !is_active[i];
-          changed      = true;
-        }
-    return changed;
-  }
-
-
-
-  template <int dim>
   void
   IterativeSolver<dim>::solve_prepared(const State      &known,
                                        const ContactMode mode,
@@ -164,16 +136,24 @@ namespace ThermoContact
                                       const std::vector<bool> &is_fixed,
                                       StageRates              &rates)
   {
-    const double tolerance         = body.scene.linear_solver.tolerance;
-    unsigned int n_sets            = 0;
-    double       present_tolerance = std::max(tolerance, loose_tolerance);
+    const double      tolerance         = body.scene.linear_solver.tolerance;
+    unsigned int      n_sets            = 0;
+    double            present_tolerance = std::max(tolerance, loose_tolerance);
+    std::vector<bool> may_change(is_fixed);
+    std::vector<double> reach;
+    may_change.flip();
     stage.set_active(is_active);
     while (true)
       {
         ++n_sets;
         solve_linear(present_tolerance, rates.pressure);
-        if (update_set(
-              rates.pressure, is_fixed, n_sets > max_block_sets, is_active))
+        stage.get_reach(reach);
+        if (update_active_set(rates.pressure,
+                              reach,
+                              may_change,
+                              sign_rounding,
+                              n_sets > max_block_sets,
+                              is_active))
           stage.set_active(is_active);
         else if (present_tolerance <= tolerance)
           break;

@@ -106,9 +106,9 @@ namespace ThermoContact
      * @param receptance $\chi\ge0$, loss of displacement per unit pressure;
      *   positive with a rigid obstacle
      */
-    virtual double
+    double
     local_pressure(const double free_penetration,
-                   const double receptance) const = 0;
+                   const double receptance) const;
 
     /** The same for contact that cannot open: a pressure of either sign. */
     virtual double

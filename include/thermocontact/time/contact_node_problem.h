@@ -75,13 +75,6 @@ namespace ThermoContact
     /** K times values of the nodes. */
     std::vector<double>
     product(const std::vector<double> &x) const;
-
-    /** Whether nodes leave or join the set; one only if asked so. */
-    bool
-    update_set(const std::vector<bool>   &can_touch,
-               const std::vector<double> &pressure,
-               const std::vector<double> &reach,
-               const bool                 only_the_first);
   };
 } // namespace ThermoContact
 

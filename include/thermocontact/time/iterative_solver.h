@@ -89,17 +89,6 @@ namespace ThermoContact
     void
     solve_linear(const double tolerance, std::vector<double> &pressure);
 
-    /**
-     * Whether the set changes; only its first wrong node if asked so.
-     *
-     * @param is_fixed nodes that stay as they are
-     */
-    bool
-    update_set(const std::vector<double> &pressure,
-               const std::vector<bool>   &is_fixed,
-               const bool                 only_the_first,
-               std::vector<bool>         &is_active) const;
-
     /** (M.65) of the stage that was solved last. */
     double
     algebraic_power(const State               &known,

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_method_active_set_h
+#define thermocontact_method_active_set_h
+
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * The next set of the primal-dual active set method for (M.18) of
+   * doc/model.md: nodes in contact that the obstacle would pull leave the set,
+   * and nodes that would penetrate join it. No communication: every rank has
+   * the values of all nodes.
+   *
+   * @param pressure of the nodes, solved for the set; positive if it pushes
+   * @param reach beyond the obstacle of the nodes, solved for the set
+   * @param may_change nodes that may leave and join
+   * @param rounding part of the largest pressure and of the largest reach that
+   *   says nothing of a sign: a node that touches without pressure must not
+   *   flip for ever
+   * @param only_the_first change one node (Murty's rule), which cannot cycle
+   * @param is_active in: the set; out: the next one
+   * @return false if the set stays as it is, which solves the problem
+   */
+  bool
+  update_active_set(const std::vector<double> &pressure,
+                    const std::vector<double> &reach,
+                    const std::vector<bool>   &may_change,
+                    const double               rounding,
+                    const bool                 only_the_first,
+                    std::vector<bool>         &is_active);
+} // namespace ThermoContact
+
+#endif
