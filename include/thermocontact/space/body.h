@@ -40,11 +40,9 @@ namespace ThermoContact
           shared != nullptr ?
             nullptr :
             std::make_unique<const AssembledSpace<dim>>(scene, communicator))
-      , discretization(
-          (shared != nullptr ? *shared : *own_space).discretization)
-      , equations(scene,
-                  discretization,
-                  (shared != nullptr ? *shared : *own_space).matrices.get())
+      , space(shared != nullptr ? *shared : *own_space)
+      , discretization(space.discretization)
+      , equations(scene, discretization, space.matrices.get())
       , loads(scene, discretization, data)
       , energy(scene, discretization, equations, loads)
     {}
@@ -52,6 +50,7 @@ namespace ThermoContact
     const Scene                                     &scene;
     ProblemData<dim>                                 data;
     const std::unique_ptr<const AssembledSpace<dim>> own_space;
+    const AssembledSpace<dim>                       &space;
     const Discretization<dim>                       &discretization;
     const ThermoviscoelasticOperator<dim>            equations;
     Loads<dim>                                       loads;
