@@ -12,6 +12,7 @@
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/units.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/report/output_reference.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/scene_run.h>
 #include <thermocontact/sweep.h>
@@ -178,6 +179,12 @@ namespace ThermoContact
           log.line(command.show_help ?
                      help_text() :
                      std::string("thermocontact ") + version());
+          return;
+        }
+      if (command.show_output)
+        {
+          if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+            std::cout << output_reference();
           return;
         }
 

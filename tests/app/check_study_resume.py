@@ -7,7 +7,7 @@ usage: check_study_resume.py DIR
 DIR holds a finished study. Kills come at random moments of its first rows, on one and
 on two ranks; then the same after SIGTERM, with a row that was cut off, with another scene,
 another study and tables of others, which are refused, with a table that is shorter when
-it is written anew, and with a file that may not grow. All
+it is written anew, with rows that vanish, and with a file that may not grow. All
 columns but times have to be those of DIR, and so do study.txt and study.md. THERMOCONTACT_KILLS is the
 number of kills, 4 unless it is set.
 """
@@ -129,6 +129,21 @@ def shorten(directory):
     print(f"a row broken in the middle: status {status},", compare(directory))
 
 
+def lose_rows(directory):
+    """Rows vanish while the study runs, as where ranks append to a file of another
+    machine: those that follow stand before the place that was read to."""
+    process = start(directory)
+    wait_for_rows(process, directory, 3)
+    with open(directory / "study.csv", "r+", encoding="utf-8") as file:
+        lines = file.readlines()
+        file.truncate(sum(len(line) for line in lines if line[0] == "#" or "status" in line))
+    message = process.communicate()[1]
+    print("rows lost: status", process.returncode, "said",
+          int("runs that have ended are not there" in message))
+    status, _ = finish(directory)
+    print(f"resumed: status {status},", compare(directory))
+
+
 def keep_files(directory):
     """Files from now on: study.md links to those runs that have some."""
     path = directory / "study.csv"
@@ -176,12 +191,13 @@ def let_no_file_grow(directory):
     print(f"resumed: status {status},", compare(directory))
 
 
-for name in ("killed", "termi nated", "limited"):
+for name in ("killed", "termi nated", "limited", "lost"):
     shutil.rmtree(name, ignore_errors=True)
 kill_again_and_again(Path("killed"))
 terminate(Path("termi nated"))
 cut_off(Path("termi nated"))
 shorten(Path("termi nated"))
 keep_files(Path("termi nated"))
+lose_rows(Path("lost"))
 refuse(Path("termi nated"))
 let_no_file_grow(Path("limited"))
