@@ -43,7 +43,16 @@ namespace ThermoContact
   assign_entries(const std::vector<Assignment> &assignments,
                  ParameterHandler              &prm)
   {
-    const std::vector<DeclaredEntry>   entries = declared_entries(prm);
+    assign_entries(assignments, declared_entries(prm), prm);
+  }
+
+
+
+  void
+  assign_entries(const std::vector<Assignment>    &assignments,
+                 const std::vector<DeclaredEntry> &entries,
+                 ParameterHandler                 &prm)
+  {
     std::map<std::string, std::string> places;
 
     for (const Assignment &assignment : assignments)

@@ -17,10 +17,11 @@
 namespace ThermoContact
 {
   template <int dim>
-  Simulation<dim>::Simulation(const Parameters &parameters,
-                              const MPI_Comm    communicator)
+  Simulation<dim>::Simulation(const Parameters          &parameters,
+                              const MPI_Comm             communicator,
+                              const AssembledSpace<dim> *shared)
     : scene_(parameters)
-    , body_(scene_, communicator)
+    , body_(scene_, communicator, shared)
     , measurements(body_)
     , integrator(scene_.scheme.integrator->make(body_))
     , tracker(body_)

@@ -94,13 +94,16 @@ namespace ThermoContact
   template <int dim>
   ThermoviscoelasticOperator<dim>::ThermoviscoelasticOperator(
     const Scene               &scene,
-    const Discretization<dim> &discretization)
+    const Discretization<dim> &discretization,
+    const FieldMatrices<dim>  *shared)
     : discretization(discretization)
     , material(scene.material)
     , has_own_viscous_stiffness(scene.has_elastic_contact_nodes())
-    , matrices(make_matrices(scene, discretization))
+    , own_matrices(shared != nullptr ? nullptr :
+                                       make_matrices(scene, discretization))
+    , matrices(shared != nullptr ? shared : own_matrices.get())
     , matrix_free_(make_matrix_free(scene, discretization))
-    , maps(make_field_maps(scene, matrices.get(), rod(), matrix_free_.get()))
+    , maps(make_field_maps(scene, matrices, rod(), matrix_free_.get()))
     , heat_scratch(discretization.make_vector(Field::temperature))
     , momentum_scratch(discretization.make_vector(Field::displacement))
   {}

@@ -88,7 +88,7 @@ namespace ThermoContact
 
     /** Runs the reference on the last rank and hands it to all. */
     Trajectory
-    run_reference(const StudyPlan &plan, const SignalWatch &signals)
+    run_reference(const StudyPlan &plan, StudyRunner &runner)
     {
       const MPI_Comm     communicator = MPI_COMM_WORLD;
       const unsigned int last =
@@ -97,7 +97,7 @@ namespace ThermoContact
       if (Utilities::MPI::this_mpi_process(communicator) == last)
         try
           {
-            StudyRun run = execute(plan, *plan.reference(), 1, "", signals);
+            StudyRun run = runner.execute(*plan.reference(), 1, "");
             result       = {run.failure, std::move(run.trajectory)};
           }
         catch (const Interruption &)
@@ -157,11 +157,12 @@ namespace ThermoContact
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const StudyPlan   &plan    = table.plan();
     const SignalWatch  signals;
+    StudyRunner        runner(plan, signals);
 
     const std::vector<unsigned int> missing = missing_runs(table);
     Trajectory                      reference;
     if (plan.reference() && !missing.empty())
-      reference = run_reference(plan, signals);
+      reference = run_reference(plan, runner);
     StudyProgress progress(table, log);
 
     std::string fault;
@@ -173,13 +174,11 @@ namespace ThermoContact
       try
         {
           const unsigned int number = missing[i];
-          StudyRun           run =
-            execute(plan,
-                    plan.overrides(number),
-                    parameters.repetitions,
-                    parameters.keep_files ? text(directory, "/run-", number) :
-                                            "",
-                    signals);
+          StudyRun           run    = runner.execute(plan.overrides(number),
+                                        parameters.repetitions,
+                                        parameters.keep_files ?
+                                                       text(directory, "/run-", number) :
+                                                       "");
           if (plan.reference() && run.failure.empty())
             run.error = run.trajectory.compare(reference);
           fault = table.append(number, run);
@@ -232,7 +231,7 @@ namespace ThermoContact
                   plan.n_runs(),
                   " runs, reference: ",
                   parameters.reference));
-    // reading a scene takes some milliseconds
+    SceneReader        reader(plan.scene_assignments());
     const unsigned int n_checked = std::min(plan.n_runs(), 2000u);
     unsigned int       n_refused = 0, n_known = 0;
     std::string        refused;
@@ -240,9 +239,8 @@ namespace ThermoContact
     for (unsigned int run = 0; run < n_checked; ++run)
       try
         {
-          Parameters       scene;
-          ParameterHandler prm;
-          plan.read_scene(plan.overrides(run), scene, prm);
+          plan.read_scene(plan.overrides(run), reader);
+          const Parameters &scene = reader.scene();
           if (const auto cost = expected_cost(Scene(scene), scene.mesh.cells))
             {
               steps += cost->steps;

@@ -37,21 +37,6 @@ namespace ThermoContact
 
 
 
-    /** The value of an entry "Section/Entry". */
-    std::string
-    value_of(const std::string &path, ParameterHandler &prm)
-    {
-      const auto slash = path.find('/');
-      if (slash == std::string::npos)
-        return prm.get(path);
-      prm.enter_subsection(path.substr(0, slash));
-      const std::string value = prm.get(path.substr(slash + 1));
-      prm.leave_subsection();
-      return value;
-    }
-
-
-
     /** The value of @p path among overrides, or nothing. */
     std::optional<std::string>
     find_override(const Overrides &overrides, const std::string &path)
@@ -171,31 +156,24 @@ namespace ThermoContact
   void
   StudyPlan::check_values()
   {
-    Parameters       scene;
-    ParameterHandler prm;
-    scene.add_parameters(prm);
-    assign_entries(assignments, prm);
-    const double own_end_time = scene.time.end_time;
+    SceneReader  reader(assignments);
+    const double own_end_time = reader.scene().time.end_time;
     for (const auto &variations : sets)
       {
         double end_time = own_end_time;
         for (const Variation &variation : variations)
           for (const std::string &value : variation.values)
             {
-              assign_entries({{"Study/Vary", variation.path, value}}, prm);
+              reader.read("Study/Vary", {{variation.path, value}});
               if (variation.path == "Time/End time")
                 end_time = &value == &variation.values[0] ?
-                             scene.time.end_time :
-                             std::max(end_time, scene.time.end_time);
+                             reader.scene().time.end_time :
+                             std::max(end_time, reader.scene().time.end_time);
             }
         longest = std::max(longest, end_time);
       }
-    Parameters       own;
-    ParameterHandler own_prm;
-    own.add_parameters(own_prm);
-    assign_entries(assignments, own_prm);
     for (const std::string &path : varied_)
-      own_entries.push_back(value_of(path, own_prm));
+      own_values.push_back(reader.own_value(path));
   }
 
 
@@ -203,21 +181,21 @@ namespace ThermoContact
   void
   StudyPlan::check_reference() const
   {
-    Parameters       scene;
-    ParameterHandler prm;
+    SceneReader reader(assignments);
     try
       {
-        read_scene(*reference_, scene, prm);
+        read_scene(*reference_, reader);
       }
     catch (const InputError &error)
       {
         throw InputError(std::string("Study/Reference: ") + error.what());
       }
-    if (scene.time.end_time < longest)
-      throw InputError(
-        "Study/Reference: it ends at t = " + value_of("Time/End time", prm) +
-        ", before the longest run\n  remedy:  give it the "
-        "largest Time/End time of all runs");
+    if (reader.scene().time.end_time < longest)
+      throw InputError("Study/Reference: it ends at t = " +
+                       find_override(*reference_, "Time/End time")
+                         .value_or(reader.own_value("Time/End time")) +
+                       ", before the longest run\n  remedy:  give it the "
+                       "largest Time/End time of all runs");
   }
 
 
@@ -255,31 +233,22 @@ namespace ThermoContact
     std::vector<std::string> values;
     for (unsigned int i = 0; i < varied_.size(); ++i)
       values.push_back(
-        find_override(present, varied_[i]).value_or(own_entries[i]));
+        find_override(present, varied_[i]).value_or(own_values[i]));
     return values;
   }
 
 
 
   void
-  StudyPlan::read_scene(const Overrides  &overrides,
-                        Parameters       &scene,
-                        ParameterHandler &prm) const
+  StudyPlan::read_scene(const Overrides &overrides, SceneReader &reader) const
   {
-    const std::string place =
-      reference_ && overrides == *reference_ ? "Study/Reference" : "Study/Vary";
-    std::vector<Assignment> all;
-    for (const Assignment &assignment : assignments)
-      if (!find_override(overrides, assignment.path))
-        all.push_back(assignment);
-    for (const auto &[path, value] : overrides)
-      all.push_back({place, path, value});
-    scene.add_parameters(prm);
-    assign_entries(all, prm);
-    for (const auto &unused : unused_entries(scene))
+    reader.read(reference_ && overrides == *reference_ ? "Study/Reference" :
+                                                         "Study/Vary",
+                overrides);
+    for (const auto &unused : unused_entries(reader.scene()))
       if (const auto value = find_override(overrides, unused.path))
         throw InputError(unused.path + " = " + *value +
                          " has no effect, since " + unused.reason);
-    check_scene(scene);
+    check_scene(reader.scene());
   }
 } // namespace ThermoContact

@@ -35,13 +35,17 @@ namespace ThermoContact
     template <int dim>
     void
     run_scene(const Parameters  &parameters,
+              const Overrides   &overrides,
+              SharedSpaces      &spaces,
               const std::string &directory,
               const SignalWatch &signals,
               StudyRun          &run)
     {
       RunTimes        times;
       const Timer     since_start;
-      Simulation<dim> simulation(parameters, MPI_COMM_SELF);
+      Simulation<dim> simulation(parameters,
+                                 MPI_COMM_SELF,
+                                 &spaces.get<dim>(parameters, overrides));
       times.set_up = since_start.wall_time();
       std::unique_ptr<Output<dim>> output;
       run.trajectory                                = Trajectory();
@@ -105,33 +109,30 @@ namespace ThermoContact
 
 
   StudyRun
-  execute(const StudyPlan   &plan,
-          const Overrides   &overrides,
-          const unsigned int n_repetitions,
-          const std::string &directory,
-          const SignalWatch &signals)
+  StudyRunner::execute(const Overrides   &overrides,
+                       const unsigned int n_repetitions,
+                       const std::string &directory)
   {
     StudyRun run;
     try
       {
-        Parameters       scene;
-        ParameterHandler prm;
-        plan.read_scene(overrides, scene, prm);
+        plan.read_scene(overrides, reader);
+        const Parameters &scene = reader.scene();
         if (!directory.empty())
           {
             prepare_output_directory(directory, MPI_COMM_SELF);
             write_used_parameters(directory,
-                                  foreign_entries(scene, prm),
-                                  prm,
+                                  foreign_entries(scene, reader.prm()),
+                                  reader.prm(),
                                   MPI_COMM_SELF);
           }
         for (unsigned int i = 0; i < n_repetitions; ++i)
           if (scene.dimension == 1)
-            run_scene<1>(scene, directory, signals, run);
+            run_scene<1>(scene, overrides, spaces, directory, signals, run);
           else if (scene.dimension == 2)
-            run_scene<2>(scene, directory, signals, run);
+            run_scene<2>(scene, overrides, spaces, directory, signals, run);
           else
-            run_scene<3>(scene, directory, signals, run);
+            run_scene<3>(scene, overrides, spaces, directory, signals, run);
       }
     catch (const Interruption &)
       {

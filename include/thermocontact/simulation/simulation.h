@@ -68,9 +68,13 @@ namespace ThermoContact
      * Sets up mesh, matrices and the initial state. Collective on
      * @p communicator.
      *
+     * @param shared mesh and matrices of such a scene, borrowed; null: the
+     *   simulation has its own
      * @throw InputError if expressions or initial values do not fit the scene
      */
-    Simulation(const Parameters &parameters, const MPI_Comm communicator);
+    Simulation(const Parameters          &parameters,
+               const MPI_Comm             communicator,
+               const AssembledSpace<dim> *shared = nullptr);
 
     /**
      * Runs to the end time, from the present state on.

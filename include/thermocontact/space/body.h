@@ -4,11 +4,13 @@
 #define thermocontact_space_body_h
 
 #include <thermocontact/scene/scene.h>
-#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/assembled_space.h>
 #include <thermocontact/space/energy.h>
 #include <thermocontact/space/loads.h>
 #include <thermocontact/space/problem_data.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
+
+#include <memory>
 
 namespace ThermoContact
 {
@@ -26,23 +28,33 @@ namespace ThermoContact
      * Collective.
      *
      * @param scene borrowed
+     * @param shared of such a scene, borrowed; null: the body has its own
      * @throw InputError if an expression of the scene cannot be evaluated
      */
-    Body(const Scene &scene, const MPI_Comm communicator)
+    Body(const Scene               &scene,
+         const MPI_Comm             communicator,
+         const AssembledSpace<dim> *shared = nullptr)
       : scene(scene)
       , data(scene)
-      , discretization(scene, communicator)
-      , equations(scene, discretization)
+      , own_space(
+          shared != nullptr ?
+            nullptr :
+            std::make_unique<const AssembledSpace<dim>>(scene, communicator))
+      , space(shared != nullptr ? *shared : *own_space)
+      , discretization(space.discretization)
+      , equations(scene, discretization, space.matrices.get())
       , loads(scene, discretization, data)
       , energy(scene, discretization, equations, loads)
     {}
 
-    const Scene                          &scene;
-    ProblemData<dim>                      data;
-    const Discretization<dim>             discretization;
-    const ThermoviscoelasticOperator<dim> equations;
-    Loads<dim>                            loads;
-    const Energy<dim>                     energy;
+    const Scene                                     &scene;
+    ProblemData<dim>                                 data;
+    const std::unique_ptr<const AssembledSpace<dim>> own_space;
+    const AssembledSpace<dim>                       &space;
+    const Discretization<dim>                       &discretization;
+    const ThermoviscoelasticOperator<dim>            equations;
+    Loads<dim>                                       loads;
+    const Energy<dim>                                energy;
 
     /** The contact law, which every node has. */
     const ContactLaw &

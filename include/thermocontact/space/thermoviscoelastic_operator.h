@@ -31,9 +31,14 @@ namespace ThermoContact
   class ThermoviscoelasticOperator
   {
   public:
-    /** Both references are borrowed and must outlive this object. */
+    /**
+     * All arguments are borrowed and must outlive this object.
+     *
+     * @param shared the matrices of such a scene; null: they are assembled
+     */
     ThermoviscoelasticOperator(const Scene               &scene,
-                               const Discretization<dim> &discretization);
+                               const Discretization<dim> &discretization,
+                               const FieldMatrices<dim>  *shared = nullptr);
 
     ~ThermoviscoelasticOperator();
 
@@ -109,7 +114,7 @@ namespace ThermoContact
     const RodMatrices *
     rod() const
     {
-      return matrices ? matrices->rod.get() : nullptr;
+      return matrices != nullptr ? matrices->rod.get() : nullptr;
     }
 
     const Material &
@@ -171,11 +176,12 @@ namespace ThermoContact
     zero_constrained(const Field::Block field, Vector &vector) const;
 
   private:
-    const Discretization<dim> &discretization;
-    const Material            &material;
-    const bool                 has_own_viscous_stiffness;
+    const Discretization<dim>                      &discretization;
+    const Material                                 &material;
+    const bool                                      has_own_viscous_stiffness;
+    const std::unique_ptr<const FieldMatrices<dim>> own_matrices;
     /** One of the two is there. */
-    const std::unique_ptr<const FieldMatrices<dim>>      matrices;
+    const FieldMatrices<dim> *const                      matrices;
     const std::unique_ptr<const MatrixFreeOperator<dim>> matrix_free_;
     const FieldMaps                                      maps;
     mutable Vector                                       heat_scratch;

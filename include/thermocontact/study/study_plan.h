@@ -3,21 +3,14 @@
 #ifndef thermocontact_study_study_plan_h
 #define thermocontact_study_study_plan_h
 
-#include <thermocontact/input/parameter_file.h>
-#include <thermocontact/input/parameters.h>
+#include <thermocontact/study/scene_reader.h>
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ThermoContact
 {
-  /** Paths "Section/Entry" and the values that they have in one run. */
-  using Overrides = std::vector<std::pair<std::string, std::string>>;
-
-
-
   /**
    * The runs of a study, numbered from 0: all combinations of the values of
    * Study/Vary, set after set, the last entry of a set varying fastest. They
@@ -80,18 +73,22 @@ namespace ThermoContact
       return reference_;
     }
 
+    /** Of the scene that the runs override: what read_scene() needs. */
+    const std::vector<Assignment> &
+    scene_assignments() const
+    {
+      return assignments;
+    }
+
     /**
      * Reads and checks the scene with @p overrides.
      *
-     * @param scene filled
-     * @param prm empty; bound to @p scene
+     * @param reader of scene_assignments(); it has the scene then
      * @throw InputError if an entry is overridden twice or without effect, or
      *   the scene cannot be run
      */
     void
-    read_scene(const Overrides  &overrides,
-               Parameters       &scene,
-               ParameterHandler &prm) const;
+    read_scene(const Overrides &overrides, SceneReader &reader) const;
 
   private:
     /** An entry and the values that it is to have, one after the other. */
@@ -105,7 +102,7 @@ namespace ThermoContact
     std::vector<std::vector<Variation>> sets;
     std::vector<unsigned int> first_runs; ///< of the sets; at last their end
     std::vector<std::string>  varied_;
-    std::vector<std::string>  own_entries; ///< the scene's values of varied_
+    std::vector<std::string>  own_values; ///< the scene's, of varied_
     std::optional<Overrides>  reference_;
     double                    longest = 0.; ///< largest Time/End time
 

@@ -5,6 +5,8 @@
 
 #include <thermocontact/base/interruption.h>
 #include <thermocontact/report/key_results.h>
+#include <thermocontact/study/scene_reader.h>
+#include <thermocontact/study/shared_spaces.h>
 #include <thermocontact/study/study_plan.h>
 #include <thermocontact/study/trajectory.h>
 
@@ -35,20 +37,43 @@ namespace ThermoContact
 
 
   /**
-   * Runs one scene of a study, on this rank alone.
-   *
-   * @param n_repetitions of the same run, for its time
-   * @param directory where the run leaves all its files; empty: it leaves none
-   * @param signals a signal ends the run
-   * @return what came out; a run that cannot be made or fails says so there
-   * @throw Interruption if a signal has come
+   * Runs scenes of a study, one after the other, on this rank alone, and keeps
+   * what the next one shares with them.
    */
-  StudyRun
-  execute(const StudyPlan   &plan,
-          const Overrides   &overrides,
-          const unsigned int n_repetitions,
-          const std::string &directory,
-          const SignalWatch &signals);
+  class StudyRunner
+  {
+  public:
+    /**
+     * Both are borrowed.
+     *
+     * @param signals a signal ends the run
+     */
+    StudyRunner(const StudyPlan &plan, const SignalWatch &signals)
+      : plan(plan)
+      , signals(signals)
+      , reader(plan.scene_assignments())
+    {}
+
+    /**
+     * Runs the scene with @p overrides.
+     *
+     * @param n_repetitions of the same run, for its time
+     * @param directory where the run leaves all its files; empty: it leaves
+     *   none
+     * @return what came out; a run that cannot be made or fails says so there
+     * @throw Interruption if a signal has come
+     */
+    StudyRun
+    execute(const Overrides   &overrides,
+            const unsigned int n_repetitions,
+            const std::string &directory);
+
+  private:
+    const StudyPlan   &plan;
+    const SignalWatch &signals;
+    SceneReader        reader;
+    SharedSpaces       spaces;
+  };
 } // namespace ThermoContact
 
 #endif
