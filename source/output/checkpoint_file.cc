@@ -24,7 +24,7 @@ namespace ThermoContact
   namespace
   {
     /** Changes whenever an older program could not read the file. */
-    const std::string format = "thermocontact checkpoint 4";
+    const std::string format = "thermocontact checkpoint 5";
 
 
 

@@ -33,4 +33,15 @@ namespace ThermoContact
         std::max(max_energy_increase,
                  record.energy - result.old_energy - result.work);
   }
+
+
+
+  void
+  RunHistory::add_jump(const StepResult &result)
+  {
+    record.energy_terms = result.energy;
+    record.energy       = result.energy.sum();
+    record.work += result.work;
+    record.numerical_dissipation += result.numerical_dissipation;
+  }
 } // namespace ThermoContact

@@ -166,11 +166,11 @@ namespace ThermoContact
   void
   StepController::set_load_times(const double time, TimeStep &step) const
   {
-    step.first_loads =
-      loads.break_at(time) == nullptr ? time : std::nextafter(time, infinity);
-    step.last_loads = loads.break_at(step.end) == nullptr ?
-                        step.end :
-                        std::nextafter(step.end, 0.);
+    const LoadBreak *at = loads.break_at(time);
+    step.first_loads    = at == nullptr ? time : at->new_time;
+    step.last_loads     = loads.break_at(step.end) == nullptr ?
+                            step.end :
+                            std::nextafter(step.end, 0.);
   }
 
 

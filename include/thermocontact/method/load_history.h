@@ -11,10 +11,25 @@ namespace ThermoContact
   /** A time at which a load is not smooth. */
   struct LoadBreak
   {
-    /** The last time with the old value. */
-    double time    = 0.;
-    bool   is_jump = false; ///< or else its slope jumps
+    /** @param time after which the new value begins at once */
+    LoadBreak(const double time, const bool is_jump);
+
+    /** The last time with the old value; steps end there. */
+    double time;
+
+    /** The first time with the new value. */
+    double new_time;
+    bool   is_jump; ///< or else its slope jumps
   };
+
+
+
+  /**
+   * Breaks in order of time, those that are too close to be told apart as one:
+   * what is between them is no load that a step could see.
+   */
+  std::vector<LoadBreak>
+  merged(std::vector<LoadBreak> breaks);
 
 
 
@@ -45,7 +60,10 @@ namespace ThermoContact
       return breaks.empty() && stretches.empty();
     }
 
-    /** Takes breaks that are listed, as jumps, where there are none so far. */
+    /**
+     * Takes times that are listed, where there are no breaks so far. Loads may
+     * jump there.
+     */
     void
     add_breaks(const std::vector<double> &times);
 
@@ -60,6 +78,10 @@ namespace ThermoContact
     /** The break at @p time, or nullptr. */
     const LoadBreak *
     break_at(const double time) const;
+
+    /** True if @p time lies between the old and the new value of a break. */
+    bool
+    is_within_break(const double time) const;
 
     /**
      * The largest step from @p time on, not above @p size, that is no longer
