@@ -13,10 +13,30 @@ namespace ThermoContact
   namespace
   {
     /**
-     * Length of the stage in which equilibrium is restored. Neither heat nor
+     * Length of the stage in which equilibrium is restored, in parts of the
+     * time that heat takes through the body and of $T$: neither heat nor
      * momentum go far in it, and rates are within the range of numbers.
      */
-    constexpr double jump_length = 1e-11;
+    constexpr double direct_jump_length = 1e-11;
+
+    /**
+     * The same without matrices: iterations measure what the heat of the jump
+     * leaves unsolved by the heat that flows in the stage.
+     */
+    constexpr double iterative_jump_length = 1e-7;
+
+
+
+    double
+    jump_length(const Scene &scene)
+    {
+      const double end_time = scene.parameters.time.end_time;
+      return (scene.linear_solver.has_matrices() ? direct_jump_length :
+                                                   iterative_jump_length) *
+             (end_time > 0. ? std::min(end_time, 1.) : 1.);
+    }
+
+
 
     /** Parts of the time by which a load is looked at beside a jump. */
     constexpr double beside_jump = 1e-12;
@@ -68,26 +88,26 @@ namespace ThermoContact
       Vector heat_load = body.discretization.make_vector(Field::temperature);
       Vector momentum_load =
         body.discretization.make_vector(Field::displacement);
-      StageRates rates;
+      const double length = jump_length(body.scene);
+      StageRates   rates;
       rates.temperature_rate = heat_load;
       rates.velocity         = momentum_load;
       body.loads.assemble(state.time, heat_load, momentum_load);
       solver.solve(state,
-                   jump_length,
+                   length,
                    heat_load,
                    momentum_load,
                    ContactMode::unilateral,
                    rates);
       if (!rates.failure.empty())
         throw ComputationError(rates.failure);
-      state.temperature.add(jump_length, rates.temperature_rate);
-      state.displacement.add(jump_length, rates.velocity);
+      state.temperature.add(length, rates.temperature_rate);
+      state.displacement.add(length, rates.velocity);
       state.velocity             = rates.velocity;
       state.contact_pressure     = rates.pressure;
       state.exchange_coefficient = rates.exchange_coefficient;
       return body.energy.has_work() ?
-               jump_length *
-                 body.energy.work_rate(heat_load, momentum_load, state) :
+               length * body.energy.work_rate(heat_load, momentum_load, state) :
                0.;
     }
   } // namespace
