@@ -19,13 +19,10 @@ namespace ThermoContact
   RunHistory::add_step(const TimeStep &time_step, const StepResult &result)
   {
     ++record.step;
-    record.step_size    = time_step.size;
-    record.iterations   = result.n_iterations;
-    record.energy_terms = result.energy;
-    record.energy       = result.energy.sum();
-    record.work += result.work;
+    record.step_size  = time_step.size;
+    record.iterations = result.n_iterations;
+    add_jump(result); // energies that a jump has, too
     record.dissipation += result.dissipation;
-    record.numerical_dissipation += result.numerical_dissipation;
     record.algebraic += result.algebraic;
     record.contact_impulse += result.impulse;
     if (!result.is_prescribed)

@@ -120,10 +120,7 @@ namespace ThermoContact
       const ContactMode mode = tracker.mode();
       compute_step(time_step, mode, result);
       if (!result.failure.empty())
-        {
-          attempt.reason = "failed";
-          retry_smaller(time_step, result.failure);
-        }
+        retry_smaller(time_step, result.failure);
       else if (attempt.error = relative_error(result);
                !controller.is_accurate(attempt.error))
         {
@@ -131,14 +128,7 @@ namespace ThermoContact
           controller.reject(time_step, attempt.error);
         }
       else if (!fits_contact(time_step, result))
-        {
-          attempt.reason = "contact";
-          if (!result.failure.empty())
-            {
-              attempt.reason = "failed";
-              retry_smaller(time_step, result.failure);
-            }
-        }
+        attempt.reason = "contact";
       else
         {
           attempt.reason      = name_of(time_step.target);
@@ -149,6 +139,8 @@ namespace ThermoContact
               at != nullptr && at->is_jump)
             controller.restart_after_jump();
         }
+      if (!result.failure.empty())
+        attempt.reason = "failed";
       if (tracker.mode() != mode)
         controller.restart(tracker.mode() == ContactMode::closed);
     }
@@ -264,7 +256,10 @@ namespace ThermoContact
         case ContactVerdict::accept_with_law:
           compute_step(time_step, ContactMode::unilateral, result);
           if (!result.failure.empty())
-            return false;
+            {
+              retry_smaller(time_step, result.failure);
+              return false;
+            }
           break;
         case ContactVerdict::accept:
           break;
