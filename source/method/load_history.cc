@@ -44,6 +44,7 @@ namespace ThermoContact
 
   LoadBreak::LoadBreak(const double time, const bool is_jump)
     : time(time)
+    , old_time(std::nextafter(time, 0.))
     , new_time(std::nextafter(time, std::numeric_limits<double>::infinity()))
     , is_jump(is_jump)
   {}
@@ -65,7 +66,7 @@ namespace ThermoContact
       else if (b.is_jump && !result.back().is_jump)
         result.back() = b;
       else if (b.is_jump)
-        result.back().new_time = b.new_time;
+        result.back().new_time = std::max(result.back().new_time, b.new_time);
     return result;
   }
 
@@ -93,6 +94,20 @@ namespace ThermoContact
                 other.stretches.empty() ?
                                     stretches :
                                     smaller_widths(stretches, other.stretches);
+  }
+
+
+
+  void
+  LoadHistory::end_at(const double end_time)
+  {
+    for (LoadBreak &b : breaks)
+      if (b.time < end_time && end_time - b.time <= same_time * end_time)
+        {
+          b.time     = end_time;
+          b.new_time = std::max(b.new_time, end_time);
+        }
+    breaks = merged(breaks);
   }
 
 

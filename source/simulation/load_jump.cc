@@ -184,15 +184,15 @@ namespace ThermoContact
                   QuasiStaticStart<dim>   &quasi_static,
                   StageSolver             &solver,
                   const std::vector<bool> &is_closed,
-                  const double             new_time,
+                  const LoadBreak         &at,
                   StepResult              &result)
   {
     State       &state = result.state;
     const double time  = state.time;
-    if (!forces_jump(body, std::nextafter(time, 0.), new_time))
+    if (!forces_jump(body, at.old_time, at.new_time))
       return false;
     const double old_energy = result.energy.sum();
-    state.time              = new_time;
+    state.time              = at.new_time;
     const double work =
       find_new_state(body, quasi_static, solver, is_closed, state);
     state.time      = time;
@@ -210,7 +210,7 @@ namespace ThermoContact
                                      QuasiStaticStart<dim> &,   \
                                      StageSolver &,             \
                                      const std::vector<bool> &, \
-                                     const double,              \
+                                     const LoadBreak &,         \
                                      StepResult &)
 
   INSTANTIATE(1);

@@ -307,7 +307,7 @@ namespace ThermoContact
                                      quasi_static,
                                      integrator->stage_solver(),
                                      tracker.closed_nodes(result),
-                                     at->new_time,
+                                     *at,
                                      result);
       }
     catch (const ComputationError &error)

@@ -37,18 +37,23 @@ def contents(directory):
             for name in ("contact.csv", "events.csv", "steps.csv")]
 
 
+def stop_and_resume(scene, traction):
+    overrides = [f"Sources/End traction={traction}"]
+    with tempfile.TemporaryDirectory() as name:
+        directory = Path(name) / "run"
+        start = [scene, "--quiet", "--output", directory]
+        status = [run(*start, *settings([*overrides, "Time/End time=0.75"]))[0]]
+        show(f"{traction}, to the jump", directory)
+        resume = [*start, "--resume", *settings(overrides)]
+        status.append(run(*resume)[0])
+        show("from there", directory)
+        before = contents(directory)
+        status.append(run(*resume)[0])
+        print("once more: the same", int(contents(directory) == before), "status",
+              *status)
+
+
 reference = Path(sys.argv[1])
 show("at once", reference)
-with tempfile.TemporaryDirectory() as name:
-    directory = Path(name) / "run"
-    scene = reference / "used.prm"
-    status = [run(scene, "--quiet", "--output", directory,
-                  *settings(["Time/End time=0.75"]))[0]]
-    show("to the jump", directory)
-    resume = [scene, "--quiet", "--output", directory, "--resume"]
-    status.append(run(*resume)[0])
-    show("from there", directory)
-    before = contents(directory)
-    status.append(run(*resume)[0])
-    print("once more: the same", int(contents(directory) == before), "status",
-          *status)
+for TRACTION in ("if(t <= 0.75, 0.1, 0.5)", "if(t < 0.75, 0.1, 0.5)"):
+    stop_and_resume(reference / "used.prm", TRACTION)

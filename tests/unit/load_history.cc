@@ -23,9 +23,10 @@
 //    and the 0.3 of t > 0.3.
 // 6. Jumps that are 1 and 5 doubles apart, in one load and in two, are one:
 // from
-//    the double before the first to the one after the last, as those of t >=
-//    0.3 and t > 0.3, between which the loads are not looked at: no step near
-//    them is held below 0.1. Those that are 1e-9 apart are two.
+//    the double before the first to the one after the last, between which the
+//    loads are not looked at: no step near them is held below 0.1. Those that
+//    are 1e-9 apart are two. One that is 5 doubles before T is at T, with its
+//    old loads from before it, those of T behind it.
 // 7. StepController: steps of at most 1/4 to T = 1 with breaks at 0.3 and 0.55:
 //    ends 0.25, 0.3, 0.55, 0.8, 1. Loads of a step that ends or begins there
 //    are those of the doubles before and after it; of one jump of several
@@ -204,6 +205,14 @@ namespace
                   << (history.largest_step(history.breaks[0].time, 0.1) == 0.1)
                   << (history.largest_step(0.25, 0.1) == 0.1) << std::endl;
       }
+    const double end = advanced(0.3, 5);
+    LoadHistory  at_end;
+    at_end.add_breaks({0.3});
+    at_end.end_at(end);
+    const LoadBreak &last = at_end.breaks.at(0);
+    deallog << "at the end: " << (last.time == end)
+            << (last.old_time == std::nextafter(0.3, 0.))
+            << (last.new_time == end) << std::endl;
     deallog << "two jumps: "
             << scan(
                  [](const double t) {

@@ -11,15 +11,13 @@ namespace ThermoContact
   /** A time at which a load is not smooth. */
   struct LoadBreak
   {
-    /** @param time after which the new value begins at once */
+    /** @param time the last one with the old value, or one that is listed */
     LoadBreak(const double time, const bool is_jump);
 
-    /** The last time with the old value; steps end there. */
-    double time;
-
-    /** The first time with the new value. */
-    double new_time;
-    bool   is_jump; ///< or else its slope jumps
+    double time;     ///< where steps end; it has the old value or the new one
+    double old_time; ///< a time right before it, with the old value
+    double new_time; ///< the first time from which on it has the new one
+    bool   is_jump;  ///< or else its slope jumps
   };
 
 
@@ -70,6 +68,11 @@ namespace ThermoContact
     /** The history of these loads and of others together. */
     void
     add(const LoadHistory &other);
+
+    /** Breaks that are too close to the end to be told apart from it are there.
+     */
+    void
+    end_at(const double end_time);
 
     /** The first break after @p time, or nullptr. */
     const LoadBreak *

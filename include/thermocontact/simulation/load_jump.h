@@ -3,6 +3,7 @@
 #ifndef thermocontact_simulation_load_jump_h
 #define thermocontact_simulation_load_jump_h
 
+#include <thermocontact/method/load_history.h>
 #include <thermocontact/simulation/quasi_static_start.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/stage_solver.h>
@@ -37,7 +38,7 @@ namespace ThermoContact
    * @param is_closed nodes that are in contact before the jump: only they may
    *   have a pressure in (M.34), where all nodes stay where they are; not used
    *   for (M.67), which finds its contact
-   * @param new_time of the loads after the jump
+   * @param at the end of the step, with the times of the old and new loads
    * @param result in: a step that is accepted; out: with the state after the
    *   jump, at the same time, and its energy; work and numerical dissipation
    *   are added to, and all else, closed_nodes too, is still that of the step
@@ -51,7 +52,7 @@ namespace ThermoContact
                   QuasiStaticStart<dim>   &quasi_static,
                   StageSolver             &solver,
                   const std::vector<bool> &is_closed,
-                  const double             new_time,
+                  const LoadBreak         &at,
                   StepResult              &result);
 } // namespace ThermoContact
 
