@@ -58,5 +58,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
   "python3-matplotlib, python3-numpy, openmpi-bin")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-paraview, python3-pandas, python3-meshio")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview, python3-paraview, xvfb, python3-pandas, python3-meshio")
 include(CPack)

@@ -5,7 +5,7 @@ import json
 import math
 import re
 
-from plot_common import (convert, fail, read_rows, read_table, title_of)
+from plot_common import convert, fail, read_rows, read_table, title_of
 
 COLUMNS = ["time", "displacement_end", "displacement_mid", "velocity_end",
            "stress_end", "gap", "contact_force", "contact_impulse",
@@ -47,7 +47,10 @@ def read_optional(path, names, end_time):
 def read_data(path, end_time):
     """Comments of contact.csv, time of its last row, and the columns up to the
     end time, with what follows from them."""
-    comments, data = read_table(path, COLUMNS)
+    comments, header, rows = read_rows(path, COLUMNS)
+    # what residuals do to the energy is a column with the iterative solver only
+    algebraic = ["algebraic"] if "algebraic" in header else []
+    data = convert(path, header, rows, COLUMNS + algebraic)
     times = data["time"]
     for before, time, line in zip([-math.inf, *times], times, data["line"]):
         if not before <= time < math.inf:
@@ -58,9 +61,10 @@ def read_data(path, end_time):
     if count < 2 or times[0] == times[count - 1]:
         fail(path, "fewer than two times to draw", "wait or raise --end-time")
     data = {name: values[:count] for name, values in data.items()}
-    data["defect"] = [data["energy"][0] + work - energy - lost - numerical
-                      for work, energy, lost, numerical in zip(
-                          data["work"], data["energy"], data["dissipation"],
+    data["defect"] = [data["energy"][0] + work + residuals - energy - lost - numerical
+                      for work, residuals, energy, lost, numerical in zip(
+                          data["work"], data.get("algebraic", [0.] * count),
+                          data["energy"], data["dissipation"],
                           data["numerical_dissipation"])]
     return comments, times[-1], data
 

@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/first_rank_alone.h>
 #include <thermocontact/base/log.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/command_line.h>
@@ -11,6 +12,7 @@
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/units.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/report/output_reference.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/scene_run.h>
 #include <thermocontact/sweep.h>
@@ -177,6 +179,12 @@ namespace ThermoContact
           log.line(command.show_help ?
                      help_text() :
                      std::string("thermocontact ") + version());
+          return;
+        }
+      if (command.show_output)
+        {
+          if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+            std::cout << output_reference();
           return;
         }
 

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/interruption.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/parameter_file.h>
@@ -232,18 +233,6 @@ namespace ThermoContact
 
 
 
-  std::set<std::string>
-  omitted_entries(const Parameters &parameters)
-  {
-    std::set<std::string> paths;
-    if (!parameters.study.is_active())
-      for (const UnusedEntry &entry : unused_entries(parameters))
-        paths.insert(entry.path);
-    return paths;
-  }
-
-
-
   template <int dim>
   void
   run_scene(const Parameters  &parameters,
@@ -286,7 +275,7 @@ namespace ThermoContact
     else if (Utilities::MPI::this_mpi_process(communicator) == 0)
       keep_as_newest(directory, *checkpoint);
     write_used_parameters(directory,
-                          omitted_entries(parameters),
+                          unused_paths(parameters),
                           prm,
                           communicator);
     throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",

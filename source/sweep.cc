@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/interruption.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/scene_run.h>
 #include <thermocontact/study/study.h>
@@ -53,49 +54,49 @@ namespace ThermoContact
 
 
 
+    /**
+     * Reads the rows that are there.
+     *
+     * @throw InputError if they are not those of the study of @p prm
+     */
+    void
+    read_rows(const std::string      &directory,
+              const ParameterHandler &prm,
+              StudyTable             &table)
+    {
+      check_same_study(directory, prm);
+      if (std::filesystem::exists(directory + "/study.csv"))
+        table.read_on();
+    }
+
+
+
     /** Makes the directory and study.csv ready, anew or to go on. */
     void
-    prepare(const Parameters  &parameters,
-            ParameterHandler  &prm,
+    prepare(ParameterHandler  &prm,
             const CommandLine &command,
             const std::string &directory,
             StudyTable        &table)
     {
       const MPI_Comm communicator = MPI_COMM_WORLD;
-      std::string    mismatch, fault;
       const bool is_first = Utilities::MPI::this_mpi_process(communicator) == 0;
+      std::string mismatch;
       if (!command.is_resumed)
         prepare_output_directory(directory, communicator);
       else if (is_first)
         try
           {
-            check_same_study(directory, prm);
+            read_rows(directory, prm, table);
           }
         catch (const InputError &error)
           {
             mismatch = error.what();
           }
       throw_everywhere<InputError>(mismatch, communicator);
-      write_used_parameters(directory,
-                            omitted_entries(parameters),
-                            prm,
-                            communicator);
-      if (is_first)
-        try
-          {
-            if (!std::filesystem::exists(directory + "/study.csv"))
-              fault = table.begin();
-            else
-              table.read_on();
-            if (fault.empty())
-              fault = table.sort();
-          }
-        catch (const InputError &error)
-          {
-            mismatch = error.what();
-          }
-      throw_everywhere<InputError>(mismatch, communicator);
-      throw_everywhere<ComputationError>(fault, communicator);
+      // what one run cannot use another may
+      write_used_parameters(directory, {}, prm, communicator);
+      throw_everywhere<ComputationError>(is_first ? table.sort() : "",
+                                         communicator);
     }
   } // namespace
 
@@ -111,14 +112,16 @@ namespace ThermoContact
     const MPI_Comm    communicator = MPI_COMM_WORLD;
     const StudyPlan   plan(assignments, parameters.study);
     const std::string directory = output_directory(parameters, command);
+    StudyTable        table(plan, directory + "/study.csv", parameters.title);
     if (command.check_only)
       {
+        if (command.is_resumed)
+          read_rows(directory, prm, table);
         check_output_directory(directory, communicator);
         return check_study(plan, parameters.study, log);
       }
     const DirectoryLock lock(directory, command.is_resumed, communicator);
-    StudyTable          table(plan, directory + "/study.csv", parameters.title);
-    prepare(parameters, prm, command, directory, table);
+    prepare(prm, command, directory, table);
     throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",
                                                      command.is_resumed),
                                        communicator);
@@ -139,10 +142,7 @@ namespace ThermoContact
         throw Interruption(error.what() + std::string("\n  resume:  ") +
                            resume_command(command, directory, communicator));
       }
-    write_study_tables(directory,
-                       parameters.title,
-                       parameters.study.keep_files,
-                       table);
+    write_study_tables(directory, parameters.title, table);
     log.line("  files     " + directory);
     report_study(table, parameters.study.target_error, log);
   }

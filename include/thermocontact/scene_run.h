@@ -11,7 +11,6 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
-#include <set>
 #include <string>
 
 namespace ThermoContact
@@ -20,13 +19,6 @@ namespace ThermoContact
    */
   std::string
   output_directory(const Parameters &parameters, const CommandLine &command);
-
-  /**
-   * What used.prm leaves out: entries that the scene cannot use. Runs of a
-   * study may use them.
-   */
-  std::set<std::string>
-  omitted_entries(const Parameters &parameters);
 
   /** The command, for a shell, that goes on with a run or a study. */
   std::string

@@ -8,6 +8,8 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+import numpy
+
 from .errors import ComputationError, Error, InputError
 from .results import read
 
@@ -25,7 +27,7 @@ def find_program():
 
 def _word(value):
     """A value as a parameter file has it."""
-    if isinstance(value, bool):
+    if isinstance(value, (bool, numpy.bool_)):
         return "true" if value else "false"
     if isinstance(value, str):
         return value
@@ -60,6 +62,13 @@ def _temporary_result(directory, temporary):
         return None
 
 
+def _message_in(text):
+    """What the program says, without what mpirun says behind it; all of the text if
+    the program has said nothing."""
+    message = text.partition("thermocontact: ")[2] or text
+    return re.split(r"\n-{20,}\n", message)[0].strip()
+
+
 def run(entries=None, base=None, output=None, progress=None, resume=False, ranks=1,
         program=None):
     """Runs a scene or a study and returns its Run or Study.
@@ -69,6 +78,7 @@ def run(entries=None, base=None, output=None, progress=None, resume=False, ranks
     output: the directory of the files; None: a temporary one, removed with the result.
     progress: called with the part that is done, 0 to 1, and a line of text.
     resume: go on with the run or study in output.
+    ranks: processes that mpirun starts, for studies and bodies.
     Raises InputError or ComputationError with the program's message.
     """
     temporary = None if output else tempfile.TemporaryDirectory(prefix="thermocontact-")
@@ -80,7 +90,8 @@ def run(entries=None, base=None, output=None, progress=None, resume=False, ranks
         command = [*command_of(program or find_program(), entries), "--output",
                    str(directory), *["--resume"] * bool(resume), str(base)]
         if ranks > 1:
-            command = ["mpirun", "-n", str(ranks), *command]
+            as_root = ["--allow-run-as-root"] * (os.geteuid() == 0)
+            command = ["mpirun", *as_root, "--oversubscribe", "-n", str(ranks), *command]
         with tempfile.TemporaryFile("w+") as messages:
             with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=messages,
                                   text=True) as process:
@@ -88,7 +99,7 @@ def run(entries=None, base=None, output=None, progress=None, resume=False, ranks
                     if progress:
                         _report(line, progress)
             messages.seek(0)
-            message = messages.read().partition("thermocontact: ")[2].strip()
+            message = _message_in(messages.read())
     if process.returncode == 2:
         raise InputError(message)
     if process.returncode != 0:

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/parts_file.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/table_file.h>
 
 #include <fcntl.h>
@@ -86,24 +87,10 @@ namespace ThermoContact
 
 
   std::string
-  first_fault(const std::string &fault, const MPI_Comm communicator)
-  {
-    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-      return fault;
-    for (const std::string &message :
-         Utilities::MPI::all_gather(communicator, fault))
-      if (!message.empty())
-        return message;
-    return "";
-  }
-
-
-
-  std::string
-  write_parts(const std::string                            &path,
-              const std::initializer_list<std::string_view> part,
-              const MPI_Comm                                communicator,
-              const bool                                    is_durable)
+  write_parts(const std::string                   &path,
+              const std::vector<std::string_view> &part,
+              const MPI_Comm                       communicator,
+              const bool                           is_durable)
   {
     std::uint64_t size = 0;
     for (const std::string_view piece : part)
@@ -132,9 +119,9 @@ namespace ThermoContact
 
 
   std::string
-  write_parts_atomically(const std::string                            &path,
-                         const std::initializer_list<std::string_view> part,
-                         const MPI_Comm communicator)
+  write_parts_atomically(const std::string                   &path,
+                         const std::vector<std::string_view> &part,
+                         const MPI_Comm                       communicator)
   {
     std::string fault = write_parts(path + part_suffix, part, communicator);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)

@@ -21,6 +21,7 @@ Dynamic contact of a thermoviscoelastic rod with an elastic or rigid obstacle.
   --check                      read and check everything, print the scene, stop
   --print-parameters[=FORMAT]  print all entries; FORMAT: prm, json, description,
                                markdown; with FILE.prm, its values
+  --print-output               print what the files of a run hold, in Markdown
   --resume                     go on from the newest checkpoint in the output
                                directory
   --units                      FILE.prm is a rod in SI units: print its scene, with
@@ -42,6 +43,7 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
       output_option,
       check_option,
       print_parameters_option,
+      print_output_option,
       resume_option,
       units_option,
       quiet_option,
@@ -55,6 +57,7 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
       {"output", required_argument, nullptr, output_option},
       {"check", no_argument, nullptr, check_option},
       {"print-parameters", optional_argument, nullptr, print_parameters_option},
+      {"print-output", no_argument, nullptr, print_output_option},
       {"resume", no_argument, nullptr, resume_option},
       {"units", no_argument, nullptr, units_option},
       {"quiet", no_argument, nullptr, quiet_option},
@@ -98,6 +101,9 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
             break;
           case print_parameters_option:
             command_line.print_parameters = argument ? argument : "prm";
+            break;
+          case print_output_option:
+            command_line.show_output = true;
             break;
           case resume_option:
             command_line.is_resumed = true;

@@ -16,8 +16,9 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Matrices up to this size are factorised. */
-    constexpr types::global_dof_index max_factorized = 6000;
+    /** Matrices up to this size are factorised; factors of blocks fill. */
+    template <int dim>
+    constexpr types::global_dof_index max_factorized = dim == 2 ? 6000 : 2000;
   } // namespace
 
 
@@ -26,7 +27,7 @@ namespace ThermoContact
   bool
   CoarseSolver<dim>::is_factorised(const types::global_dof_index n_rows)
   {
-    return n_rows <= max_factorized;
+    return n_rows <= max_factorized<dim>;
   }
 
 

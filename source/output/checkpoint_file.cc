@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/parts_file.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/output/checkpoint_file.h>
 
 #include <boost/archive/binary_iarchive.hpp>

@@ -3,6 +3,7 @@
 #include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/parts_file.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/field_output.h>
 #include <thermocontact/output/obstacle_file.h>
@@ -14,6 +15,7 @@
 #include <deal.II/numerics/data_postprocessor.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace ThermoContact
@@ -176,9 +178,37 @@ namespace ThermoContact
     {
     public:
       /**
-       * This rank's part of a VTU file, without header and footer. None if the
-       * rank has no cells: ParaView does not read a file that starts so.
+       * This rank's part of a VTU file, without header and footer: pieces of
+       * some cells each, since patches need several times the memory of the
+       * fields.
        */
+      std::vector<std::string>
+      vtu_pieces(const Discretization<dim>   &discretization,
+                 const DataOutBase::VtkFlags &flags)
+      {
+        constexpr double   max_points = 50000.;
+        const unsigned int degree     = discretization.degree();
+        const unsigned int n_at_once =
+          std::max(1., max_points / std::pow(degree + 1, dim));
+        const unsigned int n =
+          discretization.dof_handler().get_triangulation().n_active_cells();
+        std::vector<std::string> pieces;
+        for (unsigned int begin = 0; begin < n; begin += n_at_once)
+          {
+            this->set_cell_selection(
+              [=](const typename Triangulation<dim>::cell_iterator &cell) {
+                return cell->is_active() && cell->is_locally_owned() &&
+                       cell->active_cell_index() >= begin &&
+                       cell->active_cell_index() - begin < n_at_once;
+              });
+            this->build_patches(discretization.mapping(), degree);
+            pieces.push_back(vtu_piece(flags));
+          }
+        return pieces;
+      }
+
+    private:
+      /** None without patches: ParaView does not read a file that starts so. */
       std::string
       vtu_piece(const DataOutBase::VtkFlags &flags) const
       {
@@ -286,9 +316,9 @@ namespace ThermoContact
     flags.cycle               = times().size();
     flags.print_date_and_time = false;
     flags.compression_level   = DataOutBase::VtkFlags::best_speed;
-    data_out.build_patches(discretization.mapping(), discretization.degree());
 
-    std::string fault = write_fields(data_out.vtu_piece(flags), flags);
+    std::string fault =
+      write_fields(data_out.vtu_pieces(discretization, flags), flags);
     if (fault.empty())
       fault = write_others(state, flags);
     throw_everywhere<ComputationError>(fault, discretization.communicator());
@@ -298,8 +328,8 @@ namespace ThermoContact
 
   template <int dim>
   std::string
-  FieldOutput<dim>::write_fields(const std::string           &piece,
-                                 const DataOutBase::VtkFlags &flags) const
+  FieldOutput<dim>::write_fields(const std::vector<std::string> &pieces,
+                                 const DataOutBase::VtkFlags    &flags) const
   {
     const MPI_Comm     communicator = discretization.communicator();
     std::ostringstream header, footer;
@@ -308,9 +338,11 @@ namespace ThermoContact
     if (Utilities::MPI::this_mpi_process(communicator) + 1 ==
         Utilities::MPI::n_mpi_processes(communicator))
       DataOutBase::write_vtu_footer(footer);
-    return write_parts_atomically(fields.next_path(),
-                                  {header.str(), piece, footer.str()},
-                                  communicator);
+    const std::string             first = header.str(), last = footer.str();
+    std::vector<std::string_view> part(pieces.begin(), pieces.end());
+    part.insert(part.begin(), first);
+    part.push_back(last);
+    return write_parts_atomically(fields.next_path(), part, communicator);
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/output/csv_rows.h>
 #include <thermocontact/output/output.h>
 #include <thermocontact/output/output_directory.h>

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/output/output_directory.h>

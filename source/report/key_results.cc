@@ -56,6 +56,17 @@ namespace ThermoContact
 
 
 
+  SteadyState
+  final_state(const StepRecord &record)
+  {
+    return {record.displacement_end,
+            record.contact_force,
+            record.temperature_end,
+            record.in_contact};
+  }
+
+
+
   unsigned int
   reached_state_of_rest(const std::vector<SteadyState> &states,
                         const SteadyState              &end,
@@ -105,13 +116,9 @@ namespace ThermoContact
     const StepRecord  &record  = simulation.record();
     const RunHistory  &history = simulation.history();
     const auto        &events  = simulation.events();
-    const SteadyState  end{record.displacement_end,
-                          record.contact_force,
-                          record.temperature_end,
-                          record.in_contact};
     const unsigned int state =
       reached_state_of_rest(steady_state(simulation.scene()).states,
-                            end,
+                            final_state(record),
                             simulation.scene());
     return {{events.empty() ? nan : events.front().time,
              double(n_contact_begins(events)),

@@ -30,18 +30,6 @@ namespace ThermoContact
 
 
 
-    /** The state at the end, with the quantities of a state at rest. */
-    SteadyState
-    final_state(const StepRecord &record)
-    {
-      return {record.displacement_end,
-              record.contact_force,
-              record.temperature_end,
-              record.in_contact};
-    }
-
-
-
     /** Where the scene tends to, and how far it is from there. */
     std::string
     compare_with_rest(const SteadyState &rest,

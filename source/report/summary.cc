@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/forecast/forecast.h>
@@ -65,20 +66,16 @@ namespace ThermoContact
     nlohmann::ordered_json
     predictions(const Simulation<dim> &simulation)
     {
-      constexpr double  nan    = std::numeric_limits<double>::quiet_NaN();
-      const Scene      &scene  = simulation.scene();
-      const StepRecord &record = simulation.record();
-      const SteadyState end{record.displacement_end,
-                            record.contact_force,
-                            record.temperature_end,
-                            record.in_contact};
+      constexpr double  nan      = std::numeric_limits<double>::quiet_NaN();
+      const Scene      &scene    = simulation.scene();
+      const StepRecord &record   = simulation.record();
       const auto        forecast = steady_state(scene);
       const auto       &states   = forecast.states;
-      const SteadyState rest     = states.empty() ?
-                                     SteadyState{nan, nan, nan, false} :
-                                     states[nearest_state(states, end)];
-      const auto        impact   = first_impact(scene);
-      const auto        cost =
+      const SteadyState rest =
+        states.empty() ? SteadyState{nan, nan, nan, false} :
+                         states[nearest_state(states, final_state(record))];
+      const auto impact = first_impact(scene);
+      const auto cost =
         expected_cost(scene, simulation.discretization().n_active_cells());
 
       nlohmann::ordered_json entries = {
@@ -104,7 +101,7 @@ namespace ThermoContact
       if (!states.empty())
         entries["predicted_in_contact"] = rest.in_contact;
       if (!scene.heat.exchange->is_constant())
-        add_states_of_rest(states, end, scene, entries);
+        add_states_of_rest(states, final_state(record), scene, entries);
       return entries;
     }
   } // namespace

@@ -30,10 +30,10 @@ namespace ThermoContact
       return node < 2 ? node * n_fields + field :
                         2 * n_fields + field * (n_nodes - 2) + node - 2;
     };
+    std::vector<Matrix> vertex_systems;
     for (unsigned int r = 0; r < runs.size(); ++r)
       {
-        std::vector<double> &system = cells[r].system;
-        system.assign(n * n, 0.);
+        Matrix system(n * n, 0.);
         for (unsigned int row = 0; row < n_fields; ++row)
           for (unsigned int column = 0; column < n_fields; ++column)
             for (const auto &[factor, matrix] : blocks[row][column])
@@ -44,10 +44,10 @@ namespace ThermoContact
                     system[place(column, j) * n + place(row, i)] +=
                       factor * *value++;
               }
-        eliminate_inner_nodes(cells[r]);
+        vertex_systems.push_back(eliminate_inner_nodes(system, cells[r]));
       }
     if (growth_ < std::numeric_limits<double>::infinity())
-      factorize_vertices();
+      factorize_vertices(vertex_systems);
   }
 
 
@@ -65,13 +65,12 @@ namespace ThermoContact
 
 
   template <unsigned int n_fields>
-  void
-  RodFactors<n_fields>::eliminate_inner_nodes(Cell &cell)
+  typename RodFactors<n_fields>::Matrix
+  RodFactors<n_fields>::eliminate_inner_nodes(const Matrix &system, Cell &cell)
   {
-    constexpr unsigned int     n_outer = 2 * n_fields;
-    const unsigned int         n       = n_outer + n_inner;
-    const std::vector<double> &system  = cell.system;
-    std::vector<double>        vertices(n_outer * n_outer);
+    constexpr unsigned int n_outer = 2 * n_fields;
+    const unsigned int     n       = n_outer + n_inner;
+    Matrix                 vertices(n_outer * n_outer);
     for (unsigned int j = 0; j < n_outer; ++j)
       for (unsigned int i = 0; i < n_outer; ++i)
         vertices[j * n_outer + i] = system[j * n + i];
@@ -90,7 +89,7 @@ namespace ThermoContact
       }
     note_growth(invert(cell.inner_inverse, n_inner));
     if (growth_ == std::numeric_limits<double>::infinity())
-      return;
+      return vertices;
     for (unsigned int j = 0; j < n_outer; ++j)
       {
         double *const to_inner = &cell.vertices_to_inner[j * n_inner];
@@ -103,40 +102,38 @@ namespace ThermoContact
             vertices[j * n_outer + i] -=
               cell.inner_to_vertices[i * n_inner + k] * to_inner[k];
       }
-    cell.vertices.swap(vertices);
+    return vertices;
   }
 
 
 
   template <unsigned int n_fields>
   void
-  RodFactors<n_fields>::factorize_vertices()
+  RodFactors<n_fields>::factorize_vertices(const std::vector<Matrix> &systems)
   {
     constexpr unsigned int n_outer = 2 * n_fields;
-    const auto             block   = [&](const Cell &cell,
-                           const bool  row,
-                           const bool  column) {
-      Small a;
-      for (unsigned int i = 0; i < n_fields; ++i)
-        for (unsigned int j = 0; j < n_fields; ++j)
-          a[i * n_fields + j] =
-            cell
-              .vertices[(column * n_fields + j) * n_outer + row * n_fields + i];
-      return a;
-    };
-    const unsigned int        n = layout.n_cells;
-    std::vector<const Cell *> cell(n);
+    const auto             block =
+      [&](const Matrix &system, const bool row, const bool column) {
+        NodeBlock a;
+        for (unsigned int i = 0; i < n_fields; ++i)
+          for (unsigned int j = 0; j < n_fields; ++j)
+            a[i * n_fields + j] =
+              system[(column * n_fields + j) * n_outer + row * n_fields + i];
+        return a;
+      };
+    const unsigned int          n = layout.n_cells;
+    std::vector<const Matrix *> cell(n);
     for (unsigned int r = 0; r < runs.size(); ++r)
       std::fill(cell.begin() + runs[r].begin,
                 cell.begin() + runs[r].end,
-                &cells[r]);
+                &systems[r]);
 
     // vertex i is the right one of cell i, the left one of cell i + 1
     const auto diagonal = [&](const unsigned int i) {
-      Small a = block(*cell[i], true, true);
+      NodeBlock a = block(*cell[i], true, true);
       if (i + 1 < n)
         {
-          const Small b = block(*cell[i + 1], false, false);
+          const NodeBlock b = block(*cell[i + 1], false, false);
           for (unsigned int k = 0; k < n_entries; ++k)
             a[k] += b[k];
         }
@@ -149,32 +146,33 @@ namespace ThermoContact
       return block(*cell[i + 1], false, true);
     };
 
-    const auto eliminate = [&](const Small &factor, const Small &b, Small &d) {
-      const Small step = factor * b;
-      double      size = 0., change = 0.;
-      for (unsigned int row = 0; row < n_fields; ++row)
-        {
-          // rows of different fields have different units
-          const double *const old_row  = &d[row * n_fields];
-          const double *const row_step = &step[row * n_fields];
-          size = change = 0.;
-          for (unsigned int k = 0; k < n_fields; ++k)
-            {
-              size += std::abs(old_row[k]);
-              change += std::abs(row_step[k]);
-            }
-          note_growth(change / size);
-        }
-      subtract(d, step);
-    };
-    const auto invert_pivot = [&](const Small &d, Vertex &vertex) {
+    const auto eliminate =
+      [&](const NodeBlock &factor, const NodeBlock &b, NodeBlock &d) {
+        const NodeBlock step = factor * b;
+        double          size = 0., change = 0.;
+        for (unsigned int row = 0; row < n_fields; ++row)
+          {
+            // rows of different fields have different units
+            const double *const old_row  = &d[row * n_fields];
+            const double *const row_step = &step[row * n_fields];
+            size = change = 0.;
+            for (unsigned int k = 0; k < n_fields; ++k)
+              {
+                size += std::abs(old_row[k]);
+                change += std::abs(row_step[k]);
+              }
+            note_growth(change / size);
+          }
+        subtract(d, step);
+      };
+    const auto invert_pivot = [&](const NodeBlock &d, Vertex &vertex) {
       note_growth(cancellation(d));
       vertex.inverse = inverse(d);
     };
 
     for (unsigned int i = 0; i < middle; ++i)
       {
-        Small d = diagonal(i);
+        NodeBlock d = diagonal(i);
         if (i > 0)
           {
             vertices[i].elimination = lower(i) * vertices[i - 1].inverse;
@@ -185,7 +183,7 @@ namespace ThermoContact
       }
     for (unsigned int i = n - 1; i > middle; --i)
       {
-        Small d = diagonal(i);
+        NodeBlock d = diagonal(i);
         if (i < n - 1)
           {
             vertices[i].elimination = upper(i) * vertices[i + 1].inverse;
@@ -194,7 +192,7 @@ namespace ThermoContact
         invert_pivot(d, vertices[i]);
         vertices[i].substitution = vertices[i].inverse * lower(i);
       }
-    Small d = diagonal(middle);
+    NodeBlock d = diagonal(middle);
     if (middle > 0)
       {
         from_left = lower(middle) * vertices[middle - 1].inverse;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/expression.h>
@@ -60,16 +59,9 @@ namespace ThermoContact
     {
       const std::string &expression = boundary.exchange_expression;
       SceneHeat          heat;
-      heat.exchange = expression.empty() ?
-                        constant_exchange(boundary.heat_exchange) :
-                        exchange_by_expression(expression, std::max(gap, 1.));
-      if (!heat.exchange->is_constant() &&
-          !boundary.obstacle_expression.empty())
-        throw InputError(
-          "Boundary/Obstacle temperature = " + boundary.obstacle_expression +
-          "\n  allowed: a number, since Boundary/Heat exchange "
-          "is an expression\n  remedy:  a number for one of "
-          "them");
+      heat.exchange              = expression.empty() ?
+                                     constant_exchange(boundary.heat_exchange) :
+                                     exchange_by_expression(expression, std::max(gap, 1.));
       heat.fixed_end_temperature = boundary.fixed_end_temperature;
       heat.obstacle_temperature  = boundary.obstacle_expression.empty() ?
                                      boundary.obstacle_temperature :

@@ -117,6 +117,11 @@ namespace ThermoContact
                     "Contact/Condition = " + parameters.contact.condition :
                     "Model/Fields = " + parameters.model.fields),
                "there is neither gap nor pressure");
+      if (!parameters.boundary.obstacle_expression.empty())
+        refuse("Boundary/Obstacle temperature",
+               parameters.boundary.obstacle_expression,
+               "a number, since Boundary/Heat exchange is an expression",
+               "a number for one of them");
       if (!scene.scheme.needs_constant_exchange.empty())
         refuse("Boundary/Heat exchange",
                expression,

@@ -165,6 +165,17 @@ namespace ThermoContact
 
 
 
+  std::set<std::string>
+  unused_paths(const Parameters &parameters)
+  {
+    std::set<std::string> paths;
+    for (const UnusedEntry &unused : unused_entries(parameters))
+      paths.insert(unused.path);
+    return paths;
+  }
+
+
+
   void
   check_unused_entries(const Parameters       &parameters,
                        const ParameterHandler &prm)

@@ -58,8 +58,8 @@ namespace ThermoContact
 
 
   EnergyWatch::EnergyWatch(const Scene &scene)
-    : is_active(!scene.has_work())
-    , remedy(remedy_for(scene))
+    : scene(scene)
+    , is_active(!scene.has_work())
     , allowed_per_run(scene.scheme.can_create_energy &&
                           !scene.parameters.time.has_error_control() ?
                         1e-3 :
@@ -107,7 +107,7 @@ namespace ThermoContact
     message << "step " << step << ", t = " << time
             << ": the scheme has created the energy " << created
             << ", more than its accuracy explains (" << allowed
-            << "); remedy: " << remedy;
+            << "); remedy: " << remedy_for(scene);
     return message.str();
   }
 } // namespace ThermoContact

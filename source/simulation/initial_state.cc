@@ -79,6 +79,37 @@ namespace ThermoContact
 
 
 
+    /**
+     * What the initial displacement says of a rigid obstacle holds for its
+     * projection: a node on it, but for rounding, is there, and one before it
+     * not behind it.
+     */
+    template <int dim>
+    void
+    stay_before_obstacle(const Body<dim> &body, State &state)
+    {
+      if (!body.scene.contact.law->is_rigid() ||
+          body.scene.material.is_static())
+        return;
+      const unsigned int component =
+        body.discretization.first_component(Field::displacement);
+      for (const auto &[i, entry] :
+           body.contact_end().entries(Field::displacement))
+        {
+          const ContactNode<dim> &node = body.contact_end().nodes()[i];
+          const double            given =
+            body.data.initial_fields().value(node.position, component);
+          const double rounding =
+            1e-12 * std::max(std::abs(given), std::abs(node.gap));
+          double &projected = state.displacement.begin()[entry];
+          if (std::abs(given - node.gap) <= rounding ||
+              (given < node.gap && projected > node.gap))
+            projected = node.gap;
+        }
+    }
+
+
+
     /** A rigid obstacle must not be penetrated. */
     template <int dim>
     void
@@ -180,6 +211,7 @@ namespace ThermoContact
       projection.project(body.data.initial_velocity(), unused, state.velocity);
     }
     check_values(body, state, warnings);
+    stay_before_obstacle(body, state);
     check_penetration(body, first_step_size, state);
     for (const unsigned int entry :
          discretization.constrained_entries(Field::temperature))

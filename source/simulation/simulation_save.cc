@@ -4,6 +4,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/parts_file.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/simulation/simulation.h>
 #include <thermocontact/space/node_values.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/output/output_directory.h>
@@ -110,6 +111,25 @@ namespace ThermoContact
 
 
 
+    /**
+     * What is wrong if rows have been lost, as where several ranks append to a
+     * file of another machine, or nothing.
+     */
+    std::string
+    missing_rows(const StudyTable &table)
+    {
+      const unsigned int n_lost = table.plan().n_runs() - table.size();
+      return n_lost == 0 ? "" :
+                           text("study.csv: the rows of ",
+                                n_lost,
+                                " runs that have ended are not there\n  "
+                                "remedy:  go on with --resume; on ranks that "
+                                "share one machine, or with an "
+                                "Output/Directory that locks its files");
+    }
+
+
+
     /** The runs that have no row yet, the same on all ranks. */
     std::vector<unsigned int>
     missing_runs(const StudyTable &table)
@@ -122,18 +142,6 @@ namespace ThermoContact
       return Utilities::MPI::broadcast(MPI_COMM_WORLD, runs);
     }
 
-
-
-    /** The first message that is not empty, of all ranks. */
-    std::string
-    first_fault(const std::string &fault)
-    {
-      for (const std::string &any :
-           Utilities::MPI::all_gather(MPI_COMM_WORLD, fault))
-        if (!any.empty())
-          return any;
-      return "";
-    }
   } // namespace
 
 
@@ -149,12 +157,12 @@ namespace ThermoContact
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const StudyPlan   &plan    = table.plan();
     const SignalWatch  signals;
-    StudyProgress      progress(table, log);
 
     const std::vector<unsigned int> missing = missing_runs(table);
     Trajectory                      reference;
     if (plan.reference() && !missing.empty())
       reference = run_reference(plan, signals);
+    StudyProgress progress(table, log);
 
     std::string fault;
     const bool  has_begun =
@@ -180,11 +188,25 @@ namespace ThermoContact
         }
       catch (const Interruption &)
         {}
+      catch (const InputError &error)
+        {
+          fault = error.what(); // of the table, changed by somebody else
+        }
 
-    fault            = first_fault(fault); // all rows are written then
+    fault            = first_fault(fault, communicator); // all rows are written
     const int signal = Utilities::MPI::max(signals.signal(), communicator);
-    if (rank == 0)
-      progress.update();
+    if (fault.empty() && rank == 0)
+      try
+        {
+          progress.update();
+          if (signal == 0)
+            fault = missing_rows(table);
+        }
+      catch (const InputError &error)
+        {
+          fault = error.what();
+        }
+    fault = first_fault(fault, communicator);
     if (!fault.empty())
       throw ComputationError(fault);
     if (signal != 0)

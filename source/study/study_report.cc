@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/study/study_report.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -182,7 +184,7 @@ namespace ThermoContact
     std::string
     markdown_table(const StudyTable  &study,
                    const std::string &title,
-                   const bool         has_files)
+                   const std::string &directory)
     {
       std::vector<std::string> names = study.plan().varied();
       names.push_back("status");
@@ -206,8 +208,9 @@ namespace ThermoContact
       page += '\n' + line + '\n';
       for (unsigned int run = 0; run < study.plan().n_runs(); ++run)
         {
-          page += has_files ? text("| [", run, "](run-", run, "/) | ") :
-                              text("| ", run, " | ");
+          page += std::filesystem::exists(text(directory, "/run-", run)) ?
+                    text("| [", run, "](run-", run, "/) | ") :
+                    text("| ", run, " | ");
           for (const std::string &name : names)
             {
               const std::string &words  = study.words(run, name);
@@ -273,7 +276,6 @@ namespace ThermoContact
   void
   write_study_tables(const std::string &directory,
                      const std::string &title,
-                     const bool         has_files,
                      const StudyTable  &study)
   {
     std::string fault;
@@ -282,7 +284,7 @@ namespace ThermoContact
         fault = write_atomically(directory + "/study.txt", text_tables(study));
         if (fault.empty())
           fault = write_atomically(directory + "/study.md",
-                                   markdown_table(study, title, has_files));
+                                   markdown_table(study, title, directory));
       }
     throw_everywhere<ComputationError>(fault, MPI_COMM_WORLD);
   }

@@ -20,15 +20,12 @@ namespace ThermoContact
   {
     /** What used.prm of a single run leaves out: the study is not its own. */
     std::set<std::string>
-    foreign_entries(const Parameters &scene)
+    foreign_entries(const Parameters &scene, const ParameterHandler &prm)
     {
-      std::set<std::string> paths = {"Study/Vary",
-                                     "Study/Reference",
-                                     "Study/Repetitions",
-                                     "Study/Target error",
-                                     "Study/Keep files"};
-      for (const auto &unused : unused_entries(scene))
-        paths.insert(unused.path);
+      std::set<std::string> paths = unused_paths(scene);
+      for (const auto &[path, value] : entry_values(prm))
+        if (path.rfind("Study/", 0) == 0)
+          paths.insert(path);
       return paths;
     }
 
@@ -92,7 +89,12 @@ namespace ThermoContact
         {
           if (output)
             output->observe_failure(simulation);
-          finish(std::string("failed: ") + error.what());
+          try
+            {
+              finish(std::string("failed: ") + error.what());
+            }
+          catch (const ComputationError &)
+            {} // the first fault is the one to tell, e.g. a full disk
           throw;
         }
       finish("done");
@@ -119,7 +121,7 @@ namespace ThermoContact
           {
             prepare_output_directory(directory, MPI_COMM_SELF);
             write_used_parameters(directory,
-                                  foreign_entries(scene),
+                                  foreign_entries(scene, prm),
                                   prm,
                                   MPI_COMM_SELF);
           }

@@ -176,14 +176,6 @@ namespace ThermoContact
 
 
   std::string
-  StudyTable::begin() const
-  {
-    return write_atomically(file_name, head);
-  }
-
-
-
-  std::string
   StudyTable::append(const unsigned int run, const StudyRun &result) const
   {
     std::string row;
@@ -231,10 +223,11 @@ namespace ThermoContact
         const std::vector<std::string> words = split_row(line);
         if (words.size() != names_.size())
           continue;
-        const double       number = parse_number(words[0]).value_or(-1.);
-        const unsigned int run    = number;
-        if (number != run || run >= plan_.n_runs())
+        const double number = parse_number(words[0]).value_or(-1.);
+        if (!(number >= 0. && number < plan_.n_runs() &&
+              number == std::floor(number)))
           fail("run " + words[0] + " is none of this study's");
+        const unsigned int             run     = number;
         const std::vector<std::string> entries = plan_.entries(run);
         if (!std::equal(entries.begin(), entries.end(), words.begin() + 1))
           fail("run " + words[0] + " has other entries in this study");
@@ -247,7 +240,7 @@ namespace ThermoContact
 
 
   std::string
-  StudyTable::sort() const
+  StudyTable::sort()
   {
     std::string text = head;
     for (const auto &[run, words] : rows)
@@ -259,6 +252,7 @@ namespace ThermoContact
           }
         text.back() = '\n';
       }
+    n_read = text.size();
     return write_atomically(file_name, text);
   }
 

@@ -254,16 +254,16 @@ namespace ThermoContact
   {
     const ContactEnd<dim> &end = body.contact_end();
     AssertDimension(end.n_nodes(), 1);
-    end.get_penetrations(state.displacement, old_penetration);
-    end.get_values(Field::displacement, rates.velocity, free_position);
-    free_position[0] =
-      old_penetration[0] + time_step.size * free_position[0]; // penetration
+    end.get_penetrations(state.displacement, penetration);
+    // the velocity first, then where it leads
+    end.get_values(Field::displacement, rates.velocity, free_penetration);
+    free_penetration[0] = penetration[0] + time_step.size * free_penetration[0];
     rates.pressure.assign(1, 0.);
     rates.n_iterations = 0;
-    if (old_penetration[0] <= 0. && free_position[0] <= 0.)
+    if (penetration[0] <= 0. && free_penetration[0] <= 0.)
       return;
-    rates.pressure[0]  = step_contact->pressure(old_penetration[0],
-                                               free_position[0],
+    rates.pressure[0]  = step_contact->pressure(penetration[0],
+                                               free_penetration[0],
                                                2. * solver->response()(0, 0));
     rates.n_iterations = 1;
     solver->apply_pressure(rates);
@@ -278,9 +278,8 @@ namespace ThermoContact
     new_state.contact_pressure = rates.pressure;
     if (!step_contact->conserves_energy())
       return;
-    body.contact_end().get_penetrations(new_state.displacement,
-                                        old_penetration);
-    new_state.contact_pressure[0] = body.law().pressure(old_penetration[0]);
+    body.contact_end().get_penetrations(new_state.displacement, penetration);
+    new_state.contact_pressure[0] = body.law().pressure(penetration[0]);
   }
 
 

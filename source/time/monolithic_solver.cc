@@ -33,7 +33,6 @@ namespace ThermoContact
     , exchange_solver(body.law(), exchange)
     , max_factorizations(
         cache_size<dim>(body.discretization.dof_handler().n_dofs()))
-    , has_sparse_factors(body.equations.rod() == nullptr)
     , heat_rhs(body.discretization.make_vector(Field::temperature))
     , momentum_rhs(body.discretization.make_vector(Field::displacement))
   {}
@@ -76,7 +75,7 @@ namespace ThermoContact
     counters_.factorizations +=
       factorizations.front().matrix.n_factorizations();
     const std::string warning = factorizations.front().matrix.warning();
-    if (!warning.empty() && !std::exchange(has_sparse_factors, true))
+    if (!warning.empty() && !std::exchange(has_refused_blocks, true))
       warnings.push_back(warning);
   }
 
@@ -86,7 +85,9 @@ namespace ThermoContact
   std::string
   MonolithicSolver<dim>::linear_solver() const
   {
-    return has_sparse_factors ? "direct" : "block tridiagonal";
+    return body.equations.rod() == nullptr ? "direct" :
+           has_refused_blocks              ? "block tridiagonal, direct" :
+                                             "block tridiagonal";
   }
 
 
@@ -165,7 +166,8 @@ namespace ThermoContact
   MonolithicSolver<dim>::retained() const
   {
     RetainedFactorizations retained;
-    retained.counters = counters_;
+    retained.counters           = counters_;
+    retained.has_refused_blocks = has_refused_blocks;
     for (const Factorization &factorization : factorizations)
       {
         retained.taus.push_back(factorization.matrix.tau());
@@ -187,7 +189,8 @@ namespace ThermoContact
         if (retained.has_response[i])
           compute_response(factorizations.front());
       }
-    counters_ = retained.counters;
+    counters_          = retained.counters;
+    has_refused_blocks = retained.has_refused_blocks;
     warnings.clear(); // the run has given them before
   }
 

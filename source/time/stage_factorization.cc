@@ -127,8 +127,8 @@ namespace ThermoContact
   {
     if (rod_whole)
       {
-        rod_whole->solve({heat_rhs.begin(), momentum_rhs.begin()},
-                         {temperature_rate.begin(), velocity.begin()});
+        rod_whole->solve({{heat_rhs.begin(), momentum_rhs.begin()}},
+                         {{temperature_rate.begin(), velocity.begin()}});
         return;
       }
     if (whole)
@@ -144,7 +144,7 @@ namespace ThermoContact
         return;
       }
     if (rod_heat)
-      rod_heat->solve({heat_rhs.begin()}, {temperature_rate.begin()});
+      rod_heat->solve({{heat_rhs.begin()}}, {{temperature_rate.begin()}});
     if (heat)
       heat->solve(temperature_rate, heat_rhs);
     if ((heat || rod_heat) && (momentum || rod_momentum))
@@ -152,7 +152,7 @@ namespace ThermoContact
                                         tau_ * tau_,
                                         momentum_rhs);
     if (rod_momentum)
-      rod_momentum->solve({momentum_rhs.begin()}, {velocity.begin()});
+      rod_momentum->solve({{momentum_rhs.begin()}}, {{velocity.begin()}});
     if (momentum)
       momentum->solve(velocity, momentum_rhs);
   }

@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy
 
 sys.dont_write_bytecode = True
+from contents import contents, different  # noqa: E402
 from run_files import Run  # noqa: E402
 
 PROGRAM = os.environ["THERMOCONTACT"]
@@ -31,25 +32,6 @@ def run(ranks, directory, *options):
     process = subprocess.run([*launcher, PROGRAM, "--output", str(directory), *options],
                              capture_output=True, text=True, check=False)
     return process.returncode, process.stdout
-
-
-def contents(directory):
-    """All that a run computes, by file; wall times and memory are left out."""
-    files = {str(path.relative_to(directory)): path.read_bytes()
-             for path in sorted(directory.rglob("*")) if path.is_file() and
-             path.name not in ("log.txt", "used.prm") and
-             not path.name.startswith("checkpoint")}
-    summary = json.loads(files.pop("summary.json"))
-    for key, value in summary.items():
-        if not key.endswith("_seconds") and not key.startswith("peak_memory_mb"):
-            files[f"summary.json: {key}"] = value
-    return files
-
-
-def different(reference, directory):
-    expected, found = contents(reference), contents(directory)
-    return [name for name in sorted(expected.keys() | found.keys())
-            if expected.get(name) != found.get(name)]
 
 
 def largest_difference(reference, directory):
@@ -95,7 +77,7 @@ def check_rod(reference, prm):
     status, screen = run(2, directory, prm)
     print(f"rod on two ranks: status {status}, said",
           f"{int('of 2 one computes' in screen)},", "files that differ:",
-          ", ".join(different(reference, directory)) or "none")
+          ", ".join(different(contents(reference), directory)) or "none")
     shutil.rmtree(directory)
 
 
@@ -110,7 +92,7 @@ def check_resumed(reference, prm, first, then):
     is_said = [said in text for text in (screen, (directory / "log.txt").read_text(),
                                          " ".join(warnings))]
     if first == then:
-        files = different(reference, directory) if first == 1 else []
+        files = different(contents(reference), directory) if first == 1 else []
         what = "files that differ: " + (", ".join(files) or "none")
     else:
         what = "agrees to 1e-7" if largest_difference(reference, directory) < BOUND else \
@@ -126,7 +108,7 @@ def check_resumed(reference, prm, first, then):
     # two ranks all the way
     status, _ = run(2, Path("whole"), prm)
     print(f"2 to 2 and 2: status {status}, files that differ:",
-          ", ".join(different(Path("whole"), directory)) or "none")
+          ", ".join(different(contents(Path("whole")), directory)) or "none")
     shutil.rmtree(directory)
     shutil.rmtree("whole")
 

@@ -20,35 +20,16 @@ import sys
 import time
 from pathlib import Path
 
+sys.dont_write_bytecode = True
+from contents import contents, different  # noqa: E402
+
 PROGRAM = os.environ["THERMOCONTACT"]
 N_KILLS = 5
 
 
-def contents(directory):
-    """All that a run computes, by file."""
-    files = {}
-    for path in sorted(directory.rglob("*")):
-        name = str(path.relative_to(directory))
-        if path.is_dir() or name in ("log.txt", "used.prm") or \
-                name.startswith("checkpoint"):
-            continue
-        files[name] = path.read_bytes()
-    summary = json.loads(files["summary.json"])
-    files["summary.json"] = {key: value for key, value in summary.items()
-                             if not key.endswith("_seconds")
-                             and not key.startswith("peak_memory_mb")}
-    if "steps.csv" in files:  # its last column is wall time
-        files["steps.csv"] = [line.rpartition(b",")[0]
-                              for line in files["steps.csv"].splitlines()]
-    return files
-
-
 def compare(expected, directory):
-    found = contents(directory)
-    different = [name for name in expected.keys() | found.keys()
-                 if expected.get(name) != found.get(name)]
-    return ("the same" if not different else
-            f"{len(different)} files differ, {min(different)}")
+    names = different(expected, directory)
+    return "the same" if not names else f"{len(names)} files or keys differ, {names[0]}"
 
 
 class Run:

@@ -19,28 +19,13 @@ import tempfile
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+from contents import contents, different  # noqa: E402
 from program import run, settings  # noqa: E402
 
 EACH_STEP = settings(["Output/Checkpoint interval=1e-9"])
 AT_THE_END = settings(["Output/Checkpoint interval=3600"])
 # where writing a file to the end costs nothing
 FAST = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
-
-
-def contents(directory):
-    """All that a run computes, by file."""
-    files = {str(path.relative_to(directory)): path.read_bytes()
-             for path in sorted(directory.rglob("*")) if path.is_file() and
-             path.name not in ("log.txt", "used.prm") and
-             not path.name.startswith("checkpoint")}
-    summary = json.loads(files.pop("summary.json"))
-    for key, value in summary.items():
-        if not key.endswith("_seconds") and not key.startswith("peak_memory_mb"):
-            files[f"summary.json: {key}"] = value
-    if "steps.csv" in files:  # its last column is wall time
-        files["steps.csv"] = [line.rpartition(b",")[0]
-                              for line in files["steps.csv"].splitlines()]
-    return files
 
 
 def row_ends(path):
@@ -109,9 +94,7 @@ def main():
         for what in ("resumed", "resumed when it was done"):
             status, _, message = run("--quiet", "--output", directory, *resume,
                                      *AT_THE_END, reference / "used.prm")
-            found = contents(directory)
-            faults += [f"{what}: {name}" for name in expected.keys() | found.keys()
-                       if expected.get(name) != found.get(name)]
+            faults += [f"{what}: {name}" for name in different(expected, directory)]
             if status != 0:
                 faults.append(f"{what}: {message}")
     print("stopped several times, resumed, and resumed when it was done:"

@@ -6,13 +6,15 @@ usage: check_study_resume.py DIR
 
 DIR holds a finished study. Kills come at random moments of its first rows, on one and
 on two ranks; then the same after SIGTERM, with a row that was cut off, with another scene,
-another study and tables of others, which are refused, and with a file that may not grow. All
+another study and tables of others, which are refused, with a table that is shorter when
+it is written anew, and with a file that may not grow. All
 columns but times have to be those of DIR, and so do study.txt and study.md. THERMOCONTACT_KILLS is the
 number of kills, 4 unless it is set.
 """
 import csv
 import os
 import random
+import re
 import resource
 import shutil
 import signal
@@ -113,6 +115,34 @@ def cut_off(directory):
     print(f"a row cut off: status {status},", compare(directory))
 
 
+def shorten(directory):
+    """The table becomes shorter when it is written anew: a title goes, and a row whose
+    middle was never written, with the next one on its line."""
+    path = directory / "study.csv"
+    lines = path.read_text().splitlines(keepends=True)
+    path.write_text("# a title of many words\n" * 20 + "".join(lines[:-3]))
+    status, _ = finish(directory)
+    print(f"title and rows gone: status {status},", compare(directory))
+    lines[-5] = lines[-5][:30]
+    path.write_text("".join(lines))
+    status, _ = finish(directory)
+    print(f"a row broken in the middle: status {status},", compare(directory))
+
+
+def keep_files(directory):
+    """Files from now on: study.md links to those runs that have some."""
+    path = directory / "study.csv"
+    path.write_text("".join(path.read_text().splitlines(keepends=True)[:-2]))
+    status, _ = finish(directory, "--set", "Study/Keep files=true")
+    text = (directory / "study.md").read_text()
+    linked = [int(run) for run in re.findall(r"\(run-(\d+)/\)", text)]
+    there = sorted(int(folder.name[4:]) for folder in directory.glob("run-*"))
+    print(f"files of the last runs alone: status {status}, links {len(linked)}, to what is "
+          f"there {int(linked == there)}")
+    for folder in directory.glob("run-*"):
+        shutil.rmtree(folder)
+
+
 def refuse(directory):
     before = (directory / "study.csv").read_bytes()
     for option in ("Model/Viscosity=0.5", "Study/Vary=Contact/Gap=0.1|0.2"):
@@ -120,6 +150,8 @@ def refuse(directory):
         print(f"{option}: status {status}, unharmed",
               int((directory / "study.csv").read_bytes() == before))
         print("\n".join(message.splitlines()[:2]))
+        status, checked = finish(directory, "--check", "--set", option)
+        print(f"the same of --check: {int(status == 2 and checked == message)}")
     for change, what in ((lambda text: text.replace("run,", "runs,", 1), "columns"),
                          (lambda text: text.replace("\n3,1,", "\n3,2,"), "entries"),
                          (lambda text: text.replace("\n3,1,", "\n20,1,"), "numbers")):
@@ -149,5 +181,7 @@ for name in ("killed", "termi nated", "limited"):
 kill_again_and_again(Path("killed"))
 terminate(Path("termi nated"))
 cut_off(Path("termi nated"))
+shorten(Path("termi nated"))
+keep_files(Path("termi nated"))
 refuse(Path("termi nated"))
 let_no_file_grow(Path("limited"))

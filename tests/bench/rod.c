@@ -92,11 +92,10 @@ blocks(int i, double *lower, double *diagonal, double *upper)
 }
 
 static void
-eliminate(int i, int before, const double *to_before, const double *from_before,
+eliminate(int before, const double *to_before, const double *from_before,
           double *factor, double *d)
 {
   double change[4];
-  (void)i;
   multiply(to_before, nodes[before].d, factor);
   multiply(factor, from_before, change);
   for (int j = 0; j < 4; ++j)
@@ -115,7 +114,7 @@ factorize(void)
       if (i > 0)
         {
           blocks(i - 1, x, y, of_before);
-          eliminate(i, i - 1, l, of_before, nodes[i].e, d);
+          eliminate(i - 1, l, of_before, nodes[i].e, d);
         }
       invert(d, nodes[i].d);
       multiply(nodes[i].d, u, nodes[i].s);
@@ -126,7 +125,7 @@ factorize(void)
       if (i < n - 1)
         {
           blocks(i + 1, of_before, y, x);
-          eliminate(i, i + 1, u, of_before, nodes[i].e, d);
+          eliminate(i + 1, u, of_before, nodes[i].e, d);
         }
       invert(d, nodes[i].d);
       multiply(nodes[i].d, l, nodes[i].s);
@@ -135,12 +134,12 @@ factorize(void)
   if (mid > 0)
     {
       blocks(mid - 1, x, y, of_before);
-      eliminate(mid, mid - 1, l, of_before, left, d);
+      eliminate(mid - 1, l, of_before, left, d);
     }
   if (mid < n - 1)
     {
       blocks(mid + 1, of_before, y, x);
-      eliminate(mid, mid + 1, u, of_before, right, d);
+      eliminate(mid + 1, u, of_before, right, d);
     }
   invert(d, nodes[mid].d);
 }

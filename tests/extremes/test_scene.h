@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "../overrides.h"
+
 namespace ThermoContact
 {
   /** One run of the campaign: overrides of the defaults and what to expect. */
@@ -18,9 +20,9 @@ namespace ThermoContact
       refused    ///< InputError
     };
 
-    std::string              name;
-    std::vector<std::string> overrides;
-    Expectation              expectation = completes;
+    std::string name;
+    Overrides   overrides;
+    Expectation expectation = completes;
 
     /** refused: the message contains this; warns: the warning does. */
     std::string message = "";
@@ -31,17 +33,6 @@ namespace ThermoContact
     /** Accepted steps after which the checks have seen enough. */
     unsigned int max_steps = 400;
   };
-
-
-
-  using Overrides = std::vector<std::string>;
-
-  inline Overrides
-  operator+(Overrides left, const Overrides &right)
-  {
-    left.insert(left.end(), right.begin(), right.end());
-    return left;
-  }
 
 
 

@@ -253,6 +253,8 @@ def check_scenes(plot, make):
         for runs in ([low], [make(f"high {name}", 1, "High"), low]):
             check_histories(plot, f"{name} of {len(runs)}", runs,
                             {**ALL, "figure": (labels, 2)})
+    solved = make("iterative", 0, "Iterative", algebraic=[0, -.1, .2, .1, .4, .3])
+    check_histories(plot, "what residuals do", [solved], ALL)
     blind = make("blind", 0, "Blind", energy=None)
     check_histories(plot, "no energy", [blind], {
         "figure": (figure[:-1], 2), "contact": ALL["contact"]})

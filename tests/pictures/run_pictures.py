@@ -15,10 +15,12 @@ def log_energy(table):
 
 
 def defect(table):
-    """E(0) + work - E - dissipation - numerical dissipation, (M.22)."""
+    """E(0) + work + algebraic - E - dissipation - numerical dissipation, (M.22);
+    algebraic where the table has it, (M.65)."""
     work, energy, *losses = (numpy.array(table[name], float) for name in (
         "work", "energy", "dissipation", "numerical_dissipation"))
-    return energy[0] + work - energy - sum(losses)
+    algebraic = numpy.array(table.get("algebraic", 0.), float)
+    return energy[0] + work + algebraic - energy - sum(losses)
 
 
 # The label of an axis, and the column that it names or what follows from some.

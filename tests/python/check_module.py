@@ -5,7 +5,7 @@
 The module for Python. A quasi-static rod at rest has the force and the end of (M.10):
 with the defaults theta_A = 20, theta_obs = 0, k = 1, a = 0.017, the drop is c = 10, the
 free expansion G = a (theta_A - c/2), and p = (G - g)/(1 + epsilon). Tables, events,
-summary, snapshots and progress of that run; a study and its kept run; a
+summary, snapshots and progress of that run; a study and its kept run; two ranks; a
 run without checkpoints;
 the two errors, with the message of the program; factors of a rod in SI units by hand.
 """
@@ -101,6 +101,22 @@ def check_study(folder):
     check("nothing to resume", error and "checkpoint" in str(error), error)
 
 
+def check_ranks(folder):
+    """A study on two ranks, and what is said there of a scene that cannot be run."""
+    scene = {**SCENE, "Time/End time": 1, "Study/Vary": "Contact/Compliance = 0.5 | 1",
+             "Study/Keep files": numpy.bool_(False)}
+    one = thermocontact.run(scene, output=folder / "one").table
+    two = thermocontact.run(scene, output=folder / "two", ranks=2).table
+    check("two ranks", numpy.array_equal(one["max_contact_force"],
+                                         two["max_contact_force"]))
+    messages = [str(raised(thermocontact.InputError, lambda n=n: thermocontact.run(
+        {"Contact/Complianse": 1}, ranks=n))) for n in (1, 2)]
+    check("the same message", messages[0] == messages[1], messages[1])
+    error = raised(thermocontact.ComputationError, lambda: thermocontact.run(
+        program="/bin/false", ranks=2))
+    check("what mpirun says", "exit" in str(error), error)
+
+
 def check_errors(folder):
     error = raised(thermocontact.InputError,
                    lambda: thermocontact.run({"Contact/Complianse": 1}))
@@ -135,6 +151,7 @@ def check_units():
 with tempfile.TemporaryDirectory() as scratch:
     check_run(Path(scratch))
     check_study(Path(scratch))
+    check_ranks(Path(scratch))
     check_errors(Path(scratch))
 check_units()
 sys.exit(1 if n_failed else 0)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The time loop of a rod allocates nothing: calls of the allocator between two
-// accepted steps, without observers that write, are counted by replacing the
-// functions of the C library that all others use. Not counted: steps in which
-// contact begins or ends, the step after them, which gets its direction anew,
-// and attempts with a factorisation or a response of their own.
+// The time loop of a rod allocates nothing while its contact node has mass:
+// calls of the allocator between two accepted steps, without observers that
+// write, are counted by replacing the functions of the C library that all
+// others use. Not counted: steps in which contact begins or ends, the step
+// after them, which gets its direction anew, and attempts with a factorisation
+// or a response of their own.
 //
 // Counted by hand: the paper's experiment 1 with 250 linear cells and 1000
 // fixed steps; the default scene with steps of tolerance 1e-6, T = 10; a rigid

@@ -33,12 +33,12 @@
 
 #include "../tests.h"
 
+#include "../overrides.h"
+
 using namespace ThermoContact;
 
 namespace
 {
-  using Overrides = std::vector<std::string>;
-
   std::string
   entry(const std::string &path, const double value)
   {
@@ -46,15 +46,6 @@ namespace
     text.precision(17);
     text << path << '=' << value;
     return text.str();
-  }
-
-
-
-  Overrides
-  operator+(Overrides left, const Overrides &right)
-  {
-    left.insert(left.end(), right.begin(), right.end());
-    return left;
   }
 
 

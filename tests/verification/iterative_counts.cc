@@ -29,29 +29,20 @@
 
 #include "../tests.h"
 
+#include "../overrides.h"
+
 using namespace ThermoContact;
 
 namespace
 {
-  using Overrides = std::vector<std::string>;
-
-  Overrides
-  joined(Overrides first, const Overrides &second)
-  {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-  }
-
-
-
   /** A run with the iterative solver, by its records. */
   template <int dim>
   struct Run
   {
     explicit Run(const Overrides &overrides)
-      : simulation(read_parameters("",
-                                   joined(overrides,
-                                          {"Solver/Linear solver=iterative"})),
+      : simulation(read_parameters(
+                     "",
+                     overrides + Overrides{"Solver/Linear solver=iterative"}),
                    MPI_COMM_SELF)
     {
       const auto observe = [this](const Simulation<dim> &s) {
@@ -88,7 +79,7 @@ namespace
                          "Time/Step size=" + significant(tau, few_digits),
                          "Time/End time=" + significant(2. * tau, few_digits),
                          "Solver/Linear tolerance=1e-8"};
-    const Run<dim>    run(joined(cube, overrides));
+    const Run<dim>    run(cube + overrides);
     return run.simulation.counters().max_linear_iterations;
   }
 
@@ -181,8 +172,8 @@ namespace
                          "Initial values/Temperature=0*x",
                          "Initial values/Velocity=x*(0.5+y)",
                          "Boundary/Fixed end temperature=0"};
-    const Run<dim>  run(joined(joined(body, {"Contact/Gap=0.05"}), overrides));
-    const Run<dim>  free(joined(body, {"Contact/Condition=none"}));
+    const Run<dim>  run(body + Overrides{"Contact/Gap=0.05"} + overrides);
+    const Run<dim>  free(body + Overrides{"Contact/Condition=none"});
     const auto      counters = run.simulation.counters();
     unsigned int    n = 0, sum = 0, largest = 0;
     for (const StepRecord &r : run.records)

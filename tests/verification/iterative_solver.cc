@@ -20,14 +20,13 @@
 #include <cmath>
 
 #include "../matched_spaces.h"
+#include "../overrides.h"
 
 using namespace ThermoContact;
 
 namespace
 {
   using ThermoContact::Vector;
-
-  using Overrides = std::vector<std::string>;
 
   /** Both, of which later ones win; '-PATH' takes an earlier one away. */
   Overrides

@@ -30,21 +30,12 @@
 
 #include "../tests.h"
 
+#include "../overrides.h"
+
 using namespace ThermoContact;
 
 namespace
 {
-  using Overrides = std::vector<std::string>;
-
-  Overrides
-  operator+(Overrides first, const Overrides &second)
-  {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-  }
-
-
-
   const Overrides heat{"Model/Fields=temperature",
                        "Boundary/Fixed end temperature=0",
                        "Boundary/Heat exchange=2",

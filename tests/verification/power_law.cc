@@ -40,21 +40,12 @@
 
 #include "../tests.h"
 
+#include "../overrides.h"
+
 using namespace ThermoContact;
 
 namespace
 {
-  using Overrides = std::vector<std::string>;
-
-  Overrides
-  operator+(Overrides first, const Overrides &second)
-  {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-  }
-
-
-
   std::string
   number(const double value)
   {

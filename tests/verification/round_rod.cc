@@ -43,12 +43,13 @@
 
 #include "../tests.h"
 
+#include "../overrides.h"
+
 using namespace ThermoContact;
 
 namespace
 {
-  using Overrides = std::vector<std::string>;
-  using Rows      = std::vector<std::array<double, 18>>;
+  using Rows = std::vector<std::array<double, 18>>;
 
   template <int dim>
   Rows
@@ -93,13 +94,11 @@ namespace
   void
   check_rod(const std::string &name, const Overrides &overrides)
   {
-    Overrides round(overrides);
-    round.insert(round.end(),
-                 {"Dimension=2",
-                  "Mesh/Geometry=axisymmetric",
-                  "Mesh/Width=0.25",
-                  "Mesh/Cells across=2",
-                  "Model/Poisson ratio=0.3"});
+    const Overrides   round = overrides + Overrides{"Dimension=2",
+                                                  "Mesh/Geometry=axisymmetric",
+                                                  "Mesh/Width=0.25",
+                                                  "Mesh/Cells across=2",
+                                                  "Model/Poisson ratio=0.3"};
     const std::string file  = "paper/experiment-1.prm";
     const Rows        rod   = rows<1>(file, overrides);
     const double      d     = difference(rod, rows<2>(file, round));
@@ -121,30 +120,27 @@ namespace
                               "Time/Start=consistent",
                               "Time/End time=0.6",
                               "Time/Step size=0.01"};
-    const auto      with   = [&](const Overrides &more) {
-      Overrides all(common);
-      all.insert(all.end(), more.begin(), more.end());
-      return all;
-    };
     for (const std::string degree : {"1", "2", "4"})
       {
         const std::string p = "Mesh/Degree=" + degree;
-        check_rod("degree " + degree + ", backward euler", with({p}));
+        check_rod("degree " + degree + ", backward euler",
+                  common + Overrides{p});
         check_rod("degree " + degree + ", rigid",
-                  with({p,
-                        "Contact/Condition=rigid",
-                        "Contact/Massless nodes=on",
-                        "Time/Scheme=sdirk2"}));
+                  common + Overrides{p,
+                                     "Contact/Condition=rigid",
+                                     "Contact/Massless nodes=on",
+                                     "Time/Scheme=sdirk2"});
         check_rod("degree " + degree + ", quasi-static",
-                  with({p, "Model/Inertia=0", "Contact/Gap=0.05"}));
+                  common + Overrides{p, "Model/Inertia=0", "Contact/Gap=0.05"});
         check_rod("degree " + degree + ", nodes in equilibrium",
-                  with({p,
-                        "Model/Viscosity=0",
-                        "Contact/Massless nodes=on",
-                        "Time/Scheme=sdirk4"}));
-        check_rod(
-          "degree " + degree + ", energy conserving",
-          with({p, "Model/Coupling=0.2", "Time/Scheme=energy conserving"}));
+                  common + Overrides{p,
+                                     "Model/Viscosity=0",
+                                     "Contact/Massless nodes=on",
+                                     "Time/Scheme=sdirk4"});
+        check_rod("degree " + degree + ", energy conserving",
+                  common + Overrides{p,
+                                     "Model/Coupling=0.2",
+                                     "Time/Scheme=energy conserving"});
       }
   }
 

@@ -9,7 +9,7 @@
 
 namespace ThermoContact
 {
-  /** A run was asked to end; its checkpoint is written. */
+  /** A signal has ended a run or a study, which can go on with --resume. */
   class Interruption : public ComputationError
   {
   public:

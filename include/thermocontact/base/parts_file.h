@@ -5,9 +5,9 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -25,23 +25,19 @@ namespace ThermoContact
    *   path, or nothing
    */
   std::string
-  write_parts(const std::string                            &path,
-              const std::initializer_list<std::string_view> part,
-              const MPI_Comm                                communicator,
-              const bool                                    is_durable = false);
+  write_parts(const std::string                   &path,
+              const std::vector<std::string_view> &part,
+              const MPI_Comm                       communicator,
+              const bool                           is_durable = false);
 
   /**
    * The same, but an older file is replaced in one piece, as by
    * write_atomically().
    */
   std::string
-  write_parts_atomically(const std::string                            &path,
-                         const std::initializer_list<std::string_view> part,
-                         const MPI_Comm communicator);
-
-  /** On all ranks, the message of the first rank that has one. Collective. */
-  std::string
-  first_fault(const std::string &fault, const MPI_Comm communicator);
+  write_parts_atomically(const std::string                   &path,
+                         const std::vector<std::string_view> &part,
+                         const MPI_Comm                       communicator);
 } // namespace ThermoContact
 
 #endif

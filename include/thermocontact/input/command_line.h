@@ -21,6 +21,7 @@ namespace ThermoContact
     bool                    is_resumed   = false;
     bool                    reads_units  = false; ///< --units
     bool                    is_quiet     = false;
+    bool                    show_output  = false; ///< --print-output
     bool                    show_help    = false;
     bool                    show_version = false;
   };

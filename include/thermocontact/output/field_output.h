@@ -86,12 +86,12 @@ namespace ThermoContact
     joined(const Vector &temperature, const Vector &displacement) const;
 
     /**
-     * Writes the fields from this rank's part; returns what is wrong, on all
+     * Writes the fields from this rank's pieces; returns what is wrong, on all
      * ranks. Collective.
      */
     std::string
-    write_fields(const std::string           &piece,
-                 const DataOutBase::VtkFlags &flags) const;
+    write_fields(const std::vector<std::string>      &pieces,
+                 const dealii::DataOutBase::VtkFlags &flags) const;
 
     /**
      * Writes what is small: contact end, obstacle, PVD files. Rank 0 does;

@@ -74,20 +74,6 @@ namespace ThermoContact
                         const std::set<std::string> &omit,
                         const ParameterHandler      &prm,
                         const MPI_Comm               communicator);
-
-  /**
-   * Throws on all ranks if the message of rank 0 is not empty.
-   *
-   * @throw Error (InputError or ComputationError) with that message
-   */
-  template <typename Error>
-  void
-  throw_everywhere(const std::string &message, const MPI_Comm communicator)
-  {
-    const std::string shared = Utilities::MPI::broadcast(communicator, message);
-    if (!shared.empty())
-      throw Error(shared);
-  }
 } // namespace ThermoContact
 
 #endif

@@ -32,6 +32,10 @@ namespace ThermoContact
   double
   restitution(const std::vector<ContactEvent> &events);
 
+  /** The end of the body as it is now, as a state of rest has it. */
+  SteadyState
+  final_state(const StepRecord &record);
+
   /**
    * The number, from 1, of the state of rest that @p end has reached: the
    * nearest one, if the temperature of the contact end differs from its by at

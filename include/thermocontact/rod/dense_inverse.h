@@ -9,8 +9,10 @@ namespace ThermoContact
 {
   /**
    * @p a, by columns, becomes its inverse, by Gauss-Jordan elimination with
-   * pivots from the columns. Returns the largest residual of a row of it, in
-   * units of rounding; infinite without inverse.
+   * pivots from the columns, its rows scaled to the same size before.
+   *
+   * @return the largest sum of a row of |A inverse - 1|, rows scaled so, in
+   *   units of rounding; infinite without inverse, when @p a is of no use
    */
   double
   invert(std::vector<double> &a, const unsigned int n);

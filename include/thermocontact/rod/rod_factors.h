@@ -11,7 +11,7 @@
 namespace ThermoContact
 {
   /**
-   * The factors of a linear system of a rod for @p n_fields unknowns at a node,
+   * The factors of a linear system, doc/model.md (M.15), of a rod for @p n_fields unknowns at a node,
    * whose rates vanish at node 0. Inner nodes are eliminated cell by cell, once
    * for all cells of a run; what remains is a block-tridiagonal system of the
    * vertices, which is eliminated from both ends at once: two chains of
@@ -54,24 +54,25 @@ namespace ThermoContact
     static constexpr unsigned int n_entries = n_fields * n_fields;
 
     /** By rows. */
-    using Small = std::array<double, n_entries>;
+    using NodeBlock = std::array<double, n_entries>;
 
     /** What a vertex needs in both sweeps. */
     struct Vertex
     {
-      Small elimination;  ///< times the neighbour that is eliminated before
-      Small inverse;      ///< of its own block
-      Small substitution; ///< times the neighbour that is known before
+      NodeBlock elimination;  ///< times the neighbour that is eliminated before
+      NodeBlock inverse;      ///< of its own block
+      NodeBlock substitution; ///< times the neighbour that is known before
     };
 
-    /** The system of a cell of a run, and its inner nodes eliminated. */
+    /** A small matrix by columns. */
+    using Matrix = std::vector<double>;
+
+    /** How the inner nodes of a cell of a run follow from its vertices. */
     struct Cell
     {
-      std::vector<double> system; ///< by columns: both vertices, inner nodes
       std::vector<double> inner_inverse;     ///< by columns
       std::vector<double> vertices_to_inner; ///< by columns
       std::vector<double> inner_to_vertices; ///< by rows
-      std::vector<double> vertices; ///< by columns, inner nodes eliminated
     };
 
     const RodLayout                     layout;
@@ -80,19 +81,25 @@ namespace ThermoContact
     const unsigned int                  middle;  ///< vertex that is last
     std::vector<Cell>                   cells;   ///< one for each run
     std::vector<Vertex>                 vertices;
-    Small                               from_left, from_right;
+    NodeBlock                           from_left, from_right;
     mutable std::vector<double>         vertex_values;
     mutable std::vector<double>         inner_values;
     double                              growth_;
 
-    void
-    eliminate_inner_nodes(Cell &cell);
+    /**
+     * Makes a cell of its system, vertices first.
+     *
+     * @return the system of its vertices that is left
+     */
+    Matrix
+    eliminate_inner_nodes(const Matrix &system, Cell &cell);
 
     void
     note_growth(const double growth);
 
+    /** @param systems of the vertices of a cell, for each run */
     void
-    factorize_vertices();
+    factorize_vertices(const std::vector<Matrix> &systems);
 
     /** @p right of cell @p i, its inner nodes eliminated, into vertex_values.
      */

@@ -7,6 +7,7 @@
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/scheme.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,10 @@ namespace ThermoContact
   /** The entries that the scene of these parameters cannot use. */
   std::vector<UnusedEntry>
   unused_entries(const Parameters &parameters);
+
+  /** Their paths: what used.prm leaves out. */
+  std::set<std::string>
+  unused_paths(const Parameters &parameters);
 
   /**
    * Refuses values that the scene would ignore.

@@ -20,7 +20,11 @@ namespace ThermoContact
   class EnergyWatch
   {
   public:
-    /** Watches nothing if something does work in the scene. */
+    /**
+     * Watches nothing if something does work in the scene.
+     *
+     * @param scene borrowed
+     */
     explicit EnergyWatch(const Scene &scene);
 
     /** Begins anew from a state with energy @p terms. */
@@ -45,14 +49,14 @@ namespace ThermoContact
     }
 
   private:
-    const bool        is_active;
-    const std::string remedy;           ///< of this scene
-    const double      allowed_per_run;  ///< relative to the scale
-    const double      allowed_per_step; ///< likewise
-    double            smallest;         ///< energy so far
-    double            scale;   ///< largest sum of absolute terms so far
-    unsigned int      n_steps; ///< since the smallest
-    bool              has_warned;
+    const Scene &scene;
+    const bool   is_active;
+    const double allowed_per_run;  ///< relative to the scale
+    const double allowed_per_step; ///< likewise
+    double       smallest;         ///< energy so far
+    double       scale;            ///< largest sum of absolute terms so far
+    unsigned int n_steps;          ///< since the smallest
+    bool         has_warned;
   };
 } // namespace ThermoContact
 

@@ -14,9 +14,10 @@ namespace ThermoContact
 {
   /**
    * The state at $t=0$: the projection $P_E$ of the initial values, the fixed
-   * end at its temperature, and the pressure of the contact law. Without
-   * inertia it is completed, and contact nodes that are to be in equilibrium
-   * are put there, doc/model.md sections 12 and 13.
+   * end at its temperature, contact nodes no further than the initial
+   * values have them at a rigid obstacle, and the pressure of the contact law.
+   * Without inertia it is completed, and contact nodes that are to be in
+   * equilibrium are put there, doc/model.md sections 12 and 13.
    *
    * @param quasi_static of the body, lent
    * @param first_step_size of the paper's first step, if the scene has it

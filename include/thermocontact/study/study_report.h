@@ -17,14 +17,12 @@ namespace ThermoContact
    * Rank 0 writes; collective.
    *
    * @param title heading of study.md
-   * @param has_files the runs have kept their files, which study.md links to
    * @param study with the rows of all runs
    * @throw ComputationError naming a file that cannot be written
    */
   void
   write_study_tables(const std::string &directory,
                      const std::string &title,
-                     const bool         has_files,
                      const StudyTable  &study);
 
   /**

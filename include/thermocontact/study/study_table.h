@@ -30,10 +30,6 @@ namespace ThermoContact
                const std::string &file_name,
                const std::string &title);
 
-    /** Begins the file: its head. Returns what is wrong, or nothing. */
-    std::string
-    begin() const;
-
     /**
      * Appends the row of a run that has ended, in one piece; any rank.
      *
@@ -53,9 +49,14 @@ namespace ThermoContact
     std::vector<unsigned int>
     read_on();
 
-    /** Writes the file anew with the rows read, by the numbers of the runs. */
+    /**
+     * Writes the file anew, its head and the rows read by the numbers of the
+     * runs. No rank may append meanwhile.
+     *
+     * @return what is wrong, with path and remedy, or nothing
+     */
     std::string
-    sort() const;
+    sort();
 
     /** True if the row of @p run is read. */
     bool

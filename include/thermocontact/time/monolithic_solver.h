@@ -105,7 +105,7 @@ namespace ThermoContact
 
     const unsigned int       max_factorizations;
     std::list<Factorization> factorizations; ///< the one used last in front
-    bool                     has_sparse_factors;
+    bool                     has_refused_blocks = false;
 
     Vector              heat_rhs;
     Vector              momentum_rhs;

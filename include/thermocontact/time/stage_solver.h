@@ -102,11 +102,14 @@ namespace ThermoContact
     /** The set of contact nodes that is factorised, too; empty: none. */
     std::vector<std::vector<bool>> active_sets;
 
+    /** Whether a stage had sparse factors since the blocks of its rod grew. */
+    bool has_refused_blocks = false;
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &counters &taus &has_response &active_sets;
+      archive &counters &taus &has_response &active_sets &has_refused_blocks;
     }
   };
 

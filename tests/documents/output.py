@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""usage: output.py PROJECT PROGRAM
+
+doc/output.md is what the program says of its output, and that is all of it: each name in
+the files of some scenes has a text, and each text a name in them. A '*' in a name of the
+page stands for what the scene chooses. The recipes of the page read the tables of a scene.
+"""
+import difflib
+import fnmatch
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+project, program = map(Path, sys.argv[1:])
+SHORT = {"Time/End time": "0.02", "Time/Step size": "0.01", "Mesh/Cells": "3",
+         "Mesh/Degree": "1"}
+BODY = {**SHORT, "Dimension": "2", "Mesh/Cells across": "2", "Contact/Gap": "-0.01",
+        "Initial values/Displacement": "-0.02*x"}
+SCENES = {
+    "rod": {**SHORT, "Time/Step size": "automatic", "Output/Probes": "0.5; 1",
+            "Output/Space-time interval": "0.01", "Time/End time": "0.2"},
+    "heat": {**SHORT, "Model/Fields": "temperature"},
+    "motion": {**SHORT, "Model/Fields": "displacement", "Contact/Condition": "none"},
+    "switch": {**SHORT, "Boundary/Heat exchange": "1+gap"},
+    "conserving": {**SHORT, "Time/Scheme": "energy conserving"},
+    "slow": {**SHORT, "Model/Inertia": "0", "Model/Viscosity": "0",
+             "Initial values/Temperature": "theta_A"},
+    "strip": {**BODY, "Boundary/Lateral support": "free"},
+    "iterative": {**BODY, "Boundary/Lateral support": "free",
+                  "Solver/Linear solver": "iterative"},
+    "shaped": {**BODY, "Contact/Gap": "0.02+y^2", "Initial values/Displacement": "0"},
+    "block": {**BODY, "Dimension": "3", "Contact/Gap": "0.02",
+              "Initial values/Displacement": "0"},
+    "study": {**SHORT, "Study/Vary": "Contact/Gap = 0.1 | 0.2",
+              "Study/Reference": "Mesh/Degree = 2"},
+}
+IN_PIECES = re.compile(r'<(?:P)?DataArray [^>]*Name="([^"]+)"')
+OF_GRIDS = {"connectivity", "offsets", "types", "Points"}
+
+
+def tables_of(page):
+    """By file, the names and texts of its table."""
+    tables = {}
+    for part in page.split("\n## ")[1:]:
+        rows = re.findall(r"^\| `([^`]+)` \| ([^|]*) \| (.+) \|$", part, re.M)
+        tables[part.partition("\n")[0]] = {name: text for name, _, text in rows}
+    return tables
+
+
+def names_in(path):
+    if path.suffix == ".csv":
+        lines = path.read_text(encoding="utf-8").splitlines()
+        return next(line for line in lines if line[0] != "#").split(",")
+    if path.suffix == ".json":
+        return list(json.loads(path.read_text(encoding="utf-8")))
+    text = path.read_bytes().decode("latin1")
+    return [name for name in IN_PIECES.findall(text) if name not in OF_GRIDS]
+
+
+def run(name, entries, directory):
+    options = [word for path, value in entries.items()
+               for word in ("--set", f"{path}={value}")]
+    scene = directory / f"{name}.prm"
+    scene.write_text("# " + name + "\n", encoding="utf-8")
+    process = subprocess.run(
+        [program, "--quiet", "--output", directory / name, *options, scene],
+        capture_output=True, text=True, check=False,
+        env={**os.environ, "OMPI_MCA_btl": "self", "OMPI_MCA_ess_singleton_isolated": "1"})
+    return [] if process.returncode == 0 else [f"{name}: {process.stderr.strip()}"]
+
+
+def read_by_recipes(page, directory):
+    """Faults of the recipes, with each table in the place of contact.csv; without the
+    libraries that are not there."""
+    for code in re.findall(r"```python\n(.*?)```", page, re.S):
+        for path in directory.glob("*.csv"):
+            found = {}
+            try:
+                exec(code.replace("contact.csv", str(path)), found)
+            except ImportError:
+                continue
+            table = found["table"]
+            names = getattr(table.dtype, "names", None) if hasattr(table, "dtype") else (
+                list(table.columns))
+            if list(names) != names_in(path):
+                yield f"{path.name}: {code.split()[1]} reads {names}"
+
+
+page = subprocess.run([program, "--print-output"], check=True, text=True,
+                      stdout=subprocess.PIPE).stdout
+faults = list(difflib.unified_diff(
+    (project / "doc/output.md").read_text(encoding="utf-8").splitlines(),
+    page.splitlines(), "doc/output.md", "the program", lineterm="", n=0))
+if faults:
+    faults.append("remedy:  scripts/run --print-output > doc/output.md")
+tables = tables_of(page)
+used = {file: set() for file in tables}
+unknown_files = set()
+with tempfile.TemporaryDirectory() as scratch:
+    for name, entries in SCENES.items():
+        faults += run(name, entries, Path(scratch))
+        for path in sorted((Path(scratch) / name).rglob("*")):
+            relative = str(path.relative_to(Path(scratch) / name))
+            file = next((f for f in tables if fnmatch.fnmatch(relative, f)), None)
+            if file is None:
+                if path.suffix in (".csv", ".json", ".vtu"):
+                    unknown_files.add(relative)
+                continue
+            for found in names_in(path):
+                term = next((t for t in (found, *tables[file])
+                             if t in tables[file] and fnmatch.fnmatch(found, t)), None)
+                if term is None:
+                    faults.append(f"{name}: {relative}: {found} has no text")
+                else:
+                    used[file].add(term)
+    faults += read_by_recipes(page, Path(scratch) / "rod")
+faults += [f"{file} has no table" for file in unknown_files]
+faults += [f"{file}: {name} never occurs" for file, table in tables.items()
+           for name in table if name not in used[file]]
+n = sum(map(len, tables.values()))
+print(f"{len(SCENES)} scenes, {len(tables)} files, {n} names")
+print("\n".join(faults))
+sys.exit(1 if faults or n == 0 else 0)
