@@ -21,12 +21,16 @@ namespace ThermoContact
         largest_pressure = std::max(largest_pressure, std::abs(pressure[i]));
         largest_reach    = std::max(largest_reach, std::abs(reach[i]));
       }
+    const auto penetrates = [&](const unsigned int i) {
+      return reach[i] > rounding * largest_reach;
+    };
     bool changed = false;
     for (unsigned int i = 0; i < reach.size() && !(changed && only_the_first);
          ++i)
       if (may_change[i] &&
-          (is_active[i] ? pressure[i] < -rounding * largest_pressure :
-                          reach[i] > rounding * largest_reach))
+          (is_active[i] ?
+             pressure[i] < -rounding * largest_pressure && !penetrates(i) :
+             penetrates(i)))
         {
           is_active[i] = !is_active[i];
           changed      = true;

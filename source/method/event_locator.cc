@@ -10,6 +10,14 @@ namespace ThermoContact
 {
   namespace
   {
+    /** An event is missed by that part of what an error may be, (M.32). */
+    constexpr double miss_of_event = 0.01;
+
+    /** What floating-point numbers tell apart, in parts of the number. */
+    constexpr double rounding_of_event = 4e-15;
+
+
+
     bool
     any_in_contact(const ContactValues &values)
     {
@@ -134,7 +142,8 @@ namespace ThermoContact
     const double size     = mode_ == ContactMode::closed && !has_mass ?
                               law.penetration(sizes.pressure) :
                               sizes.displacement;
-    const double rounding = 4e-15 * (size + std::abs(present.time * rate));
+    const double rounding =
+      rounding_of_event * (size + std::abs(present.time * rate));
     // A miss by s costs the energy that the obstacle stores at s; a node
     // without mass that lets its pressure go at once costs half its square at
     // most.
@@ -153,7 +162,23 @@ namespace ThermoContact
       law.energy(law.pressure(std::abs(s))) <=
         0.1 * std::abs(rate) * tolerance * scales.momentum;
     return has_small_impulse ||
-           std::abs(s) <= 0.01 * tolerance * smallest_scale + rounding;
+           std::abs(s) <= miss_of_event * tolerance * smallest_scale + rounding;
+  }
+
+
+
+  std::vector<bool>
+  EventLocator::closed_nodes(const ContactValues &values) const
+  {
+    Scales sizes(largest);
+    sizes.add(values);
+    const double allowed =
+      (miss_of_event * tolerance + rounding_of_event) * sizes.displacement;
+    std::vector<bool> is_closed;
+    for (unsigned int i = 0; i < values.pressure.size(); ++i)
+      is_closed.push_back(values.pressure[i] > 0. ||
+                          values.penetration[i] >= -allowed);
+    return is_closed;
   }
 
 
@@ -174,9 +199,10 @@ namespace ThermoContact
     bool         all_change   = true; // at the end or before it
     bool         starts_near  = false;
     bool         all_start    = true;
-    const double resolution   = 4e-15 * present.time / size;
-    const double dip =
-      is_margin_pressure() ? 0. : 0.01 * tolerance * sizes.displacement;
+    const double resolution   = rounding_of_event * present.time / size;
+    const double dip          = is_margin_pressure() ?
+                                  0. :
+                                  miss_of_event * tolerance * sizes.displacement;
     for (unsigned int i = 0; i < next.displacement.size(); ++i)
       {
         const CubicHermite s         = margin(next, i);

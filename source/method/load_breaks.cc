@@ -78,8 +78,7 @@ namespace ThermoContact
       {
         find_jumps();
         find_kinks();
-        std::sort(result.breaks.begin(), result.breaks.end(), is_earlier);
-        return result.breaks;
+        return merged(result.breaks);
       }
 
     private:
@@ -222,7 +221,7 @@ namespace ThermoContact
                 if (!has_last)
                   add_break(time, false);
                 else if (time > times[i].time + slack)
-                  result.breaks.back().time = time;
+                  result.breaks.back() = {time, false};
               }
             has_last = is_kink;
           }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace ThermoContact
@@ -41,6 +42,36 @@ namespace ThermoContact
 
 
 
+  LoadBreak::LoadBreak(const double time, const bool is_jump)
+    : time(time)
+    , old_time(std::nextafter(time, 0.))
+    , new_time(std::nextafter(time, std::numeric_limits<double>::infinity()))
+    , is_jump(is_jump)
+  {}
+
+
+
+  std::vector<LoadBreak>
+  merged(std::vector<LoadBreak> breaks)
+  {
+    std::stable_sort(breaks.begin(),
+                     breaks.end(),
+                     [](const LoadBreak &a, const LoadBreak &b) {
+                       return a.time < b.time;
+                     });
+    std::vector<LoadBreak> result;
+    for (const LoadBreak &b : breaks)
+      if (result.empty() || b.time - result.back().time > same_time * b.time)
+        result.push_back(b);
+      else if (b.is_jump && !result.back().is_jump)
+        result.back() = b;
+      else if (b.is_jump)
+        result.back().new_time = std::max(result.back().new_time, b.new_time);
+    return result;
+  }
+
+
+
   void
   LoadHistory::add_breaks(const std::vector<double> &times)
   {
@@ -49,11 +80,7 @@ namespace ThermoContact
             return std::abs(b.time - time) <= same_time * time;
           }))
         breaks.push_back({time, true});
-    std::sort(breaks.begin(),
-              breaks.end(),
-              [](const LoadBreak &a, const LoadBreak &b) {
-                return a.time < b.time;
-              });
+    breaks = merged(breaks);
   }
 
 
@@ -61,20 +88,8 @@ namespace ThermoContact
   void
   LoadHistory::add(const LoadHistory &other)
   {
-    std::vector<LoadBreak> all(breaks), merged;
-    all.insert(all.end(), other.breaks.begin(), other.breaks.end());
-    std::sort(all.begin(),
-              all.end(),
-              [](const LoadBreak &a, const LoadBreak &b) {
-                return a.time < b.time;
-              });
-    for (const LoadBreak &b : all)
-      if (merged.empty() || b.time - merged.back().time > same_time * b.time ||
-          (b.is_jump && merged.back().is_jump))
-        merged.push_back(b);
-      else if (b.is_jump)
-        merged.back() = b;
-    breaks    = merged;
+    breaks.insert(breaks.end(), other.breaks.begin(), other.breaks.end());
+    breaks    = merged(breaks);
     stretches = stretches.empty() ? other.stretches :
                 other.stretches.empty() ?
                                     stretches :
@@ -83,16 +98,52 @@ namespace ThermoContact
 
 
 
+  void
+  LoadHistory::end_at(const double end_time)
+  {
+    for (LoadBreak &b : breaks)
+      if (b.time < end_time && end_time - b.time <= same_time * end_time)
+        {
+          b.time     = end_time;
+          b.new_time = std::max(b.new_time, end_time);
+        }
+    breaks = merged(breaks);
+  }
+
+
+
+  namespace
+  {
+    /** The first break after @p time, or the end. */
+    std::vector<LoadBreak>::const_iterator
+    first_after(const std::vector<LoadBreak> &breaks, const double time)
+    {
+      return std::upper_bound(breaks.begin(),
+                              breaks.end(),
+                              time,
+                              [](const double t, const LoadBreak &b) {
+                                return t < b.time;
+                              });
+    }
+  } // namespace
+
+
+
   const LoadBreak *
   LoadHistory::next_break(const double time) const
   {
-    const auto next = std::upper_bound(breaks.begin(),
-                                       breaks.end(),
-                                       time,
-                                       [](const double t, const LoadBreak &b) {
-                                         return t < b.time;
-                                       });
+    const auto next = first_after(breaks, time);
     return next == breaks.end() ? nullptr : &*next;
+  }
+
+
+
+  bool
+  LoadHistory::is_within_break(const double time) const
+  {
+    const auto next = first_after(breaks, time);
+    return next != breaks.begin() && time > std::prev(next)->time &&
+           time < std::prev(next)->new_time;
   }
 
 

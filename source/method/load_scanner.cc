@@ -229,8 +229,14 @@ namespace ThermoContact
         };
         nodes = samples.uniform();
         for (const LoadBreak &b : result.breaks)
-          for (const double time : {b.time, next_time(b.time)})
+          for (const double time : {b.time, b.new_time})
             nodes.push_back(samples.at(time));
+        nodes.erase(std::remove_if(nodes.begin(),
+                                   nodes.end(),
+                                   [&](const auto &node) {
+                                     return result.is_within_break(node.time);
+                                   }),
+                    nodes.end());
         std::sort(nodes.begin(), nodes.end(), is_earlier);
         nodes.erase(std::unique(nodes.begin(),
                                 nodes.end(),

@@ -218,7 +218,8 @@ namespace ThermoContact
          {"rejected_steps", "", "attempts that were not accepted"},
          {"factorizations",
           "",
-          "of stage matrices; with the iterative solver preconditioners made"},
+          "of stage matrices, and of those for impacts and for states without "
+          "inertia; with the iterative solver preconditioners made"},
          {"responses", "", "of the body to a unit load at a contact node"},
          {"solves", "", "of stages"},
          {"linear_iterations", "", "of GMRES, all"},

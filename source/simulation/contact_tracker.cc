@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -19,9 +20,10 @@ namespace ThermoContact
 
 
   template <int dim>
-  ContactTracker<dim>::ContactTracker(Body<dim> &body)
+  ContactTracker<dim>::ContactTracker(Body<dim>             &body,
+                                      QuasiStaticStart<dim> &quasi_static)
     : body(body)
-    , transition(body)
+    , transition(body, quasi_static)
     , locator(body.law(),
               body.scene.contact.locates_events,
               body.scene.contact.nodes,
@@ -176,13 +178,32 @@ namespace ThermoContact
 
 
   template <int dim>
+  std::vector<bool>
+  ContactTracker<dim>::closed_nodes(const StepResult &result) const
+  {
+    ContactValues values;
+    get_values(result.state, values);
+    std::vector<bool> is_closed = locator.closed_nodes(values);
+    for (unsigned int i = 0; i < result.closed_nodes.size(); ++i)
+      if (result.closed_nodes[i])
+        is_closed[i] = true;
+    return is_closed;
+  }
+
+
+
+  template <int dim>
   void
   ContactTracker<dim>::jump(const State               &state,
                             std::vector<ContactEvent> &events)
   {
     get_values(state, next);
     locator.hold_nothing();
+    const std::size_t n_events = events.size();
     locator.accept(next, {}, events);
+    if (body.scene.material.is_static()) // moved at once
+      for (std::size_t i = n_events; i < events.size(); ++i)
+        events[i].velocity = std::numeric_limits<double>::quiet_NaN();
   }
 
 

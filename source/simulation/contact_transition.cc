@@ -8,9 +8,10 @@
 namespace ThermoContact
 {
   template <int dim>
-  ContactTransition<dim>::ContactTransition(Body<dim> &body)
+  ContactTransition<dim>::ContactTransition(Body<dim>             &body,
+                                            QuasiStaticStart<dim> &quasi_static)
     : body(body)
-    , quasi_static(body)
+    , quasi_static(quasi_static)
   {}
 
 
@@ -47,8 +48,6 @@ namespace ThermoContact
     if (counters.factorizations > 0 && body.scene.contact.has_mass() &&
         !mass_solver)
       compute_impulse_responses();
-    if (counters.factorizations > 0 && !body.scene.material.has_inertia())
-      quasi_static.factorize();
     counters_ = counters;
   }
 
@@ -102,12 +101,7 @@ namespace ThermoContact
       return;
     if (!body.scene.material.has_inertia())
       {
-        const SolverCounters before = quasi_static.counters();
         quasi_static.complete(result.state, result.closed_nodes);
-        const SolverCounters &after = quasi_static.counters();
-        counters_.factorizations +=
-          after.factorizations - before.factorizations;
-        counters_.responses += after.responses - before.responses;
         return;
       }
     if (body.scene.linear_solver.has_matrices() && contact_stiffness_.empty())

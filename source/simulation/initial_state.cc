@@ -3,7 +3,6 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/simulation/initial_state.h>
-#include <thermocontact/simulation/quasi_static_start.h>
 #include <thermocontact/space/h1_projection.h>
 #include <thermocontact/time/contact_equilibrium.h>
 
@@ -196,6 +195,7 @@ namespace ThermoContact
   template <int dim>
   State
   initial_state(Body<dim>                &body,
+                QuasiStaticStart<dim>    &quasi_static,
                 const double              first_step_size,
                 std::vector<std::string> &warnings)
   {
@@ -223,7 +223,7 @@ namespace ThermoContact
       state.contact_pressure[i] = body.law().pressure(penetration[i]);
     if (body.scene.fields.has_displacement &&
         !body.scene.material.has_inertia())
-      QuasiStaticStart<dim>(body).complete(state);
+      quasi_static.complete(state);
     else if (body.scene.contact.is_in_equilibrium)
       settle_contact_nodes(body, state);
     warn_of_contact(body, state, warnings);
@@ -238,10 +238,15 @@ namespace ThermoContact
 
 
 
-  template State
-  initial_state(Body<1> &, const double, std::vector<std::string> &);
-  template State
-  initial_state(Body<2> &, const double, std::vector<std::string> &);
-  template State
-  initial_state(Body<3> &, const double, std::vector<std::string> &);
+#define INSTANTIATE(dim)                                \
+  template State initial_state(Body<dim> &,             \
+                               QuasiStaticStart<dim> &, \
+                               const double,            \
+                               std::vector<std::string> &)
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
 } // namespace ThermoContact

@@ -144,7 +144,7 @@ namespace ThermoContact
           0. - *std::max_element(contact_values.begin(), contact_values.end());
       }
 
-    if (!(body.scene.material.is_static() && state.time == 0.))
+    if (!(body.scene.material.is_static() && state.was_moved_at_once()))
       {
         end.get_values(Field::displacement, state.velocity, contact_values);
         record.velocity_end = end.mean(contact_values);

@@ -19,18 +19,26 @@ namespace ThermoContact
   RunHistory::add_step(const TimeStep &time_step, const StepResult &result)
   {
     ++record.step;
-    record.step_size    = time_step.size;
-    record.iterations   = result.n_iterations;
-    record.energy_terms = result.energy;
-    record.energy       = result.energy.sum();
-    record.work += result.work;
+    record.step_size  = time_step.size;
+    record.iterations = result.n_iterations;
+    add_jump(result); // energies that a jump has, too
     record.dissipation += result.dissipation;
-    record.numerical_dissipation += result.numerical_dissipation;
     record.algebraic += result.algebraic;
     record.contact_impulse += result.impulse;
     if (!result.is_prescribed)
       max_energy_increase =
         std::max(max_energy_increase,
                  record.energy - result.old_energy - result.work);
+  }
+
+
+
+  void
+  RunHistory::add_jump(const StepResult &result)
+  {
+    record.energy_terms = result.energy;
+    record.energy       = result.energy.sum();
+    record.work += result.work;
+    record.numerical_dissipation += result.numerical_dissipation;
   }
 } // namespace ThermoContact

@@ -3,7 +3,6 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/method/load_samples.h>
 #include <thermocontact/scene/mass_checks.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/simulation/load_jump.h>
@@ -24,7 +23,8 @@ namespace ThermoContact
     , body_(scene_, communicator, shared)
     , measurements(body_)
     , integrator(scene_.scheme.integrator->make(body_))
-    , tracker(body_)
+    , quasi_static(body_)
+    , tracker(body_, quasi_static)
     , controller(parameters.time,
                  parameters.output,
                  scene_.scheme.order,
@@ -48,15 +48,18 @@ namespace ThermoContact
   void
   Simulation<dim>::set_initial_state()
   {
-    state_ =
-      initial_state(body_, controller.propose(0.).size, history_.warnings);
+    state_             = initial_state(body_,
+                           quasi_static,
+                           controller.propose(0.).size,
+                           history_.warnings);
     StepRecord &record = history_.record;
-    if (loads_jump_at(0.))
+    tracker.start(state_, history_.events);
+    if (jump_at(0.) != nullptr)
       {
         StepResult result;
         result.state  = state_;
         result.energy = body_.energy.energy(state_);
-        apply_load_jump(body_, integrator->stage_solver(), result);
+        jump(result);
         state_.swap(result.state);
       }
     measurements.measure(state_, load_time(), record);
@@ -91,6 +94,8 @@ namespace ThermoContact
     };
     if (!is_restored)
       notify();
+    else if (!controller.is_finished(state_.time))
+      make_up_for_jump();
     StepResult result;
     while (!controller.is_finished(state_.time))
       {
@@ -116,11 +121,7 @@ namespace ThermoContact
       const ContactMode mode = tracker.mode();
       compute_step(time_step, mode, result);
       if (!result.failure.empty())
-        {
-          attempt.reason = "failed";
-          if (!controller.retry_smaller(time_step))
-            give_up(time_step, result.failure);
-        }
+        retry_smaller(time_step, result.failure);
       else if (attempt.error = relative_error(result);
                !controller.is_accurate(attempt.error))
         {
@@ -139,6 +140,8 @@ namespace ThermoContact
               at != nullptr && at->is_jump)
             controller.restart_after_jump();
         }
+      if (!result.failure.empty())
+        attempt.reason = "failed";
       if (tracker.mode() != mode)
         controller.restart(tracker.mode() == ContactMode::closed);
     }
@@ -205,6 +208,7 @@ namespace ThermoContact
     if (result.failure.empty() && !std::isfinite(result.energy.sum()))
       result.failure = "the solution is not finite\n  remedy:  smaller initial "
                        "values and sources, or a smaller Time/Step size";
+    result.state.jump_time = start.jump_time; // no stage moves it at once
     result.agree(discretization().communicator());
     for (std::string &warning : integrator->stage_solver().take_warnings())
       history_.warnings.push_back(std::move(warning));
@@ -253,25 +257,28 @@ namespace ThermoContact
         case ContactVerdict::accept_with_law:
           compute_step(time_step, ContactMode::unilateral, result);
           if (!result.failure.empty())
-            give_up(time_step, result.failure);
+            {
+              retry_smaller(time_step, result.failure);
+              return false;
+            }
           break;
         case ContactVerdict::accept:
           break;
       }
     tracker.accept(verdict, result, history_.events);
-    if (loads_jump_at(time_step.end))
-      jump(time_step, result);
+    jump(result);
     return true;
   }
 
 
 
   template <int dim>
-  bool
-  Simulation<dim>::loads_jump_at(const double time) const
+  const LoadBreak *
+  Simulation<dim>::jump_at(const double time) const
   {
     const LoadBreak *at = controller.followed_loads().break_at(time);
-    return at != nullptr && at->is_jump && moves_at_jumps(scene_);
+    return at != nullptr && at->is_jump && moves_at_jumps(scene_) ? at :
+                                                                    nullptr;
   }
 
 
@@ -280,18 +287,29 @@ namespace ThermoContact
   double
   Simulation<dim>::load_time() const
   {
-    return loads_jump_at(state_.time) ? next_time(state_.time) : state_.time;
+    const LoadBreak *at = jump_at(state_.time);
+    return at != nullptr && state_.was_moved_at_once() ? at->new_time :
+                                                         state_.time;
   }
 
 
 
   template <int dim>
-  void
-  Simulation<dim>::jump(const TimeStep &time_step, StepResult &result)
+  bool
+  Simulation<dim>::jump(StepResult &result)
   {
+    const LoadBreak *at = jump_at(result.state.time);
+    if (at == nullptr)
+      return false;
+    bool has_jumped = false;
     try
       {
-        apply_load_jump(body_, integrator->stage_solver(), result);
+        has_jumped = apply_load_jump(body_,
+                                     quasi_static,
+                                     integrator->stage_solver(),
+                                     tracker.closed_nodes(result),
+                                     *at,
+                                     result);
       }
     catch (const ComputationError &error)
       {
@@ -299,8 +317,41 @@ namespace ThermoContact
       }
     result.agree(discretization().communicator());
     if (!result.failure.empty())
-      give_up(time_step, result.failure);
-    tracker.jump(result.state, history_.events);
+      throw ComputationError(text(
+        "the loads jump at t = ", result.state.time, ": ", result.failure));
+    if (has_jumped)
+      tracker.jump(result.state, history_.events);
+    return has_jumped;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::make_up_for_jump()
+  {
+    StepResult result;
+    result.state  = state_;
+    result.energy = record().energy_terms;
+    if (state_.was_moved_at_once() || !jump(result))
+      return;
+    state_.swap(result.state);
+    measurements.measure(state_, load_time(), history_.record);
+    history_.add_jump(result);
+    history_.add_maxima();
+    error_norm.add(result.energy);
+    controller.restart_after_jump();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::retry_smaller(const TimeStep    &time_step,
+                                 const std::string &failure)
+  {
+    if (!controller.retry_smaller(time_step))
+      give_up(time_step, failure);
   }
 
 
@@ -329,6 +380,7 @@ namespace ThermoContact
     SolverCounters sum = integrator->stage_solver().counters();
     sum += integrator->own_counters();
     sum += tracker.counters();
+    sum += quasi_static.counters();
     return sum;
   }
 

@@ -43,7 +43,8 @@ namespace ThermoContact
         integrator->stage_solver().retained();
       const SolverCounters of_integrator = integrator->own_counters();
       const SolverCounters of_tracker    = tracker.counters();
-      archive << retained << of_integrator << of_tracker;
+      const SolverCounters of_start      = quasi_static.counters();
+      archive << retained << of_integrator << of_tracker << of_start;
     }
     return {stream.str(), NodeValues<dim>(discretization()).save(state_)};
   }
@@ -59,7 +60,7 @@ namespace ThermoContact
     const MPI_Comm         communicator = discretization().communicator();
     const unsigned int     n = Utilities::MPI::n_mpi_processes(communicator);
     RetainedFactorizations retained;
-    SolverCounters         of_integrator, of_tracker;
+    SolverCounters         of_integrator, of_tracker, of_start;
     std::string            fault;
     const NodeValues<dim>  values(discretization());
     std::size_t            n_set = 0, n_saved = 0;
@@ -72,7 +73,7 @@ namespace ThermoContact
         boost::archive::binary_iarchive archive(stream,
                                                 boost::archive::no_header);
         archive_progress(archive);
-        archive >> retained >> of_integrator >> of_tracker;
+        archive >> retained >> of_integrator >> of_tracker >> of_start;
         for (std::string nodes; next_nodes(nodes);)
           {
             n_set += values.restore(nodes, state_);
@@ -92,6 +93,7 @@ namespace ThermoContact
     integrator->stage_solver().restore(retained);
     integrator->restore_own_counters(of_integrator);
     tracker.restore(of_tracker);
+    quasi_static.restore(of_start);
     if (n != n_ranks)
       history_.warnings.push_back(
         text("resumed at t = ",

@@ -304,17 +304,31 @@ namespace ThermoContact
             heat_product -= loads.obstacle_heat();
             rate += heat_scratch * heat_product;
           }
-        if (material.is_driven_by_heat())
-          {
-            stage_operator.divergence().vmult(heat_product, state.velocity);
-            rate += material.thermal_stress * (heat_scratch * heat_product);
-          }
         if (!heat.exchange->is_constant())
           rate += area * exchange_work(state, heat_scratch);
       }
+    return rate / area + work_of_motion(momentum_load, state, state.velocity);
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::work_of_motion(const Vector &momentum_load,
+                              const State  &state,
+                              const Vector &motion) const
+  {
+    double work = 0.;
+    if (material.is_driven_by_heat())
+      {
+        heat_scratch = state.temperature;
+        heat_scratch -= steady_profile_;
+        stage_operator.divergence().vmult(heat_product, motion);
+        work += material.thermal_stress * (heat_scratch * heat_product);
+      }
     if (discretization.has_field(Field::displacement) && loads.has_sources())
-      rate += momentum_load * state.velocity;
-    return rate / area;
+      work += momentum_load * motion;
+    return work / discretization.geometry().cross_section();
   }
 
 

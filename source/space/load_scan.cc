@@ -132,6 +132,7 @@ namespace ThermoContact
                  "points and Time/Maximum step size help them)"));
       }
     history.add_breaks(time.break_points);
+    history.end_at(end_time);
     return history;
   }
 

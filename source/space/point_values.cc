@@ -252,7 +252,7 @@ namespace ThermoContact
     for (const Quantity quantity : {displacement, velocity, stress})
       if (!scene.fields.has_displacement)
         set_absent(quantity);
-    if (material.is_static() && state.time == 0.)
+    if (material.is_static() && state.was_moved_at_once())
       set_absent(velocity);
     return values;
   }

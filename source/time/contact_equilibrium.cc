@@ -160,21 +160,35 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /**
+     * Forces on contact nodes that have neither mass nor viscous stress: a
+     * stage of length 1 has them on its right-hand side.
+     */
+    template <int dim>
+    Vector
+    forces_on_nodes(Body<dim> &body, const State &state)
+    {
+      const Discretization<dim> &space = body.discretization;
+      Vector heat_load                 = space.make_vector(Field::temperature);
+      Vector momentum_load             = space.make_vector(Field::displacement);
+      Vector heat_rhs(heat_load), force(momentum_load);
+      body.loads.assemble(state.time, heat_load, momentum_load);
+      body.equations.stage_rhs(
+        state, 1., heat_load, momentum_load, heat_rhs, force);
+      return force;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   settle_contact_nodes(Body<dim> &body, State &state)
   {
-    const ContactEnd<dim>     &end   = body.contact_end();
-    const Discretization<dim> &space = body.discretization;
-    Vector heat_load                 = space.make_vector(Field::temperature);
-    Vector momentum_load             = space.make_vector(Field::displacement);
-    Vector heat_rhs(heat_load), force(momentum_load);
-    body.loads.assemble(state.time, heat_load, momentum_load);
-
-    // The nodes have no mass, so that a stage of length 1 has the forces on
-    // them on its right-hand side.
-    body.equations.stage_rhs(
-      state, 1., heat_load, momentum_load, heat_rhs, force);
+    const ContactEnd<dim> &end   = body.contact_end();
+    Vector                 force = forces_on_nodes(body, state);
     if constexpr (dim > 1)
       if (!body.scene.linear_solver.has_matrices())
         {
@@ -230,6 +244,39 @@ namespace ThermoContact
         state.displacement.begin()[entry] = displacement;
         state.velocity.begin()[entry]     = velocity;
       }
+  }
+
+
+
+  template <int dim>
+  Vector
+  move_contact_nodes(Body<dim> &body, State &state)
+  {
+    const ContactEnd<dim> &end = body.contact_end();
+    Vector                 way(state.displacement);
+    if constexpr (dim > 1)
+      {
+        std::vector<double> load, displacement;
+        end.get_all_values(Field::displacement,
+                           forces_on_nodes(body, state),
+                           load);
+        end.get_all_values(Field::displacement,
+                           state.displacement,
+                           displacement);
+        std::vector<double>       pressure(state.contact_pressure);
+        ContactNodeProblem<dim>   problem(body, 1., true);
+        const std::vector<double> change =
+          problem.solve(load,
+                        all_penetrations(end, displacement),
+                        std::vector<bool>(pressure.size(),
+                                          body.law().is_active()),
+                        pressure);
+        if (body.equations.is_coupled())
+          state.temperature += problem.heating(change);
+      }
+    settle_contact_nodes(body, state); // to rounding, with velocities
+    way.sadd(-1., 1., state.displacement);
+    return way;
   }
 
 
@@ -292,12 +339,13 @@ namespace ThermoContact
 
 
 
-#define INSTANTIATE(dim)                                                   \
-  template FullMatrix<double> contact_stiffness<dim>(const Body<dim> &);   \
-  template FullMatrix<double> contact_receptance<dim>(                     \
-    const ContactEnd<dim> &, const FullMatrix<double> &);                  \
-  template void settle_contact_nodes<dim>(Body<dim> &, State &);           \
-  template void settle_contact_velocities<dim>(Body<dim> &,                \
+#define INSTANTIATE(dim)                                                     \
+  template FullMatrix<double> contact_stiffness<dim>(const Body<dim> &);     \
+  template FullMatrix<double> contact_receptance<dim>(                       \
+    const ContactEnd<dim> &, const FullMatrix<double> &);                    \
+  template void   settle_contact_nodes<dim>(Body<dim> &, State &);           \
+  template Vector move_contact_nodes<dim>(Body<dim> &, State &);             \
+  template void   settle_contact_velocities<dim>(Body<dim> &,                \
                                                const FullMatrix<double> &, \
                                                const std::vector<bool> &,  \
                                                State &)

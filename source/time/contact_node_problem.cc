@@ -25,9 +25,11 @@ namespace ThermoContact
 
   template <int dim>
   ContactNodeProblem<dim>::ContactNodeProblem(const Body<dim> &body,
-                                              const double     factor)
+                                              const double     factor,
+                                              const bool       takes_heat)
     : body(body)
     , factor(factor)
+    , takes_heat(takes_heat && body.equations.is_coupled())
     , is_active(body.contact_end().n_all_nodes(), false)
     , values(body.discretization.make_vector(Field::displacement))
     , forces(values)
@@ -38,6 +40,11 @@ namespace ThermoContact
       diagonal);
     for (double &entry : diagonal)
       entry *= factor;
+    if (!this->takes_heat)
+      return;
+    inverse_heat_mass = body.equations.matrix_free()->heat_diagonal({1., 0.});
+    for (double &entry : inverse_heat_mass)
+      entry = 1. / entry;
   }
 
 
@@ -60,11 +67,54 @@ namespace ThermoContact
     values = 0.;
     body.contact_end().set_all_values(Field::displacement, x, values);
     body.equations.matrix_free()->contact_stiffness(forces, values);
+    if (takes_heat)
+      body.equations.add_thermal_stress(heating(x), -1., forces);
     std::vector<double> y;
     body.contact_end().get_all_values(Field::displacement, forces, y);
     for (double &entry : y)
       entry *= factor;
     return y;
+  }
+
+
+
+  namespace
+  {
+    /** $M$ for temperatures that vanish where they are given. */
+    template <int dim>
+    struct FreeHeatMass
+    {
+      const ThermoviscoelasticOperator<dim> &equations;
+
+      void
+      vmult(Vector &y, const Vector &x) const
+      {
+        equations.heat_mass().vmult(y, x);
+        equations.zero_constrained(Field::temperature, y);
+      }
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  Vector
+  ContactNodeProblem<dim>::heating(const std::vector<double> &change) const
+  {
+    Vector heat = body.discretization.make_vector(Field::temperature);
+    Vector temperature(heat);
+    values = 0.;
+    body.contact_end().set_all_values(Field::displacement, change, values);
+    body.equations.subtract_heating(values, heat);
+    if (heat.linfty_norm() > 0.)
+      conjugate_gradients("the heat of nodes that move at once",
+                          FreeHeatMass<dim>{body.equations},
+                          temperature,
+                          heat,
+                          DiagonalMatrix<Vector>(inverse_heat_mass),
+                          1e-13,
+                          10000);
+    return temperature;
   }
 
 
@@ -112,7 +162,7 @@ namespace ThermoContact
                           x,
                           b,
                           DiagonalMatrix<dealii::Vector<double>>(inverse),
-                          1e-13,
+                          tolerance(),
                           10000);
     std::vector<double> change(x.begin(), x.end());
     for (unsigned int i = 0; i < n; ++i)

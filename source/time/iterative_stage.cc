@@ -300,7 +300,9 @@ namespace ThermoContact
                                   solution.block(Field::displacement),
                                   reach);
     for (unsigned int i = 0; i < reach.size(); ++i)
-      reach[i] = known_penetration[i] + tau * reach[i];
+      reach[i] = is_active[i] && body.law().is_rigid() ?
+                   0. :
+                   known_penetration[i] + tau * reach[i];
   }
 
 

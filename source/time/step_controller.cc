@@ -166,11 +166,10 @@ namespace ThermoContact
   void
   StepController::set_load_times(const double time, TimeStep &step) const
   {
-    step.first_loads =
-      loads.break_at(time) == nullptr ? time : std::nextafter(time, infinity);
-    step.last_loads = loads.break_at(step.end) == nullptr ?
-                        step.end :
-                        std::nextafter(step.end, 0.);
+    const LoadBreak *begin = loads.break_at(time);
+    const LoadBreak *end   = loads.break_at(step.end);
+    step.first_loads       = begin == nullptr ? time : begin->new_time;
+    step.last_loads        = end == nullptr ? step.end : end->old_time;
   }
 
 

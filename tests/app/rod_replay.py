@@ -97,6 +97,9 @@ class Replay:
         self.sums = dict.fromkeys(("work", "dissipation", "numerical_dissipation",
                                    "contact_impulse", "fixed_end_impulse"), 0.0)
         self.mode = self.changes.get(0, self.mode)
+        if self.rod.moves and self.rod.b == 0:  # (M.34), (M.35): a system of its own
+            self.counters["factorizations"] += 1
+            self.counters["responses"] += self.rod.has_obstacle
         self.velocities.append(self.state.v[-1])
         self.record(0.0, 0)
 

@@ -27,6 +27,9 @@
 //    5e-5 of the way sqrt(2 eps 5e-5) = 1e-3 on which the obstacle takes it,
 //    1e-8; without mass of eps sqrt(2 5e-5) = 1e-4, 1e-9; of u = 0.1 if the
 //    energy is large, 1e-6. A tenth above, and below, each.
+//    Nodes in contact at one time: those with pressure, and those nearer to the
+//    obstacle than 1e-5 of the largest displacement 0.1, as above: 0.9e-6 but
+//    not 1.1e-6; 1e-17 is rounding.
 
 #include <thermocontact/method/event_locator.h>
 
@@ -301,6 +304,25 @@ namespace
 
 
   void
+  test_closed_nodes()
+  {
+    std::vector<ContactEvent> events;
+    EventLocator locator(*rigid, true, ContactNodes::massless, 1e-3);
+    const auto   nodes =
+      values(1.,
+             {0.1 - 1e-3, 0.1, 0.1 - 1e-17, 0.1 - 0.9e-6, 0.1 - 1.1e-6, 0.05},
+             0.,
+             {2., 0., 0., 0., 0., 0.});
+    locator.start(nodes, events);
+    deallog << "closed nodes:";
+    for (const bool is_closed : locator.closed_nodes(nodes))
+      deallog << ' ' << is_closed;
+    deallog << std::endl;
+  }
+
+
+
+  void
   test_two_nodes()
   {
     std::vector<ContactEvent> events;
@@ -336,4 +358,5 @@ main()
   test_rigid();
   test_without_location();
   test_two_nodes();
+  test_closed_nodes();
 }

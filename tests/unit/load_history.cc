@@ -21,9 +21,16 @@
 // 5. Together: breaks of both in order, the smaller widths; a listed time is a
 //    jump, but not where there is one already: 3 of the listed 0.3, 0.4, 0.2
 //    and the 0.3 of t > 0.3.
-// 6. StepController: steps of at most 1/4 to T = 1 with breaks at 0.3 and 0.55:
+// 6. Jumps that are 1 and 5 doubles apart, in one load and in two, are one:
+// from
+//    the double before the first to the one after the last, between which the
+//    loads are not looked at: no step near them is held below 0.1. Those that
+//    are 1e-9 apart are two. One that is 5 doubles before T is at T, with its
+//    old loads from before it, those of T behind it.
+// 7. StepController: steps of at most 1/4 to T = 1 with breaks at 0.3 and 0.55:
 //    ends 0.25, 0.3, 0.55, 0.8, 1. Loads of a step that ends or begins there
-//    are those of the doubles before and after it.
+//    are those of the doubles before and after it; of one jump of several
+//    doubles those before and after all of them.
 
 #include <thermocontact/method/load_history.h>
 #include <thermocontact/time/step_controller.h>
@@ -175,6 +182,51 @@ namespace
 
 
   void
+  test_close_jumps()
+  {
+    const auto advanced = [](double t, const unsigned int n) {
+      for (unsigned int i = 0; i < n; ++i)
+        t = std::nextafter(t, 1.);
+      return t;
+    };
+    for (const unsigned int n : {1, 5})
+      {
+        const double last  = advanced(0.3, n - 1);
+        const auto   first = [](const double t) { return t >= 0.3 ? 1. : 0.; };
+        const auto second  = [&](const double t) { return t > last ? 2. : 0.; };
+        const LoadHistory one =
+          scan([&](const double t) { return first(t) + second(t); }).history;
+        LoadHistory two = scan(second).history;
+        two.add(scan(first).history);
+        for (const LoadHistory &history : {one, two})
+          deallog << "close jumps: " << history.breaks.size() << ' '
+                  << (history.breaks.at(0).time == std::nextafter(0.3, 0.))
+                  << (history.breaks.at(0).new_time == advanced(0.3, n)) << ' '
+                  << (history.largest_step(history.breaks[0].time, 0.1) == 0.1)
+                  << (history.largest_step(0.25, 0.1) == 0.1) << std::endl;
+      }
+    const double end = advanced(0.3, 5);
+    LoadHistory  at_end;
+    at_end.add_breaks({0.3});
+    at_end.end_at(end);
+    const LoadBreak &last = at_end.breaks.at(0);
+    deallog << "at the end: " << (last.time == end)
+            << (last.old_time == std::nextafter(0.3, 0.))
+            << (last.new_time == end) << std::endl;
+    deallog << "two jumps: "
+            << scan(
+                 [](const double t) {
+                   return (t > 0.3 ? 1. : 0.) + (t > 0.3 + 1e-9 ? 1. : 0.);
+                 },
+                 1.,
+                 {0.3, 0.3 + 1e-9})
+                 .history.breaks.size()
+            << std::endl;
+  }
+
+
+
+  void
   test_steps()
   {
     Parameters parameters             = read_parameters("");
@@ -199,6 +251,13 @@ namespace
         time = step.end;
       }
     deallog << ", loads from inside " << are_inside << std::endl;
+
+    loads.breaks = merged({{0.3, true}, {std::nextafter(0.3, 1.), true}});
+    controller.follow(loads);
+    const double after = std::nextafter(std::nextafter(0.3, 1.), 1.);
+    deallog << "loads around two doubles: "
+            << (controller.propose(0.2).last_loads == std::nextafter(0.3, 0.))
+            << (controller.propose(0.3).first_loads == after) << std::endl;
   }
 } // namespace
 
@@ -230,5 +289,6 @@ main()
     },
     1e-4);
   test_others();
+  test_close_jumps();
   test_steps();
 }

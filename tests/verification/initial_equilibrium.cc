@@ -44,9 +44,10 @@ namespace
     const Scene              scene(read_parameters("", overrides));
     Body<2>                  body(scene, MPI_COMM_SELF);
     std::vector<std::string> warnings;
-    const State              state = initial_state(body, 0.01, warnings);
-    const ContactEnd<2>     &end   = body.contact_end();
-    Vector                   force(state.velocity);
+    QuasiStaticStart<2>      unused(body);
+    const State          state = initial_state(body, unused, 0.01, warnings);
+    const ContactEnd<2> &end   = body.contact_end();
+    Vector               force(state.velocity);
     body.equations.stiffness().vmult(force, state.velocity);
     std::vector<double> forces, velocities;
     end.get_values(Field::displacement, force, forces);

@@ -10,11 +10,14 @@ namespace ThermoContact
   /**
    * The next set of the primal-dual active set method for (M.18) of
    * doc/model.md: nodes in contact that the obstacle would pull leave the set,
-   * and nodes that would penetrate join it. No communication: every rank has
-   * the values of all nodes.
+   * and nodes that would penetrate join it. A node that is pulled where it
+   * penetrates, which equations that are solved to a tolerance let happen,
+   * stays: it would join again. No communication: every rank has the values of
+   * all nodes.
    *
    * @param pressure of the nodes, solved for the set; positive if it pushes
-   * @param reach beyond the obstacle of the nodes, solved for the set
+   * @param reach beyond the obstacle of the nodes, solved for the set; zero,
+   *   not rounded, where a rigid obstacle holds them
    * @param may_change nodes that may leave and join
    * @param rounding part of the largest pressure and of the largest reach that
    *   says nothing of a sign: a node that touches without pressure must not

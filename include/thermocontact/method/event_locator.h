@@ -176,6 +176,13 @@ namespace ThermoContact
            const Finding             &finding,
            std::vector<ContactEvent> &events);
 
+    /**
+     * Nodes with pressure, and those whose gap is as good as zero: not above
+     * what an event may be missed by, (M.32).
+     */
+    std::vector<bool>
+    closed_nodes(const ContactValues &values) const;
+
     /** The state that was accepted last was computed anew. */
     void
     set_present(const ContactValues &values)

@@ -11,10 +11,23 @@ namespace ThermoContact
   /** A time at which a load is not smooth. */
   struct LoadBreak
   {
-    /** The last time with the old value. */
-    double time    = 0.;
-    bool   is_jump = false; ///< or else its slope jumps
+    /** @param time the last one with the old value, or one that is listed */
+    LoadBreak(const double time, const bool is_jump);
+
+    double time;     ///< where steps end; it has the old value or the new one
+    double old_time; ///< a time right before it, with the old value
+    double new_time; ///< the first time from which on it has the new one
+    bool   is_jump;  ///< or else its slope jumps
   };
+
+
+
+  /**
+   * Breaks in order of time, those that are too close to be told apart as one:
+   * what is between them is no load that a step could see.
+   */
+  std::vector<LoadBreak>
+  merged(std::vector<LoadBreak> breaks);
 
 
 
@@ -45,13 +58,21 @@ namespace ThermoContact
       return breaks.empty() && stretches.empty();
     }
 
-    /** Takes breaks that are listed, as jumps, where there are none so far. */
+    /**
+     * Takes times that are listed, where there are no breaks so far. Loads may
+     * jump there.
+     */
     void
     add_breaks(const std::vector<double> &times);
 
     /** The history of these loads and of others together. */
     void
     add(const LoadHistory &other);
+
+    /** Breaks that are too close to the end to be told apart from it are there.
+     */
+    void
+    end_at(const double end_time);
 
     /** The first break after @p time, or nullptr. */
     const LoadBreak *
@@ -60,6 +81,10 @@ namespace ThermoContact
     /** The break at @p time, or nullptr. */
     const LoadBreak *
     break_at(const double time) const;
+
+    /** True if @p time lies between the old and the new value of a break. */
+    bool
+    is_within_break(const double time) const;
 
     /**
      * The largest step from @p time on, not above @p size, that is no longer

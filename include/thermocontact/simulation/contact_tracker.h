@@ -43,8 +43,8 @@ namespace ThermoContact
   class ContactTracker
   {
   public:
-    /** @param body borrowed */
-    explicit ContactTracker(Body<dim> &body);
+    /** Both are borrowed. */
+    ContactTracker(Body<dim> &body, QuasiStaticStart<dim> &quasi_static);
 
     /** Forgets all and takes the initial state. */
     void
@@ -100,7 +100,16 @@ namespace ThermoContact
            std::vector<ContactEvent> &events);
 
     /**
-     * The step that was accepted last ends where loads jump: contact in the
+     * Nodes in contact at the end of the step that was accepted last, or in the
+     * state that was given or restored: those with pressure, those that closed
+     * within the step, and those that lie on the obstacle to the accuracy of an
+     * event, (M.32).
+     */
+    std::vector<bool>
+    closed_nodes(const StepResult &result) const;
+
+    /**
+     * Loads jump at the end of the step that was accepted last: contact in the
      * state after it may be another one.
      */
     void

@@ -24,8 +24,8 @@ namespace ThermoContact
   class ContactTransition
   {
   public:
-    /** @param body borrowed */
-    explicit ContactTransition(Body<dim> &body);
+    /** Both are borrowed. */
+    ContactTransition(Body<dim> &body, QuasiStaticStart<dim> &quasi_static);
 
     /**
      * Pressures and velocities at the end of a step within which nodes without
@@ -73,12 +73,12 @@ namespace ThermoContact
 
   private:
     Body<dim>                    &body;
+    QuasiStaticStart<dim>        &quasi_static;
     SolverCounters                counters_;
     std::unique_ptr<DirectSolver> mass_solver;
     std::vector<Vector>           impulse_responses;
     FullMatrix<double>            inverse_receptance;
     FullMatrix<double>            contact_stiffness_; ///< computed when needed
-    QuasiStaticStart<dim>         quasi_static;
 
     /** Velocities, and those of the contact nodes, per unit impulse. */
     void

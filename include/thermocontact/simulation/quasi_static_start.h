@@ -20,7 +20,8 @@ namespace ThermoContact
    * no stage has completed, doc/model.md section 12: with viscosity the
    * velocity follows from the displacement, (M.34); without, the displacement
    * is in equilibrium with the temperature, (M.35), and the velocity, which has
-   * no value yet, is left at zero. What it factorises, it keeps.
+   * no value yet, is left at zero. What it factorises, it keeps: there is one
+   * for a simulation, lent to all who need it.
    */
   template <int dim>
   class QuasiStaticStart
@@ -47,9 +48,15 @@ namespace ThermoContact
       return counters_;
     }
 
-    /** Makes the factors and responses, if it has matrices. */
+    /**
+     * Goes on counting from there, for a run that goes on: its initial state
+     * has made the factors again.
+     */
     void
-    factorize();
+    restore(const SolverCounters &counters)
+    {
+      counters_ = counters;
+    }
 
   private:
     Body<dim>                    &body;
@@ -60,6 +67,10 @@ namespace ThermoContact
 
     /** An IterativeSolver, without matrices; only its levels are kept. */
     std::unique_ptr<StageSolver> iterative;
+
+    /** Makes the factors and responses, if it has matrices. */
+    void
+    factorize();
 
     /**
      * Solves $Sw=r-Np$ with (M.18) for $w$ at the contact nodes.

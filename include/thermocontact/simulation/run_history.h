@@ -53,6 +53,10 @@ namespace ThermoContact
     void
     add_step(const TimeStep &time_step, const StepResult &result);
 
+    /** Books what a jump of the loads has changed in the present state. */
+    void
+    add_jump(const StepResult &result);
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

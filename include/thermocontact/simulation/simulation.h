@@ -190,6 +190,7 @@ namespace ThermoContact
     Body<dim>                             body_;
     Measurements<dim>                     measurements;
     const std::unique_ptr<TimeIntegrator> integrator;
+    QuasiStaticStart<dim>                 quasi_static;
     ContactTracker<dim>                   tracker;
     StepController                        controller;
     ErrorNorm                             error_norm;
@@ -236,22 +237,43 @@ namespace ThermoContact
      * Asks the tracker about an accurate step.
      *
      * @return true if contact at its end is what was supposed; then the step is
-     *   finished
+     *   finished. False with a failure in @p result: it could not be finished
      */
     bool
     fits_contact(const TimeStep &time_step, StepResult &result);
 
-    /** True if a load jumps there and moves something at once. */
-    bool
-    loads_jump_at(const double time) const;
+    /** Where loads may jump and move something at once, or nullptr. */
+    const LoadBreak *
+    jump_at(const double time) const;
 
     /** Time of the loads in the present state: after a jump that moves it. */
     double
     load_time() const;
 
-    /** What such a jump does at the end of a step that is accepted. */
+    /**
+     * What such a jump does at the end of a step that is accepted, if there is
+     * one.
+     *
+     * @return true if it changes the state
+     * @throw ComputationError that says where
+     */
+    bool
+    jump(StepResult &result);
+
+    /**
+     * The same in the state that was restored, if loads jump there and the run
+     * that was saved did not see it, since it was to end there.
+     */
     void
-    jump(const TimeStep &time_step, StepResult &result);
+    make_up_for_jump();
+
+    /**
+     * The step failed: the next attempt is smaller.
+     *
+     * @throw ComputationError as give_up() if steps are fixed
+     */
+    void
+    retry_smaller(const TimeStep &time_step, const std::string &failure);
 
     /** @throw ComputationError that says where and why the run ends. */
     [[noreturn]] void

@@ -107,6 +107,17 @@ namespace ThermoContact
               const Vector &momentum_load,
               const State  &state) const;
 
+    /**
+     * Work of the sources that push the body, and, if thermoelastic heating is
+     * off, of the thermal stress, in a motion of the body at once.
+     *
+     * @param state after it
+     */
+    double
+    work_of_motion(const Vector &momentum_load,
+                   const State  &state,
+                   const Vector &motion) const;
+
     /** Nodal values of the steady profile $\theta_s$, (M.7). */
     const Vector &
     steady_profile() const;

@@ -30,11 +30,25 @@ namespace ThermoContact
      */
     std::vector<double> exchange_coefficient;
 
+    /**
+     * Time at which it was moved at once last: by initial values, or by a jump
+     * of the loads.
+     */
+    double jump_time = 0.;
+
+    /** Then a body in equilibrium at all times has no velocity. */
+    bool
+    was_moved_at_once() const
+    {
+      return time == jump_time;
+    }
+
     /** Exchanges two states without copying or allocating. */
     void
     swap(State &other)
     {
       std::swap(time, other.time);
+      std::swap(jump_time, other.jump_time);
       temperature.swap(other.temperature);
       displacement.swap(other.displacement);
       velocity.swap(other.velocity);
@@ -47,7 +61,7 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &time &contact_pressure &exchange_coefficient;
+      archive &time &contact_pressure &exchange_coefficient &jump_time;
     }
   };
 } // namespace ThermoContact

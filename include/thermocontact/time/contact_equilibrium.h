@@ -41,6 +41,17 @@ namespace ThermoContact
   settle_contact_nodes(Body<dim> &body, State &state);
 
   /**
+   * The same where loads have jumped: the nodes move at once, all else stays,
+   * and the body takes heat for it, (M.67).
+   *
+   * @param body that has no matrices
+   * @return the way of the nodes; zero at all others
+   */
+  template <int dim>
+  Vector
+  move_contact_nodes(Body<dim> &body, State &state);
+
+  /**
    * Velocities and pressures of contact nodes without mass, with viscosity, at
    * a rigid obstacle, that go with displacements, temperatures and the
    * velocities of all other nodes, doc/model.md (M.63): no node in contact

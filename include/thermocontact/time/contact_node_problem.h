@@ -27,8 +27,12 @@ namespace ThermoContact
     /**
      * @param body borrowed; it has no matrices
      * @param factor of the stiffness
+     * @param takes_heat the nodes move at once, and the body takes heat for it,
+     *   (M.67): $K$ has $a^2D^TM^{-1}D$ added
      */
-    ContactNodeProblem(const Body<dim> &body, const double factor);
+    ContactNodeProblem(const Body<dim> &body,
+                       const double     factor,
+                       const bool       takes_heat = false);
 
     /**
      * Changes @p x by which the nodes come into equilibrium.
@@ -50,6 +54,10 @@ namespace ThermoContact
     solve_for_same_set(const std::vector<double> &load,
                        const std::vector<double> &penetration);
 
+    /** $-aM^{-1}D\,\delta u$, (M.67), of a change of the nodes. */
+    Vector
+    heating(const std::vector<double> &change) const;
+
     /** The product of the conjugate gradients. */
     void
     vmult(dealii::Vector<double> &y, const dealii::Vector<double> &x) const;
@@ -57,10 +65,19 @@ namespace ThermoContact
   private:
     const Body<dim>    &body;
     const double        factor;
+    const bool          takes_heat;
     std::vector<bool>   is_active;
-    std::vector<double> diagonal; ///< of K
+    std::vector<double> diagonal;          ///< of K
+    Vector              inverse_heat_mass; ///< of its diagonal
     mutable Vector      values;
     mutable Vector      forces;
+
+    /** Relative residual of the conjugate gradients. */
+    double
+    tolerance() const
+    {
+      return takes_heat ? 1e-11 : 1e-13;
+    }
 
     bool
     is_held(const unsigned int node) const

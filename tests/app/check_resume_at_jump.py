@@ -1,0 +1,59 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Ends a run where its load jumps, and resumes it with a later end time.
+
+usage: check_resume_at_jump.py DIR
+
+DIR holds the run that was made to the later end time at once, in which contact
+begins at the jump.
+"""
+import csv
+import sys
+import tempfile
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+from program import run, settings  # noqa: E402
+
+COLUMNS = ("time", "displacement_end", "contact_force", "energy", "work",
+           "numerical_dissipation")
+
+
+def table(path):
+    with open(path, encoding="utf-8") as file:
+        return list(csv.DictReader(row for row in file if row[0] != "#"))
+
+
+def show(what, directory):
+    last = table(directory / "contact.csv")[-1]
+    events = [f"{event['kind']} at {float(event['time']):g}"
+              for event in table(directory / "events.csv")]
+    print(f"{what}:", *(f"{float(last[name]):.9g}" for name in COLUMNS),
+          *(events or ["no contact"]))
+
+
+def contents(directory):
+    return [(directory / name).read_bytes()
+            for name in ("contact.csv", "events.csv", "steps.csv")]
+
+
+def stop_and_resume(scene, traction):
+    overrides = [f"Sources/End traction={traction}"]
+    with tempfile.TemporaryDirectory() as name:
+        directory = Path(name) / "run"
+        start = [scene, "--quiet", "--output", directory]
+        status = [run(*start, *settings([*overrides, "Time/End time=0.75"]))[0]]
+        show(f"{traction}, to the jump", directory)
+        resume = [*start, "--resume", *settings(overrides)]
+        status.append(run(*resume)[0])
+        show("from there", directory)
+        before = contents(directory)
+        status.append(run(*resume)[0])
+        print("once more: the same", int(contents(directory) == before), "status",
+              *status)
+
+
+reference = Path(sys.argv[1])
+show("at once", reference)
+for TRACTION in ("if(t <= 0.75, 0.1, 0.5)", "if(t < 0.75, 0.1, 0.5)"):
+    stop_and_resume(reference / "used.prm", TRACTION)
