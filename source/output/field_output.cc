@@ -8,14 +8,10 @@
 #include <thermocontact/output/field_output.h>
 #include <thermocontact/output/obstacle_file.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/output/snapshot.h>
 
-#include <deal.II/base/data_out_base.h>
-
-#include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
-#include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace ThermoContact
@@ -77,15 +73,6 @@ namespace ThermoContact
     private:
       const unsigned int first;
     };
-
-
-
-    /** Rows of the stress in space; that of a rod is a scalar. */
-    template <int dim>
-    constexpr unsigned int n_rows = dim == 1 ? 1 : 3;
-
-    template <int dim>
-    constexpr unsigned int n_stresses = n_rows<dim> *n_rows<dim>;
 
 
 
@@ -165,72 +152,6 @@ namespace ThermoContact
 
       /** Component of the axial displacement. */
       const unsigned int first;
-    };
-
-
-
-    /**
-     * DataOut whose part of a file can be had as text, and in which the stress
-     * is a tensor in space whatever the dimension of the mesh.
-     */
-    template <int dim>
-    class Snapshot : public DataOut<dim>
-    {
-    public:
-      /**
-       * This rank's part of a VTU file, without header and footer: pieces of
-       * some cells each, since patches need several times the memory of the
-       * fields.
-       */
-      std::vector<std::string>
-      vtu_pieces(const Discretization<dim>   &discretization,
-                 const DataOutBase::VtkFlags &flags)
-      {
-        constexpr double   max_points = 50000.;
-        const unsigned int degree     = discretization.degree();
-        const unsigned int n_at_once =
-          std::max(1., max_points / std::pow(degree + 1, dim));
-        const unsigned int n =
-          discretization.dof_handler().get_triangulation().n_active_cells();
-        std::vector<std::string> pieces;
-        for (unsigned int begin = 0; begin < n; begin += n_at_once)
-          {
-            this->set_cell_selection(
-              [=](const typename Triangulation<dim>::cell_iterator &cell) {
-                return cell->is_active() && cell->is_locally_owned() &&
-                       cell->active_cell_index() >= begin &&
-                       cell->active_cell_index() - begin < n_at_once;
-              });
-            this->build_patches(discretization.mapping(), degree);
-            pieces.push_back(vtu_piece(flags));
-          }
-        return pieces;
-      }
-
-    private:
-      /** None without patches: ParaView does not read a file that starts so. */
-      std::string
-      vtu_piece(const DataOutBase::VtkFlags &flags) const
-      {
-        if (this->get_patches().empty())
-          return "";
-        const std::vector<std::string> names = this->get_dataset_names();
-        auto       ranges = this->get_nonscalar_data_ranges();
-        const auto stress = std::find(names.begin(), names.end(), "stress");
-        if (dim > 1 && stress != names.end())
-          {
-            const unsigned int first = stress - names.begin();
-            ranges.emplace_back(
-              first,
-              first + n_stresses<dim> - 1,
-              "stress",
-              DataComponentInterpretation::component_is_part_of_tensor);
-          }
-        std::ostringstream text;
-        DataOutBase::write_vtu_main(
-          this->get_patches(), names, ranges, flags, text);
-        return text.str();
-      }
     };
   } // namespace
 
