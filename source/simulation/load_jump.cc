@@ -48,7 +48,8 @@ namespace ThermoContact
 
     /**
      * True if the loads of the momentum equation jump: if what they change from
-     * one time to the next is no part of what they change around.
+     * one time to the next is no part of what they change around; not beyond
+     * the end time, where the jumps of another run may be.
      */
     template <int dim>
     bool
@@ -63,7 +64,11 @@ namespace ThermoContact
       const double width =
         std::max(beside_jump * new_time, std::numeric_limits<double>::min());
       body.loads.assemble(std::max(old_time - width, 0.), heat_load, around[0]);
-      body.loads.assemble(new_time + width, heat_load, around[1]);
+      const double end_time = body.scene.parameters.time.end_time;
+      body.loads.assemble(std::min(new_time + width,
+                                   std::max(new_time, end_time)),
+                          heat_load,
+                          around[1]);
       const double size =
         std::max(sides[0].linfty_norm(), sides[1].linfty_norm());
       sides[1] -= sides[0];

@@ -175,7 +175,9 @@ namespace ThermoContact
                                is_closed,
                                static_cast<IterativeSolver<dim> &>(*iterative),
                                state);
-          counters_.factorizations += iterative->counters().factorizations;
+          SolverCounters made = iterative->counters();
+          made.solves         = 0; // those of stages count
+          counters_ += made;
           return;
         }
     const Discretization<dim> &space = body.discretization;

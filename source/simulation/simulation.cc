@@ -333,7 +333,7 @@ namespace ThermoContact
     StepResult result;
     result.state  = state_;
     result.energy = record().energy_terms;
-    if (state_.was_moved_at_once() || !jump(result))
+    if (state_.time == state_.jump_time || !jump(result))
       return;
     state_.swap(result.state);
     measurements.measure(state_, load_time(), history_.record);

@@ -3,6 +3,8 @@
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/time/iterative_solver.h>
 
+#include <algorithm>
+
 namespace ThermoContact
 {
   template <int dim>
@@ -38,6 +40,8 @@ namespace ThermoContact
     rates.velocity.copy_locally_owned_data_from(
       stage.unknowns(Field::displacement));
     move();
+    for (double &p : known.contact_pressure)
+      p = std::max(p, 0.);
   }
 
 

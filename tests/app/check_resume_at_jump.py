@@ -53,7 +53,30 @@ def stop_and_resume(scene, traction):
               *status)
 
 
+def from_the_start(scene):
+    """The load jumps behind t = 0, which a run to T = 0 cannot see."""
+    overrides = ["Sources/End traction=if(t > 0, 0.5, 0)"]
+    with tempfile.TemporaryDirectory() as name:
+        directory = Path(name) / "run"
+        options = [scene, "--quiet", "--output", directory, *settings(overrides)]
+        status = [run(*options, *settings(["Time/End time=0"]))[0],
+                  run(*options, "--resume")[0]]
+        show(f"stopped at t = 0, from there: status {status}", directory)
+
+
+def two_jumps(scene):
+    """One at T, another one a rounding error behind it."""
+    traction = "Sources/End traction=if(t > 0.75, 0.4, 0.1) + if(t >= 0.75, 0.4, 0)"
+    with tempfile.TemporaryDirectory() as name:
+        directory = Path(name) / "run"
+        status = run(scene, "--quiet", "--output", directory,
+                     *settings([traction, "Time/End time=0.75"]))[0]
+        show(f"two jumps, to the first one: status {status}", directory)
+
+
 reference = Path(sys.argv[1])
 show("at once", reference)
 for TRACTION in ("if(t <= 0.75, 0.1, 0.5)", "if(t < 0.75, 0.1, 0.5)"):
     stop_and_resume(reference / "used.prm", TRACTION)
+from_the_start(reference / "used.prm")
+two_jumps(reference / "used.prm")

@@ -8,7 +8,7 @@
 
 namespace ThermoContact
 {
-  /** A column, a key, an array or a line of the output, and what it says. */
+  /** A column, a key or an array of the output, and what it says. */
   struct OutputTerm
   {
     std::string name; ///< '*' for what depends on the scene
@@ -23,7 +23,7 @@ namespace ThermoContact
   {
     std::string             file;
     std::string             text; ///< what the file is, and when it is there
-    std::string             kind; ///< column, key, array or line
+    std::string             kind; ///< column, key or array
     std::vector<OutputTerm> terms;
   };
 
@@ -33,7 +33,7 @@ namespace ThermoContact
   const std::vector<OutputTable> &
   output_tables();
 
-  /** Tables of doc/output.md, by file, in Markdown. */
+  /** The page doc/output.md, in Markdown. */
   std::string
   output_reference();
 } // namespace ThermoContact

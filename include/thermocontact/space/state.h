@@ -30,17 +30,17 @@ namespace ThermoContact
      */
     std::vector<double> exchange_coefficient;
 
-    /**
-     * Time at which it was moved at once last: by initial values, or by a jump
-     * of the loads.
-     */
-    double jump_time = 0.;
+    /** Time at which a jump of the loads moved it last; negative: none did. */
+    double jump_time = -1.;
 
-    /** Then a body in equilibrium at all times has no velocity. */
+    /**
+     * By initial values, or by a jump of the loads: then a body in equilibrium
+     * at all times has no velocity.
+     */
     bool
     was_moved_at_once() const
     {
-      return time == jump_time;
+      return time == 0. || time == jump_time;
     }
 
     /** Exchanges two states without copying or allocating. */

@@ -18,7 +18,7 @@ namespace ThermoContact
    *
    * @param directory where single runs leave their files, if they are asked
    *   for, in folders run-0, run-1, ...
-   * @param table the same on all ranks; its file is there
+   * @param table its file is there; rank 0 has read its rows
    * @param log shows how far the study is, and runs that fail
    * @throw ComputationError if the reference fails, or a row cannot be written
    * @throw Interruption if a signal has come; no row is lost

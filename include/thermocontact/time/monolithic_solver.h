@@ -109,6 +109,7 @@ namespace ThermoContact
 
     Vector              heat_rhs;
     Vector              momentum_rhs;
+    std::vector<double> end_values; ///< of the contact nodes, scratch
     std::vector<double> known_values;
     std::vector<double> free_penetration;
     EndExchange         end_exchange;
@@ -154,7 +155,7 @@ namespace ThermoContact
      * in equilibrium with the obstacle, in a short stage.
      */
     bool
-    has_lost_digits(const State &known, const StageRates &rates) const;
+    has_lost_digits(const State &known, const StageRates &rates);
 
     /**
      * Iterative refinement of a stage and its pressures, with the set of nodes
