@@ -16,9 +16,6 @@ namespace ThermoContact
   namespace
   {
     constexpr unsigned int max_sets_of_many_changes = 20;
-
-    /** Ten times the tolerance of the equations. */
-    constexpr double node_rounding = 1e-12;
   } // namespace
 
 
@@ -199,7 +196,7 @@ namespace ThermoContact
         if (!update_active_set(pressure,
                                reach,
                                can_touch,
-                               node_rounding,
+                               10. * tolerance(),
                                n_sets > max_sets_of_many_changes,
                                is_active))
           {

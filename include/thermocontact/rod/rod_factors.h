@@ -11,11 +11,11 @@
 namespace ThermoContact
 {
   /**
-   * The factors of a linear system, doc/model.md (M.15), of a rod for @p n_fields unknowns at a node,
-   * whose rates vanish at node 0. Inner nodes are eliminated cell by cell, once
-   * for all cells of a run; what remains is a block-tridiagonal system of the
-   * vertices, which is eliminated from both ends at once: two chains of
-   * operations that do not wait for each other.
+   * The factors of a linear system, doc/model.md (M.15), of a rod for
+   * @p n_fields unknowns at a node, whose rates vanish at node 0. Inner nodes
+   * are eliminated cell by cell, once for all cells of a run; what remains is a
+   * block-tridiagonal system of the vertices, which is eliminated from both
+   * ends at once: two chains of operations that do not wait for each other.
    *
    * Blocks are eliminated without pivots between them, which is stable if the
    * symmetric part of the matrix is definite, as that of every stage is.

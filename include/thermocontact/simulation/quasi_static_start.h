@@ -20,8 +20,9 @@ namespace ThermoContact
    * no stage has completed, doc/model.md section 12: with viscosity the
    * velocity follows from the displacement, (M.34); without, the displacement
    * is in equilibrium with the temperature, (M.35), and the velocity, which has
-   * no value yet, is left at zero. What it factorises, it keeps: there is one
-   * for a simulation, lent to all who need it.
+   * no value yet, is left at zero. There is one for a simulation, lent to all
+   * who need it. It keeps its factors; preconditioners it makes anew each time,
+   * so that a run that is resumed makes the same.
    */
   template <int dim>
   class QuasiStaticStart

@@ -109,9 +109,11 @@ namespace ThermoContact
 
     /**
      * Work of the sources that push the body, and, if thermoelastic heating is
-     * off, of the thermal stress, in a motion of the body at once.
+     * off, of the thermal stress, in a motion of the body at once: the part of
+     * (M.25) with $v$, per unit cross-section, nondimensional. Collective.
      *
      * @param state after it
+     * @param motion change of the displacement, or its velocity for a rate
      */
     double
     work_of_motion(const Vector &momentum_load,

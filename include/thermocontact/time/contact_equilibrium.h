@@ -46,6 +46,7 @@ namespace ThermoContact
    *
    * @param body that has no matrices
    * @return the way of the nodes; zero at all others
+   * @throw ComputationError if the equilibrium is not found
    */
   template <int dim>
   Vector

@@ -50,9 +50,11 @@ namespace ThermoContact
 
     /**
      * Displacement and pressures that balance all forces on a body without
-     * inertia and viscosity, for its temperature; to rounding.
+     * inertia and viscosity, for its temperature, (M.35); to rounding.
      *
      * @param known in: also to start from; its velocity becomes zero
+     * @throw ComputationError if the solver does not converge, or the set of
+     *   nodes in contact does not settle
      */
     void
     solve_equilibrium(const Vector &heat_load,

@@ -152,14 +152,15 @@ namespace ThermoContact
     /**
      * Whether the pressures of a stage have taken away so much of the
      * motion without contact that rounding of it spoils what is left: a body
-     * in equilibrium with the obstacle, in a short stage.
+     * in equilibrium with the obstacle, in a short stage (doc/model.md section
+     * 6).
      */
     bool
     has_lost_digits(const State &known, const StageRates &rates);
 
     /**
-     * Iterative refinement of a stage and its pressures, with the set of nodes
-     * in contact as it is.
+     * Iterative refinement of a stage and its pressures, (M.15) and (M.61),
+     * with the set of nodes in contact as it is.
      *
      * @param flux into the obstacle at the contact nodes, which stays as it is;
      *   empty: it is part of the matrix
