@@ -212,6 +212,7 @@ namespace ThermoContact
     double      space_time_interval = 0.;
     bool        land_on_times       = false; ///< steps end on output times
     double      checkpoint_interval = 0.;    ///< seconds of wall-clock time
+    bool        has_error_bars      = false;
 
     void
     add_parameters(ParameterHandler &prm);
