@@ -4,6 +4,7 @@
 #include <thermocontact/base/interruption.h>
 #include <thermocontact/base/rank_faults.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/scene_run.h>
 #include <thermocontact/study/study.h>
 #include <thermocontact/study/study_report.h>
@@ -109,6 +110,7 @@ namespace ThermoContact
             const CommandLine             &command,
             Log                           &log)
   {
+    check_error_bars(parameters);
     const MPI_Comm    communicator = MPI_COMM_WORLD;
     const StudyPlan   plan(assignments, parameters.study);
     const std::string directory = output_directory(parameters, command);

@@ -60,6 +60,14 @@ namespace ThermoContact
                         const ContactLaw     &law);
 
   /**
+   * Error bars are of a run, not of a study; a part of check_scene().
+   *
+   * @throw InputError
+   */
+  void
+  check_error_bars(const Parameters &parameters);
+
+  /**
    * check_scene() for a parameter file.
    *
    * @param name what messages call it
