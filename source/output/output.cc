@@ -28,8 +28,9 @@ namespace ThermoContact
     , end_time(simulation.parameters().time.end_time)
     , communicator(simulation.discretization().communicator())
     , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
-    , columns(
-        contact_columns(dim, simulation.scene().linear_solver.is_iterative))
+    , columns(contact_columns(dim,
+                              simulation.scene().linear_solver.is_iterative,
+                              simulation.scene().contact.law->damping() > 0.))
     , field_output(directory, simulation.body())
     , has_attempts(simulation.parameters().time.has_error_control() ||
                    simulation.parameters().time.locates_contact_events())

@@ -60,22 +60,26 @@ namespace ThermoContact
     {
       const double defect = initial_energy + record.work + record.algebraic -
                             record.energy - record.dissipation -
+                            record.contact_dissipation -
                             record.numerical_dissipation;
-      return text(initial_energy,
-                  " at first + work ",
-                  record.work,
-                  " = ",
-                  record.energy,
-                  " + dissipated ",
-                  record.dissipation,
-                  " + lost to the scheme ",
-                  record.numerical_dissipation,
-                  record.algebraic == 0. ?
-                    "" :
-                    text("; brought in by residuals ",
-                         significant(record.algebraic, 2)),
-                  "; defect ",
-                  significant(defect, 2));
+      return text(
+        initial_energy,
+        " at first + work ",
+        record.work,
+        " = ",
+        record.energy,
+        " + dissipated ",
+        record.dissipation,
+        record.contact_dissipation == 0. ?
+          "" :
+          text(" + taken by the obstacle ", record.contact_dissipation),
+        " + lost to the scheme ",
+        record.numerical_dissipation,
+        record.algebraic == 0. ?
+          "" :
+          text("; brought in by residuals ", significant(record.algebraic, 2)),
+        "; defect ",
+        significant(defect, 2));
     }
 
 

@@ -127,6 +127,8 @@ namespace ThermoContact
         return false; // the rule knows no single nodes
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
+      if (law.damping() > 0.)
+        return false; // the damping acts on what moves with inertia
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
       return scheme.needs_massless_contact ||
@@ -191,6 +193,8 @@ namespace ThermoContact
         return "Time/Start = paper";
       const std::string condition =
         "Contact/Condition = " + parameters.contact.condition;
+      if (contact.law->damping() > 0.)
+        return text("Contact/Damping = ", contact.law->damping());
       if (!contact.law->is_linear())
         return condition;
       if (contact.has_impacts())

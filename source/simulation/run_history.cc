@@ -24,6 +24,7 @@ namespace ThermoContact
     add_jump(result); // energies that a jump has, too
     record.dissipation += result.dissipation;
     record.algebraic += result.algebraic;
+    record.contact_dissipation += result.contact_dissipation;
     record.contact_impulse += result.impulse;
     if (!result.is_prescribed)
       max_energy_increase =

@@ -13,10 +13,12 @@ namespace ThermoContact
 {
   /**
    * The columns of contact.csv; a body in 2-D or 3-D has some more, and one
-   * more if its stages are solved iteratively.
+   * more if its stages are solved iteratively, or its obstacle is damped.
    */
   const CsvColumns<StepRecord> &
-  contact_columns(const unsigned int dim, const bool is_iterative = false);
+  contact_columns(const unsigned int dim,
+                  const bool         is_iterative = false,
+                  const bool         is_damped    = false);
 
   /** The columns of events.csv. */
   const CsvColumns<ContactEvent> &
