@@ -51,6 +51,24 @@ namespace ThermoContact
 
 
 
+  CsvColumns<StepRecord>
+  contact_columns(const Scene &scene)
+  {
+    CsvColumns<StepRecord> columns =
+      contact_columns(scene.parameters.dimension,
+                      scene.linear_solver.is_iterative);
+    if (scene.heat.has_lateral_exchange())
+      {
+        columns.emplace_back("lateral_heat_flux",
+                             &StepRecord::lateral_heat_flux);
+        columns.emplace_back("lateral_dissipation",
+                             &StepRecord::lateral_dissipation);
+      }
+    return columns;
+  }
+
+
+
   const CsvColumns<ContactEvent> &
   event_columns()
   {

@@ -61,21 +61,24 @@ namespace ThermoContact
       const double defect = initial_energy + record.work + record.algebraic -
                             record.energy - record.dissipation -
                             record.numerical_dissipation;
-      return text(initial_energy,
-                  " at first + work ",
-                  record.work,
-                  " = ",
-                  record.energy,
-                  " + dissipated ",
-                  record.dissipation,
-                  " + lost to the scheme ",
-                  record.numerical_dissipation,
-                  record.algebraic == 0. ?
-                    "" :
-                    text("; brought in by residuals ",
-                         significant(record.algebraic, 2)),
-                  "; defect ",
-                  significant(defect, 2));
+      return text(
+        initial_energy,
+        " at first + work ",
+        record.work,
+        " = ",
+        record.energy,
+        " + dissipated ",
+        record.dissipation,
+        record.lateral_dissipation == 0. ?
+          "" :
+          text(" (", record.lateral_dissipation, " to the surroundings)"),
+        " + lost to the scheme ",
+        record.numerical_dissipation,
+        record.algebraic == 0. ?
+          "" :
+          text("; brought in by residuals ", significant(record.algebraic, 2)),
+        "; defect ",
+        significant(defect, 2));
     }
 
 

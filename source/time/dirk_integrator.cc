@@ -169,9 +169,10 @@ namespace ThermoContact
     const double tau   = tableau.gamma() * time_step.size;
     const bool   holds = holds_closing_nodes(mode);
 
-    result.work = result.dissipation = result.algebraic = result.impulse = 0.;
-    result.n_iterations                                                  = 0;
-    result.is_prescribed = false;
+    result.work = result.dissipation = result.lateral_dissipation =
+      result.algebraic = result.impulse = 0.;
+    result.n_iterations                 = 0;
+    result.is_prescribed                = false;
     for (unsigned int i = 0; i < tableau.n_stages(); ++i)
       {
         const bool   is_last = i + 1 == tableau.n_stages();
@@ -308,7 +309,8 @@ namespace ThermoContact
     for (unsigned int i = 0; i < penetration.size(); ++i)
       result.state.contact_pressure[i] = body.law().pressure(penetration[i]);
 
-    result.work = result.dissipation = result.algebraic = result.impulse = 0.;
+    result.work = result.dissipation = result.lateral_dissipation =
+      result.algebraic = result.impulse = 0.;
     book(result.state, tau, result);
     result.energy                = body.energy.energy(result.state);
     result.numerical_dissipation = body.energy.energy(state).sum() -
@@ -325,6 +327,8 @@ namespace ThermoContact
                             StepResult  &result)
   {
     result.dissipation += weight * body.energy.dissipation_rate(stage_state);
+    result.lateral_dissipation +=
+      weight * body.energy.lateral_dissipation_rate(stage_state);
     result.impulse +=
       weight * body.contact_end().mean(stage_state.contact_pressure);
     if (body.energy.has_work())

@@ -18,6 +18,10 @@ namespace ThermoContact
   const CsvColumns<StepRecord> &
   contact_columns(const unsigned int dim, const bool is_iterative = false);
 
+  /** Those, and more of a scene with a lateral heat exchange. */
+  CsvColumns<StepRecord>
+  contact_columns(const Scene &scene);
+
   /** The columns of events.csv. */
   const CsvColumns<ContactEvent> &
   event_columns();

@@ -23,6 +23,7 @@ namespace ThermoContact
     double       old_energy            = 0.; ///< where the step starts
     double       work                  = 0.; ///< $W$
     double       dissipation           = 0.; ///< $D$
+    double       lateral_dissipation   = 0.; ///< the part (M.105) of $D$
     double       numerical_dissipation = 0.; ///< $N$
     double       algebraic             = 0.; ///< $A$, (M.65)
     double       impulse               = 0.; ///< of the contact force
@@ -38,7 +39,7 @@ namespace ThermoContact
     std::string failure; ///< empty: the step is solved
 
     /**
-     * All ranks take work, dissipation, $A$ and impulse of rank 0, as energies
+     * All ranks take work, dissipations, $A$ and impulse of rank 0, as energies
      * are, and the failure of any, so that they decide alike. Collective.
      */
     void
