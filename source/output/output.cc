@@ -28,9 +28,7 @@ namespace ThermoContact
     , end_time(simulation.parameters().time.end_time)
     , communicator(simulation.discretization().communicator())
     , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
-    , columns(contact_columns(dim,
-                              simulation.scene().linear_solver.is_iterative,
-                              simulation.scene().contact.law->damping() > 0.))
+    , columns(contact_columns(simulation.scene()))
     , field_output(directory, simulation.body())
     , has_attempts(simulation.parameters().time.has_error_control() ||
                    simulation.parameters().time.locates_contact_events())
@@ -39,6 +37,7 @@ namespace ThermoContact
     , next_fields(0.)
     , next_contact(0.)
     , next_space_time(0.)
+    , next_period(0.)
   {
     field_timer.reset();
     const std::string   &title = simulation.parameters().title;
@@ -99,6 +98,14 @@ namespace ThermoContact
       }
     else
       unused_space_time_size = sizes.space_time_size;
+    if (parameters.period > 0.)
+      open(columns,
+           poincare_file,
+           "poincare.csv",
+           simulation.parameters().title,
+           sizes.poincare_size);
+    else
+      unused_poincare_size = sizes.poincare_size;
   }
 
 
@@ -107,7 +114,10 @@ namespace ThermoContact
   std::vector<TableFile *>
   Output<dim>::tables()
   {
-    std::vector<TableFile *> files = {&contact_file, &events_file, &steps_file};
+    std::vector<TableFile *> files = {&contact_file,
+                                      &events_file,
+                                      &steps_file,
+                                      &poincare_file};
     if (probe_output)
       files.push_back(&probe_output->file());
     if (space_time_output)
@@ -134,7 +144,8 @@ namespace ThermoContact
     for (auto [interval, next] :
          {std::make_pair(parameters.fields_interval, &next_fields),
           std::make_pair(parameters.contact_interval, &next_contact),
-          std::make_pair(parameters.space_time_interval, &next_space_time)})
+          std::make_pair(parameters.space_time_interval, &next_space_time),
+          std::make_pair(parameters.period, &next_period)})
       if (interval > 0.)
         *next = whole_intervals(interval, time) + 1.;
     field_output.restore(progress.snapshot_times);
@@ -170,6 +181,7 @@ namespace ThermoContact
         if (probe_output)
           probe_output->write(simulation.state());
       }
+    write_period(record);
     write_events(simulation.events());
     write_attempts(simulation.history().attempts);
     if (space_time_output &&
@@ -205,6 +217,22 @@ namespace ThermoContact
   {
     for (; n_written_events < events.size(); ++n_written_events)
       add_row(event_columns(), events[n_written_events], events_file);
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::write_period(const StepRecord &record)
+  {
+    if (parameters.period == 0.)
+      return;
+    const double count = whole_intervals(parameters.period, record.time);
+    if (count < next_period)
+      return;
+    next_period = count + 1.; // steps end there: none is missed
+    if (is_writer)
+      add_row(columns, record, poincare_file);
   }
 
 
@@ -280,7 +308,9 @@ namespace ThermoContact
         progress.space_time_size = space_time_output ?
                                      space_time_output->file().size() :
                                      unused_space_time_size;
-        progress.snapshot_times  = field_output.times();
+        progress.poincare_size =
+          parameters.period > 0. ? poincare_file.size() : unused_poincare_size;
+        progress.snapshot_times = field_output.times();
       }
     throw_everywhere<ComputationError>(fault, communicator);
     return progress;

@@ -70,6 +70,9 @@ namespace ThermoContact
         record.energy,
         " + dissipated ",
         record.dissipation,
+        record.lateral_dissipation == 0. ?
+          "" :
+          text(" (", record.lateral_dissipation, " to the surroundings)"),
         record.contact_dissipation == 0. ?
           "" :
           text(" + taken by the obstacle ", record.contact_dissipation),

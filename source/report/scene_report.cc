@@ -336,7 +336,13 @@ namespace ThermoContact
                     ", theta_obs = ",
                     scene.sources.has_varying_obstacle ?
                       scene.parameters.boundary.obstacle_expression :
-                      text(scene.heat.obstacle_temperature)));
+                      text(scene.heat.obstacle_temperature),
+                    scene.heat.has_lateral_exchange() ?
+                      text(", m = ",
+                           scene.heat.lateral_exchange,
+                           ", theta_inf = ",
+                           scene.heat.ambient_temperature) :
+                      ""));
     if (scene.fields.has_displacement)
       log.line("  contact   " + describe_contact(simulation));
     log.line("  time      " + describe_time(scene));

@@ -66,6 +66,8 @@ namespace ThermoContact
                      "Boundary/Fixed end temperature",
                      "Boundary/Heat exchange",
                      "Boundary/Obstacle temperature",
+                     "Boundary/Lateral heat exchange",
+                     "Boundary/Ambient temperature",
                      "Initial values/Temperature",
                      "Sources/Heat source",
                      "Sources/End heat flux"},
@@ -136,6 +138,9 @@ namespace ThermoContact
     unused.add_if(!scene.heat.has_exchange(),
                   {"Boundary/Obstacle temperature"},
                   "Boundary/Heat exchange = 0");
+    unused.add_if(!scene.heat.has_lateral_exchange(),
+                  {"Boundary/Ambient temperature"},
+                  "Boundary/Lateral heat exchange = 0");
     unused.add_if(!parameters.time.has_error_control(),
                   {"Time/Tolerance",
                    "Time/First step size",

@@ -23,6 +23,7 @@ namespace ThermoContact
     record.iterations = result.n_iterations;
     add_jump(result); // energies that a jump has, too
     record.dissipation += result.dissipation;
+    record.lateral_dissipation += result.lateral_dissipation;
     record.algebraic += result.algebraic;
     record.contact_dissipation += result.contact_dissipation;
     record.contact_impulse += result.impulse;

@@ -45,8 +45,10 @@ namespace ThermoContact
     std::string exchange_expression;         ///< or else in gap, pressure
     double      obstacle_temperature = 0.;   ///< $\theta_{obs}$, a number,
     std::string obstacle_expression;         ///< or else in y, z, t
-    std::string lateral_support   = "rollers";
-    std::string fixed_end_support = "clamped";
+    double      lateral_heat_exchange = 0.;  ///< $m\ge0$
+    double      ambient_temperature   = 0.;  ///< $\theta_\infty$
+    std::string lateral_support       = "rollers";
+    std::string fixed_end_support     = "clamped";
 
     void
     add_parameters(ParameterHandler &prm);
@@ -210,6 +212,7 @@ namespace ThermoContact
     double      contact_interval = 0.;
     std::string probes; ///< read by parse_probe_positions()
     double      space_time_interval = 0.;
+    double      period              = 0.;    ///< of poincare.csv
     bool        land_on_times       = false; ///< steps end on output times
     double      checkpoint_interval = 0.;    ///< seconds of wall-clock time
 
