@@ -28,8 +28,12 @@ namespace ThermoContact
     , end_time(simulation.parameters().time.end_time)
     , communicator(simulation.discretization().communicator())
     , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
+    , units(simulation.parameters())
     , columns(
         contact_columns(dim, simulation.scene().linear_solver.is_iterative))
+    , contact_units(units.of_columns("contact.csv", columns))
+    , event_units(units.of_columns("events.csv", event_columns()))
+    , attempt_units(units.of_columns("steps.csv", attempt_columns()))
     , field_output(directory, simulation.body())
     , has_attempts(simulation.parameters().time.has_error_control() ||
                    simulation.parameters().time.locates_contact_events())
@@ -42,10 +46,30 @@ namespace ThermoContact
     field_timer.reset();
     const std::string   &title = simulation.parameters().title;
     const OutputProgress sizes = progress ? *progress : OutputProgress();
-    open(columns, contact_file, "contact.csv", title, sizes.contact_size);
-    open(event_columns(), events_file, "events.csv", title, sizes.events_size);
+    const auto           open  = [&](const std::string  &name,
+                          const std::string  &head,
+                          const std::uint64_t size,
+                          TableFile          &file) {
+      if (!is_writer)
+        return;
+      if (size > 0)
+        return file.reopen(directory + "/" + name, size);
+      file.open(directory + "/" + name);
+      file.write_row(csv_comments(title) + head);
+    };
+    open("contact.csv",
+         csv_head(columns, contact_units),
+         sizes.contact_size,
+         contact_file);
+    open("events.csv",
+         csv_head(event_columns(), event_units),
+         sizes.events_size,
+         events_file);
     if (has_attempts)
-      open(attempt_columns(), steps_file, "steps.csv", title, sizes.steps_size);
+      open("steps.csv",
+           csv_head(attempt_columns(), attempt_units),
+           sizes.steps_size,
+           steps_file);
     if (is_writer && parameters.fields_interval > 0.)
       {
         std::error_code error; // a fault shows when the first file is opened
@@ -55,25 +79,6 @@ namespace ThermoContact
     flush();
     if (progress)
       restore(*progress, simulation);
-  }
-
-
-
-  template <int dim>
-  template <typename Record>
-  void
-  Output<dim>::open(const CsvColumns<Record> &columns,
-                    TableFile                &file,
-                    const std::string        &name,
-                    const std::string        &title,
-                    const std::uint64_t       size)
-  {
-    if (!is_writer)
-      return;
-    if (size > 0)
-      return file.reopen(directory + "/" + name, size);
-    file.open(directory + "/" + name);
-    file.write_row(csv_comments(title) + csv_head(columns));
   }
 
 
@@ -165,7 +170,7 @@ namespace ThermoContact
         is_due(parameters.contact_interval, record.time, next_contact))
       {
         if (is_writer)
-          add_row(columns, record, contact_file);
+          add_row(columns, record, contact_file, contact_units);
         if (probe_output)
           probe_output->write(simulation.state());
       }
@@ -203,7 +208,12 @@ namespace ThermoContact
   Output<dim>::write_events(const std::vector<ContactEvent> &events)
   {
     for (; n_written_events < events.size(); ++n_written_events)
-      add_row(event_columns(), events[n_written_events], events_file);
+      add_row(event_columns(),
+              EventRow(events[n_written_events],
+                       n_written_events > 0 ? &events[n_written_events - 1] :
+                                              nullptr),
+              events_file,
+              event_units);
   }
 
 
@@ -215,7 +225,7 @@ namespace ThermoContact
     if (!is_writer || !has_attempts)
       return; // do not format what goes nowhere
     for (const StepAttempt &attempt : attempts)
-      add_row(attempt_columns(), attempt, steps_file);
+      add_row(attempt_columns(), attempt, steps_file, attempt_units);
   }
 
 
