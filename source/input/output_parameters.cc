@@ -64,6 +64,10 @@ namespace ThermoContact
       "--resume goes on; also at the start and the end; 0: "
       "none, but for one when SIGTERM, SIGINT or SIGHUP ends the run.",
       Double(0., 1e9));
+    prm.add_parameter("SI",
+                      is_si,
+                      "Files and screen in SI units, by section Scales, if it "
+                      "is given; false: nondimensional.");
     prm.leave_subsection();
   }
 

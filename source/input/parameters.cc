@@ -383,6 +383,7 @@ namespace ThermoContact
     time.add_parameters(prm);
     solver.add_parameters(prm);
     output.add_parameters(prm);
+    scales.add_parameters(prm);
     study.add_parameters(prm);
   }
 } // namespace ThermoContact

@@ -215,9 +215,36 @@ namespace ThermoContact
     double      period              = 0.;    ///< of poincare.csv
     bool        land_on_times       = false; ///< steps end on output times
     double      checkpoint_interval = 0.;    ///< seconds of wall-clock time
+    bool        is_si               = true;  ///< if there are scales
 
     void
     add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /**
+   * Section Scales: what one unit of the scene is, in SI units; for output
+   * alone.
+   */
+  struct ScalesParameters
+  {
+    std::optional<double> length;                ///< m, of positions
+    std::optional<double> time;                  ///< s
+    std::optional<double> displacement;          ///< m; none: that of positions
+    std::optional<double> stress;                ///< Pa
+    std::optional<double> area;                  ///< m^2, cross-section
+    std::optional<double> temperature;           ///< K, above the reference
+    std::optional<double> reference_temperature; ///< K
+    std::string           time_unit        = "s";
+    std::string           temperature_unit = "K";
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /** True if there is any scale. */
+    bool
+    is_given() const;
   };
 
 
@@ -262,6 +289,7 @@ namespace ThermoContact
     TimeParameters          time;
     SolverParameters        solver;
     OutputParameters        output;
+    ScalesParameters        scales;
     StudyParameters         study;
 
     /**
