@@ -321,13 +321,19 @@ namespace ThermoContact
       accept_unilateral(next, events);
     else if (finding.kind == Finding::at_end)
       {
-        const bool   begins = mode_ == ContactMode::open;
-        const double zero   = margin(next, finding.node).zero_near_end();
+        const bool         begins   = mode_ == ContactMode::open;
+        const CubicHermite s        = margin(next, finding.node);
+        const double       zero     = s.zero_near_end();
+        double             velocity = next.velocity[finding.node];
+        // the step may end so far from the event that the velocity shows it
+        if (nodes == ContactNodes::with_mass && !is_margin_pressure())
+          velocity += (begins ? -1. : 1.) * (s.slope(zero) - s.slope(1.)) /
+                      (next.time - present.time);
         // contact begins with the first node and ends with the last
         if (begins || finding.is_of_all_nodes)
           add_event({present.time + zero * (next.time - present.time),
                      begins ? ContactEvent::begin : ContactEvent::end,
-                     next.velocity[finding.node]},
+                     velocity},
                     events);
         mode_ = !finding.is_of_all_nodes ? ContactMode::unilateral :
                 begins                   ? ContactMode::closed :

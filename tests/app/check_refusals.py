@@ -43,6 +43,18 @@ SCENES = [
        POWER + ("Contact/Exponent=1",)) for entry, scene in (
            ("Time/Scheme", CONSERVING), ("Solver/Step solver", ITERATION),
            ("Solver/Linear solver", ITERATIVE))],
+    # damping: its sign, and what needs an obstacle that stores all
+    ("Contact/Damping", (), "Contact/Damping=-1e-9", "Contact/Damping=0",
+     "Contact/Damping=1e3"),
+    *[("Contact/Damping", scene + condition, "Contact/Damping=1e-3", "Contact/Damping=0")
+      for condition in ((), ("Contact/Condition=power law", "Contact/Exponent=1"))
+      for scene in (CONSERVING, ITERATION)],
+    ("Contact/Damping", ("Contact/Massless nodes=on", "Contact/Damping=0.5"),
+     "Model/Viscosity=0", "Model/Viscosity=1e-3",
+     ("Model/Viscosity=0", "Contact/Damping=0"),
+     ("Model/Viscosity=0", "Contact/Massless nodes=automatic")),
+    ("Solver/Linear solver", ITERATIVE, "Contact/Damping=0.5", "Contact/Damping=0",
+     ("Contact/Damping=0.5", "Solver/Linear solver=direct")),
     # an obstacle whose temperature varies
     ("Boundary/Obstacle temperature", (), "Boundary/Obstacle temperature=5*sin(t",
      "Boundary/Obstacle temperature=5*sin(t)", "Boundary/Obstacle temperature=-5"),
