@@ -138,7 +138,7 @@ namespace ThermoContact
     const Material   &material = scene.material;
     const ContactLaw &law      = *scene.contact.law;
     const double      gap      = scene.contact.gap;
-    if (!law.is_active() || !material.has_inertia() ||
+    if (!law.is_active() || law.damping() > 0. || !material.has_inertia() ||
         scene.parameters.dimension > 1 || scene.sources.any())
       return {};
     const FreeMotion motion(scene);

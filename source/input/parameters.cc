@@ -156,6 +156,12 @@ namespace ThermoContact
       "/ epsilon)^m; 1.5 is Hertz's contact of a rounded end, 1 "
       "is normal compliance.",
       Double(1., 10.));
+    prm.add_parameter(
+      "Damping",
+      damping,
+      "Damping c >= 0 of an elastic obstacle (Hunt and Crossley): its pressure "
+      "is multiplied by 1 + c times the velocity into it, and never negative.",
+      coefficient);
     add_number_or_expression(
       prm,
       "Gap",

@@ -159,7 +159,8 @@ namespace ThermoContact
       }
     const bool has_small_impulse =
       has_mass && !law.is_rigid() &&
-      law.energy(law.pressure(std::abs(s))) <=
+      law.energy(law.pressure(std::abs(s))) *
+          (1. + law.damping() * std::abs(rate)) <=
         0.1 * std::abs(rate) * tolerance * scales.momentum;
     return has_small_impulse ||
            std::abs(s) <= miss_of_event * tolerance * smallest_scale + rounding;

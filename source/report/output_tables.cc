@@ -58,7 +58,10 @@ namespace ThermoContact
          {"numerical_dissipation",
           "energy",
           "by the scheme, summed up, (M.24)"},
-         {"in_contact", "", "1 if any node has pressure, else 0"},
+         {"in_contact",
+          "",
+          "1 if any node has pressure, with damped contact penetrates, else "
+          "0"},
          {"iterations",
           "",
           "of the contact solver or of the fixed point, in the step"},
@@ -79,7 +82,11 @@ namespace ThermoContact
           "energy",
           "iterative solver: what residuals of linear systems do, summed up, "
           "(M.65); energy(0) + work + algebraic = energy + dissipation + "
-          "numerical_dissipation in each row"}}};
+          "numerical_dissipation in each row"},
+         {"contact_dissipation",
+          "energy",
+          "damped contact: what the damping of the obstacle takes, summed up, "
+          "(M.85); the right-hand side of that balance has it as well"}}};
     }
 
 

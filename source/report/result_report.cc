@@ -60,6 +60,7 @@ namespace ThermoContact
     {
       const double defect = initial_energy + record.work + record.algebraic -
                             record.energy - record.dissipation -
+                            record.contact_dissipation -
                             record.numerical_dissipation;
       return text(
         initial_energy,
@@ -72,6 +73,9 @@ namespace ThermoContact
         record.lateral_dissipation == 0. ?
           "" :
           text(" (", record.lateral_dissipation, " to the surroundings)"),
+        record.contact_dissipation == 0. ?
+          "" :
+          text(" + taken by the obstacle ", record.contact_dissipation),
         " + lost to the scheme ",
         record.numerical_dissipation,
         record.algebraic == 0. ?

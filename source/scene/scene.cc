@@ -129,6 +129,8 @@ namespace ThermoContact
         return false; // the rule knows no single nodes
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
+      if (law.damping() > 0.)
+        return false; // the damping acts on what moves with inertia
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
       return scheme.needs_massless_contact ||
@@ -195,6 +197,8 @@ namespace ThermoContact
         return "Boundary/Lateral heat exchange is not 0";
       const std::string condition =
         "Contact/Condition = " + parameters.contact.condition;
+      if (contact.law->damping() > 0.)
+        return text("Contact/Damping = ", contact.law->damping());
       if (!contact.law->is_linear())
         return condition;
       if (contact.has_impacts())

@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/probe_positions.h>
+#include <thermocontact/scene/contact_checks.h>
 #include <thermocontact/scene/mass_checks.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
@@ -348,6 +349,7 @@ namespace ThermoContact
              "epsilon > 0",
              "for a rigid obstacle set Contact/Condition = rigid");
     check_mass_matrix(scene);
+    check_damping(scene);
     check_number_of_unknowns(parameters.mesh, parameters.dimension);
     parse_probe_positions(parameters.output.probes,
                           parameters.dimension,

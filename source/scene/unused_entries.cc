@@ -50,6 +50,7 @@ namespace ThermoContact
                      "Contact/Condition",
                      "Contact/Compliance",
                      "Contact/Exponent",
+                     "Contact/Damping",
                      "Contact/Gap",
                      "Contact/Massless nodes",
                      "Initial values/Displacement",

@@ -61,6 +61,13 @@ namespace ThermoContact
     end.get_penetrations(state.displacement, values.penetration);
     end.get_values(Field::displacement, state.velocity, values.velocity);
     values.pressure = state.contact_pressure;
+    // a damped obstacle is left where the penetration ends
+    const ContactLaw &law = body.law();
+    if (law.damping() > 0.)
+      for (unsigned int i = 0; i < values.pressure.size(); ++i)
+        values.pressure[i] =
+          std::copysign(law.pressure(std::abs(values.penetration[i])),
+                        values.penetration[i]);
   }
 
 

@@ -164,7 +164,12 @@ namespace ThermoContact
     record.contact_force = end.mean(state.contact_pressure);
     record.penetration   = body.law().penetration(largest_pressure);
     record.in_contact    = largest_pressure > 0.;
-    record.stress_end    = mean_traction() - record.contact_force;
+    if (body.law().damping() > 0.)
+      {
+        record.penetration = std::max(0., 0. - record.gap);
+        record.in_contact  = record.penetration > 0.;
+      }
+    record.stress_end = mean_traction() - record.contact_force;
 
     if (dim > 1)
       {

@@ -25,6 +25,7 @@ namespace ThermoContact
     record.dissipation += result.dissipation;
     record.lateral_dissipation += result.lateral_dissipation;
     record.algebraic += result.algebraic;
+    record.contact_dissipation += result.contact_dissipation;
     record.contact_impulse += result.impulse;
     if (!result.is_prescribed)
       max_energy_increase =

@@ -131,9 +131,11 @@ namespace ThermoContact
     terms.kinetic = kinetic_energy(state.velocity);
     terms.elastic =
       0.5 * momentum_form(stage_operator.stiffness(), state.displacement);
-    for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
-      terms.obstacle += discretization.contact_end().share(i) *
-                        law.energy(state.contact_pressure[i]);
+    const std::vector<double> &pressure =
+      elastic_pressures(state, end_pressure);
+    for (unsigned int i = 0; i < pressure.size(); ++i)
+      terms.obstacle +=
+        discretization.contact_end().share(i) * law.energy(pressure[i]);
     if (material.has_thermal_stress())
       terms.coupling = -material.thermal_stress *
                        (steady_stress * state.displacement) /
@@ -244,30 +246,6 @@ namespace ThermoContact
                                            state.displacement,
                                            &old_state.displacement);
     return sum + contact_dissipation(old_state, state);
-  }
-
-
-
-  template <int dim>
-  double
-  Energy<dim>::contact_dissipation(const State &old_state,
-                                   const State &state) const
-  {
-    const ContactEnd<dim> &end = discretization.contact_end();
-    end.get_values(Field::displacement, state.displacement, end_displacement);
-    end.get_values(Field::displacement,
-                   old_state.displacement,
-                   old_end_displacement);
-    end.get_penetrations(old_state.displacement, old_penetration);
-    double sum = 0.;
-    for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
-      sum +=
-        end.share(i) *
-        law.numerical_dissipation(end_displacement[i] - old_end_displacement[i],
-                                  old_penetration[i],
-                                  old_state.contact_pressure[i],
-                                  state.contact_pressure[i]);
-    return sum;
   }
 
 

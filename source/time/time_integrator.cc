@@ -23,6 +23,7 @@ namespace ThermoContact
                             &lateral_dissipation,
                             &numerical_dissipation,
                             &algebraic,
+                            &contact_dissipation,
                             &impulse})
         act(*value);
     };

@@ -41,7 +41,12 @@ namespace ThermoContact
     std::vector<double> displacement; ///< normal, $u_n$
     std::vector<double> penetration;  ///< $u_n-g$
     std::vector<double> velocity;     ///< normal, $v_n$
-    std::vector<double> pressure;     ///< of either sign in a closed step
+
+    /**
+     * Of either sign in a closed step. With damping that of the penetration at
+     * rest, of its sign, in all steps.
+     */
+    std::vector<double> pressure;
 
     template <class Archive>
     void

@@ -11,6 +11,7 @@
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
 #include <memory>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -67,6 +68,21 @@ namespace ThermoContact
     contact_end() const
     {
       return discretization.contact_end();
+    }
+
+    /**
+     * The pressures become those of the displacements and velocities, as the
+     * law says; 0 where it says nothing, as for a rigid obstacle. Collective.
+     */
+    void
+    set_pressures_of_law(State &state) const
+    {
+      std::vector<double> penetration, velocity;
+      contact_end().get_penetrations(state.displacement, penetration);
+      contact_end().get_values(Field::displacement, state.velocity, velocity);
+      for (unsigned int i = 0; i < penetration.size(); ++i)
+        state.contact_pressure[i] =
+          law().damped_pressure(penetration[i], velocity[i]);
     }
   };
 } // namespace ThermoContact

@@ -85,6 +85,14 @@ namespace ThermoContact
     lateral_dissipation_rate(const State &state) const;
 
     /**
+     * What the damping of the obstacle takes per time, (M.85): work of the
+     * pressures that the obstacle does not store. 0 without damping.
+     * Collective.
+     */
+    double
+    damping_rate(const State &state) const;
+
+    /**
      * Numerical dissipation of one backward Euler step, (M.24); every term is
      * not negative. Both states carry the pressures of the scheme.
      */
@@ -151,6 +159,8 @@ namespace ThermoContact
     mutable std::vector<double>            old_end_displacement;
     mutable std::vector<double>            old_penetration;
     mutable std::vector<double>            end_temperature;
+    mutable std::vector<double>            end_pressure;
+    mutable std::vector<double>            old_end_pressure;
 
     /** The terms of rank 0, on all ranks. */
     EnergyTerms
@@ -173,6 +183,15 @@ namespace ThermoContact
 
     double
     contact_dissipation(const State &old_state, const State &state) const;
+
+    /**
+     * The pressures that the obstacle stores the energy of: those of @p state,
+     * or with damping those of its penetrations at rest.
+     *
+     * @param scratch may be the result
+     */
+    const std::vector<double> &
+    elastic_pressures(const State &state, std::vector<double> &scratch) const;
 
     /**
      * $\|\hat\theta\|_{\Gamma_C}^2$ with the $k$ of a state, where matrices

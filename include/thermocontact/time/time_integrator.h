@@ -26,6 +26,7 @@ namespace ThermoContact
     double       lateral_dissipation   = 0.; ///< the part (M.105) of $D$
     double       numerical_dissipation = 0.; ///< $N$
     double       algebraic             = 0.; ///< $A$, (M.65)
+    double       contact_dissipation   = 0.; ///< by the obstacle, (M.85)
     double       impulse               = 0.; ///< of the contact force
     unsigned int n_iterations          = 0;  ///< of the stages, added up
     bool         is_prescribed = false;      ///< the paper's first step, (M.26)
