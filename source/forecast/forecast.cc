@@ -79,7 +79,7 @@ namespace ThermoContact
     if (scene.fields.has_temperature)
       scales.emplace_back("heat", 1.);
     if (scene.fields.has_temperature && scene.heat.has_lateral_exchange())
-      scales.emplace_back("lateral loss", 1. / scene.heat.lateral_exchange);
+      scales.emplace_back("lateral", 1. / scene.heat.lateral_exchange);
     if (!scene.fields.has_displacement)
       return scales;
     if (material.has_inertia())
