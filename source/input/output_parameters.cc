@@ -68,6 +68,13 @@ namespace ThermoContact
                       is_si,
                       "Files and screen in SI units, by section Scales, if it "
                       "is given; false: nondimensional.");
+    prm.add_parameter(
+      "Error bars",
+      has_error_bars,
+      "Repeats the run with larger steps and on coarser meshes, "
+      "without files, and says how far the key results may be "
+      "wrong by either (screen, summary.json); about three "
+      "times the time.");
     prm.leave_subsection();
   }
 

@@ -216,6 +216,7 @@ namespace ThermoContact
     bool        land_on_times       = false; ///< steps end on output times
     double      checkpoint_interval = 0.;    ///< seconds of wall-clock time
     bool        is_si               = true;  ///< if there are scales
+    bool        has_error_bars      = false;
 
     void
     add_parameters(ParameterHandler &prm);
