@@ -23,6 +23,7 @@ MANY = f"Study/Vary=Contact/Compliance = {HUNDRED} ; Contact/Gap = "
 RIGID = ("Contact/Condition=rigid",)
 ITERATIVE = PLANE + ("Solver/Linear solver=iterative",)
 POWER = ("Contact/Condition=power law",)
+LOSS = ("Boundary/Lateral heat exchange=2",)
 EXCHANGE = ("Boundary/Heat exchange=1+gap",)
 MIDPOINT = CONSERVING + ("Mesh/Mass matrix=midpoint",)
 WAVES = ("Mesh/Degree=1", "Model/Viscosity=0")
@@ -63,6 +64,14 @@ SCENES = [
     ("Boundary/Obstacle temperature", EXCHANGE, "Boundary/Obstacle temperature=t",
      "Boundary/Obstacle temperature=1",
      ("Boundary/Obstacle temperature=t", "Boundary/Heat exchange=1")),
+    # heat that is lost along the rod
+    ("Boundary/Lateral heat exchange", (), "Boundary/Lateral heat exchange=-1e-3",
+     "Boundary/Lateral heat exchange=0", "Boundary/Lateral heat exchange=1e-3"),
+    ("Boundary/Ambient temperature", LOSS, "Boundary/Ambient temperature=sin(t)",
+     "Boundary/Ambient temperature=-300"),
+    ("Solver/Linear solver", ITERATIVE, LOSS, "Boundary/Lateral heat exchange=0",
+     LOSS + ("Solver/Linear solver=automatic",)),
+    ("Output/Period", (), "Output/Period=-1", "Output/Period=0", "Output/Period=0.3"),
     # times of steps
     ("Time/Break points", (), "Time/Break points=0.5;-1", "Time/Break points=0.5;1"),
     ("Time/Break points", (), "Time/Break points=0.5,1", "Time/Break points=0.5",

@@ -15,6 +15,7 @@ VALUES = {
     "Model/Thermoelastic heating": "false", "Model/Poisson ratio": "0.3",
     "Boundary/Fixed end temperature": "5", "Boundary/Heat exchange": "2",
     "Boundary/Obstacle temperature": "1", "Boundary/Lateral support": "free",
+    "Boundary/Lateral heat exchange": "2", "Boundary/Ambient temperature": "1",
     "Contact/Condition": "rigid", "Contact/Compliance": "0.02", "Contact/Exponent": "2",
     "Contact/Damping": "0.5",
     "Contact/Gap": "0.2", "Contact/Massless nodes": "on",
@@ -73,6 +74,8 @@ SCENES = [
      ("Contact/Condition=rigid",)),
     ("Boundary/Heat exchange = 0", "Boundary/Obstacle temperature",
      ("Boundary/Heat exchange=0",), ("Boundary/Heat exchange=1e-9",)),
+    ("Boundary/Lateral heat exchange = 0", "Boundary/Ambient temperature", (),
+     ("Boundary/Lateral heat exchange=1e-9",)),
     ("Time/Step size = a number", """Time/Tolerance; Time/First step size; Time/Minimum step size;
      Time/Maximum step size""", (STEPS,),
      ("Time/Step size=automatic",)),
@@ -104,6 +107,9 @@ SCENES = [
     ("Model/Fields = temperature", "Study/Target error",
      ("Model/Fields=temperature",), STUDY),
     ("Model/Fields = displacement", THERMAL, ("Model/Fields=displacement",), ()),
+    ("Model/Fields = displacement", "Boundary/Lateral heat exchange; "
+     "Boundary/Ambient temperature", ("Model/Fields=displacement",),
+     ("Boundary/Lateral heat exchange=1e-9",)),
     ("Model/Coupling = 0", "Model/Thermoelastic heating", ("Model/Coupling=0",),
      ("Model/Coupling=-1e-9",)),
     ("Model/Inertia = 0", "Mesh/Mass matrix",
