@@ -330,13 +330,17 @@ namespace ThermoContact
                       text(", nu = ", scene.parameters.model.poisson_ratio)));
     if (scene.fields.has_temperature)
       log.line(text("  heat      theta_A = ",
-                    scene.heat.fixed_end_temperature,
+                    scene.sources.has_driven_temperature ?
+                      scene.heat.fixed_end_drive->text() :
+                      text(scene.heat.fixed_end_temperature),
                     ", ",
                     scene.heat.exchange->description(),
                     ", theta_obs = ",
                     scene.sources.has_varying_obstacle ?
                       scene.parameters.boundary.obstacle_expression :
                       text(scene.heat.obstacle_temperature)));
+    if (scene.sources.has_moving_end)
+      log.line("  fixed end u_A = " + scene.fixed_end_motion->text());
     if (scene.fields.has_displacement)
       log.line("  contact   " + describe_contact(simulation));
     log.line("  time      " + describe_time(scene));

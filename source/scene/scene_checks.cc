@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/probe_positions.h>
+#include <thermocontact/scene/drive_checks.h>
 #include <thermocontact/scene/mass_checks.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
@@ -358,6 +359,7 @@ namespace ThermoContact
       check_fixed_steps(parameters.time);
     check_start(scene);
     check_exchange(scene);
+    check_drives(scene);
     if (scene.is_fixed_point)
       check_fixed_point(scene);
     check_scheme(scene);

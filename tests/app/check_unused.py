@@ -15,6 +15,7 @@ VALUES = {
     "Model/Thermoelastic heating": "false", "Model/Poisson ratio": "0.3",
     "Boundary/Fixed end temperature": "5", "Boundary/Heat exchange": "2",
     "Boundary/Obstacle temperature": "1", "Boundary/Lateral support": "free",
+    "Boundary/Fixed end displacement": "0.1*t",
     "Contact/Condition": "rigid", "Contact/Compliance": "0.02", "Contact/Exponent": "2",
     "Contact/Gap": "0.2", "Contact/Massless nodes": "on",
     "Initial values/Temperature": "1", "Initial values/Displacement": "0.01*x",
@@ -39,7 +40,8 @@ STUDY = ("Study/Vary=Mesh/Cells = 4 | 8", "Study/Reference=Time/Tolerance = 1e-9
 PLANE = "Dimension=2"
 MECHANICAL = """Model/Inertia; Model/Viscosity; Model/Coupling;
      Model/Thermoelastic heating; Model/Poisson ratio;
-     Boundary/Lateral support; Boundary/Fixed end support; Contact/Gap;
+     Boundary/Lateral support; Boundary/Fixed end support;
+     Boundary/Fixed end displacement; Contact/Gap;
      Contact/Massless nodes; Initial values/Displacement; Initial values/Velocity;
      Sources/Body force; Sources/End traction; Time/Start;
      Time/Locate contact events"""
