@@ -19,8 +19,6 @@ namespace ThermoContact
     const Double coefficient(0., 1e15);
     const Double signed_coefficient(-1e15, 1e15);
     const Double duration(0., 1e15);
-    const Double any_number(-std::numeric_limits<double>::max(),
-                            std::numeric_limits<double>::max());
 
 
 
@@ -75,10 +73,23 @@ namespace ThermoContact
   BoundaryParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Boundary");
-    prm.add_parameter("Fixed end temperature",
-                      fixed_end_temperature,
-                      "Temperature theta_A of the fixed end x = 0.",
-                      any_number);
+    add_number_or_expression(
+      prm,
+      "Fixed end temperature",
+      fixed_end_temperature,
+      "t",
+      "Temperature theta_A of the fixed end x = 0; an expression in t, e.g. "
+      "10*sin(2*pi*t).",
+      [this](const double number, const std::string &expression) {
+        fixed_end_temperature = number;
+        fixed_end_expression  = expression;
+      },
+      true);
+    prm.add_parameter("Fixed end displacement",
+                      fixed_end_displacement,
+                      "Displacement u_A of the fixed end x = 0 along the axis, "
+                      "a base that moves: an expression in t, zero at t = 0, "
+                      "e.g. 0.1*sin(2*pi*t).");
     add_number_or_expression(
       prm,
       "Heat exchange",

@@ -353,7 +353,9 @@ namespace ThermoContact
     if (scene.fields.has_temperature)
       log.line(
         text("  heat      theta_A = ",
-             units.text("temperature", scene.heat.fixed_end_temperature),
+             scene.sources.has_driven_temperature ?
+               scene.heat.fixed_end_drive->text() :
+               units.text("temperature", scene.heat.fixed_end_temperature),
              ", ",
              scene.heat.exchange->description(),
              ", theta_obs = ",
@@ -366,6 +368,8 @@ namespace ThermoContact
                     ", theta_inf = ",
                     units.text("temperature", scene.heat.ambient_temperature)) :
                ""));
+    if (scene.sources.has_moving_end)
+      log.line("  fixed end u_A = " + scene.fixed_end_motion->text());
     if (scene.fields.has_displacement)
       log.line("  contact   " + describe_contact(simulation));
     log.line("  time      " + describe_time(scene));

@@ -4,6 +4,7 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/probe_positions.h>
 #include <thermocontact/scene/contact_checks.h>
+#include <thermocontact/scene/drive_checks.h>
 #include <thermocontact/scene/mass_checks.h>
 #include <thermocontact/scene/scales_checks.h>
 #include <thermocontact/scene/scene.h>
@@ -362,6 +363,7 @@ namespace ThermoContact
       check_fixed_steps(parameters.time);
     check_start(scene);
     check_exchange(scene);
+    check_drives(scene);
     if (scene.is_fixed_point)
       check_fixed_point(scene);
     check_scheme(scene);

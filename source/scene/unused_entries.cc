@@ -47,6 +47,7 @@ namespace ThermoContact
                      "Model/Poisson ratio",
                      "Boundary/Lateral support",
                      "Boundary/Fixed end support",
+                     "Boundary/Fixed end displacement",
                      "Contact/Condition",
                      "Contact/Compliance",
                      "Contact/Exponent",

@@ -40,13 +40,15 @@ namespace ThermoContact
   /** Section Boundary: doc/model.md (M.3). */
   struct BoundaryParameters
   {
-    double      fixed_end_temperature = 10.; ///< $\theta_A$
-    double      heat_exchange         = 1.;  ///< $k\ge0$ if it is a number,
-    std::string exchange_expression;         ///< or else in gap, pressure
-    double      obstacle_temperature = 0.;   ///< $\theta_{obs}$, a number,
-    std::string obstacle_expression;         ///< or else in y, z, t
-    double      lateral_heat_exchange = 0.;  ///< $m\ge0$
-    double      ambient_temperature   = 0.;  ///< $\theta_\infty$
+    double      fixed_end_temperature = 10.;  ///< $\theta_A$, a number,
+    std::string fixed_end_expression;         ///< or else in t
+    std::string fixed_end_displacement = "0"; ///< $u_A$, in t
+    double      heat_exchange          = 1.;  ///< $k\ge0$ if it is a number,
+    std::string exchange_expression;          ///< or else in gap, pressure
+    double      obstacle_temperature = 0.;    ///< $\theta_{obs}$, a number,
+    std::string obstacle_expression;          ///< or else in y, z, t
+    double      lateral_heat_exchange = 0.;   ///< $m\ge0$
+    double      ambient_temperature   = 0.;   ///< $\theta_\infty$
     std::string lateral_support       = "rollers";
     std::string fixed_end_support     = "clamped";
 
