@@ -259,6 +259,7 @@ main(int argc, char **argv)
   using namespace ThermoContact;
 
   std::signal(SIGXFSZ, SIG_IGN); // a file at its limit is an error like others
+  std::signal(SIGPIPE, SIG_IGN); // nor does a run end with who looks at it
 
   const Timer since_start;
   tell_mpi_of_single_process();

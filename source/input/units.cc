@@ -157,7 +157,8 @@ namespace ThermoContact
     return std::any_of(assignments.begin(),
                        assignments.end(),
                        [](const Assignment &assignment) {
-                         return assignment.path.rfind("Rod/", 0) == 0;
+                         return assignment.path.rfind("Rod/", 0) == 0 &&
+                                assignment.place != command_line_place;
                        });
   }
 

@@ -37,6 +37,8 @@ SCENES = {
     "shaped": {**BODY, "Contact/Gap": "0.02+y^2", "Initial values/Displacement": "0"},
     "block": {**BODY, "Dimension": "3", "Contact/Gap": "0.02",
               "Initial values/Displacement": "0"},
+    "units": {**SHORT, **{f"Scales/{name}": "2" for name in (
+        "Length", "Time", "Stress", "Area", "Temperature", "Reference temperature")}},
     "study": {**SHORT, "Study/Vary": "Contact/Gap = 0.1 | 0.2",
               "Study/Reference": "Mesh/Degree = 2"},
 }

@@ -155,7 +155,10 @@ namespace ThermoContact
 
 
 
-  /** True for the statements of a file that --units reads: it has a Rod. */
+  /**
+   * True for the statements of a file that --units reads: the file, not the
+   * command line, has a section Rod.
+   */
   bool
   is_rod_in_units(const std::vector<Assignment> &assignments);
 
