@@ -114,10 +114,22 @@ namespace ThermoContact
         obstacle_expression  = expression;
       },
       true);
+    prm.add_parameter("Lateral heat exchange",
+                      lateral_heat_exchange,
+                      "Heat m (theta - theta_inf) that the rod loses to its "
+                      "surroundings per volume, m >= 0; for Dimension > 1 "
+                      "through its lateral faces: -d theta/dn = m A/P (theta - "
+                      "theta_inf), A/P the area of the cross-section over its "
+                      "perimeter.",
+                      coefficient);
+    prm.add_parameter("Ambient temperature",
+                      ambient_temperature,
+                      "Temperature theta_inf of the surroundings.",
+                      any_number);
     prm.add_parameter("Lateral support",
                       lateral_support,
                       "Lateral faces, for Dimension > 1: rollers (no normal "
-                      "displacement) or free; adiabatic in both cases.",
+                      "displacement) or free.",
                       Selection("rollers|free"));
     prm.add_parameter("Fixed end support",
                       fixed_end_support,
@@ -155,6 +167,12 @@ namespace ThermoContact
       "/ epsilon)^m; 1.5 is Hertz's contact of a rounded end, 1 "
       "is normal compliance.",
       Double(1., 10.));
+    prm.add_parameter(
+      "Damping",
+      damping,
+      "Damping c >= 0 of an elastic obstacle (Hunt and Crossley): its pressure "
+      "is multiplied by 1 + c times the velocity into it, and never negative.",
+      coefficient);
     add_number_or_expression(
       prm,
       "Gap",
@@ -376,6 +394,7 @@ namespace ThermoContact
     time.add_parameters(prm);
     solver.add_parameters(prm);
     output.add_parameters(prm);
+    scales.add_parameters(prm);
     study.add_parameters(prm);
   }
 } // namespace ThermoContact

@@ -74,6 +74,8 @@ namespace ThermoContact
                                      boundary.obstacle_temperature :
                                      first_temperature(boundary);
       heat.reference_coefficient = heat.exchange->coefficient(-gap, 0.);
+      heat.lateral_exchange      = boundary.lateral_heat_exchange;
+      heat.ambient_temperature   = boundary.ambient_temperature;
       return heat;
     }
 
@@ -151,6 +153,8 @@ namespace ThermoContact
         return false; // the rule knows no single nodes
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
+      if (law.damping() > 0.)
+        return false; // the damping acts on what moves with inertia
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
       return scheme.needs_massless_contact ||
@@ -213,8 +217,12 @@ namespace ThermoContact
         return "Solver/Step solver = fixed point";
       if (has_prescribed_start)
         return "Time/Start = paper";
+      if (heat.has_lateral_exchange())
+        return "Boundary/Lateral heat exchange is not 0";
       const std::string condition =
         "Contact/Condition = " + parameters.contact.condition;
+      if (contact.law->damping() > 0.)
+        return text("Contact/Damping = ", contact.law->damping());
       if (!contact.law->is_linear())
         return condition;
       if (contact.has_impacts())

@@ -224,10 +224,7 @@ namespace ThermoContact
          discretization.constrained_entries(Field::temperature))
       state.temperature.begin()[entry] = body.scene.heat.fixed_end_temperature;
 
-    std::vector<double> penetration;
-    body.contact_end().get_penetrations(state.displacement, penetration);
-    for (unsigned int i = 0; i < penetration.size(); ++i)
-      state.contact_pressure[i] = body.law().pressure(penetration[i]);
+    body.set_pressures_of_law(state);
     if (body.scene.fields.has_displacement &&
         !body.scene.material.has_inertia())
       quasi_static.complete(state);
@@ -235,6 +232,7 @@ namespace ThermoContact
       settle_contact_nodes(body, state);
     warn_of_contact(body, state, warnings);
 
+    std::vector<double> penetration;
     body.contact_end().get_penetrations(state.displacement, penetration);
     for (unsigned int i = 0; i < penetration.size(); ++i)
       state.exchange_coefficient[i] =

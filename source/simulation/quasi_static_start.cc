@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/method/contact_solver.h>
+#include <thermocontact/method/damped_contact.h>
 #include <thermocontact/simulation/quasi_static_start.h>
 #include <thermocontact/time/iterative_solver.h>
 
@@ -164,6 +165,30 @@ namespace ThermoContact
 
   template <int dim>
   void
+  QuasiStaticStart<dim>::solve_with_damping(const Vector &load, State &state)
+  {
+    // a stage of length 1 has the matrix (zeta + 1) S
+    const double viscosity = body.scene.material.viscosity;
+    const double factor    = (viscosity + 1.) / viscosity;
+    factors->solve(state.velocity, load);
+    state.velocity *= factor;
+    FullMatrix<double> velocity_response(response);
+    velocity_response *= factor;
+    NodesInMotion nodes; // where they are
+    body.contact_end().get_penetrations(state.displacement, nodes.start);
+    body.contact_end().get_values(Field::displacement,
+                                  state.velocity,
+                                  nodes.free_velocity);
+    std::vector<double> &p = state.contact_pressure;
+    DampedContact(body.law()).solve(velocity_response, nodes, p);
+    for (unsigned int i = 0; i < p.size(); ++i)
+      state.velocity.add(-p[i] * factor, unit_responses[i]);
+  }
+
+
+
+  template <int dim>
+  void
   QuasiStaticStart<dim>::complete(State                   &state,
                                   const std::vector<bool> &is_closed)
   {
@@ -209,6 +234,11 @@ namespace ThermoContact
         return;
       }
 
+    if (body.law().damping() > 0.)
+      {
+        solve_with_damping(rhs, state);
+        return;
+      }
     std::vector<bool> is_away(n, true);
     if (body.law().is_rigid())
       {

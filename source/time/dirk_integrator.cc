@@ -184,8 +184,8 @@ namespace ThermoContact
     const double tau   = tableau.gamma() * time_step.size;
     const bool   holds = holds_closing_nodes(mode);
 
-    result.work = result.dissipation = result.algebraic = result.impulse = 0.;
-    result.n_iterations                                                  = 0;
+    start_sums(result);
+    result.n_iterations  = 0;
     result.is_prescribed = false;
     if (driven)
       {
@@ -230,8 +230,8 @@ namespace ThermoContact
     result.numerical_dissipation =
       tableau.n_stages() == 1 ?
         body.energy.numerical_dissipation(state, result.state) :
-        old_energy - result.energy.sum() + result.work - result.dissipation +
-          result.algebraic;
+        old_energy - result.energy.sum() + result.work - result.dissipation -
+          result.contact_dissipation + result.algebraic;
   }
 
 
@@ -322,12 +322,9 @@ namespace ThermoContact
     result.state.temperature.add(tau, stage.temperature_rate);
     result.state.displacement.add(tau, state.velocity);
 
-    std::vector<double> penetration;
-    body.contact_end().get_penetrations(result.state.displacement, penetration);
-    for (unsigned int i = 0; i < penetration.size(); ++i)
-      result.state.contact_pressure[i] = body.law().pressure(penetration[i]);
+    body.set_pressures_of_law(result.state);
 
-    result.work = result.dissipation = result.algebraic = result.impulse = 0.;
+    start_sums(result);
     book(result.state, tau, result);
     if (driven)
       result.work += tau * body.driven_end.power(result.state,
@@ -335,10 +332,20 @@ namespace ThermoContact
                                                  accelerations[0],
                                                  heat_load,
                                                  momentum_load);
-    result.energy                = body.energy.energy(result.state);
-    result.numerical_dissipation = body.energy.energy(state).sum() -
-                                   result.energy.sum() + result.work -
-                                   result.dissipation;
+    result.energy = body.energy.energy(result.state);
+    result.numerical_dissipation =
+      body.energy.energy(state).sum() - result.energy.sum() + result.work -
+      result.dissipation - result.contact_dissipation;
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::start_sums(StepResult &result)
+  {
+    result.work = result.dissipation = result.algebraic = result.impulse = 0.;
+    result.contact_dissipation = result.lateral_dissipation = 0.;
   }
 
 
@@ -350,6 +357,10 @@ namespace ThermoContact
                             StepResult  &result)
   {
     result.dissipation += weight * body.energy.dissipation_rate(stage_state);
+    result.contact_dissipation +=
+      weight * body.energy.damping_rate(stage_state);
+    result.lateral_dissipation +=
+      weight * body.energy.lateral_dissipation_rate(stage_state);
     result.impulse +=
       weight * body.contact_end().mean(stage_state.contact_pressure);
     if (body.energy.has_work())

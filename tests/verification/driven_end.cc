@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // A fixed end that is heated or moved as a function of time, doc/model.md
-// section 20.
+// section 22.
 //
 // 1. theta_A = sin(w t), w = 5, k = 2, from rest: after the transient,
 //    exp(-5.2 t), the profile is periodic,

@@ -12,6 +12,7 @@
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
 #include <memory>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -46,7 +47,7 @@ namespace ThermoContact
       , equations(scene, discretization, space.matrices.get())
       , loads(scene, discretization, data)
       , energy(scene, discretization, equations, loads)
-      , driven_end(scene, discretization, equations, energy)
+      , driven_end(scene, discretization, equations, loads, energy)
     {}
 
     const Scene                                     &scene;
@@ -70,6 +71,21 @@ namespace ThermoContact
     contact_end() const
     {
       return discretization.contact_end();
+    }
+
+    /**
+     * The pressures become those of the displacements and velocities, as the
+     * law says; 0 where it says nothing, as for a rigid obstacle. Collective.
+     */
+    void
+    set_pressures_of_law(State &state) const
+    {
+      std::vector<double> penetration, velocity;
+      contact_end().get_penetrations(state.displacement, penetration);
+      contact_end().get_values(Field::displacement, state.velocity, velocity);
+      for (unsigned int i = 0; i < penetration.size(); ++i)
+        state.contact_pressure[i] =
+          law().damped_pressure(penetration[i], velocity[i]);
     }
   };
 } // namespace ThermoContact

@@ -150,6 +150,10 @@ namespace ThermoContact
     void
     solve_heat_alone(const State &state, const double tau, Vector &rate);
 
+    /** Sums over the stages begin at 0. */
+    static void
+    start_sums(StepResult &result);
+
     /** Adds what the stage that ends in @p stage_state weighs. */
     void
     book(const State &stage_state, const double weight, StepResult &result);
