@@ -53,10 +53,12 @@ namespace ThermoContact
   DrivenEnd<dim>::DrivenEnd(const Scene                           &scene,
                             const Discretization<dim>             &space,
                             const ThermoviscoelasticOperator<dim> &equations,
+                            const Loads<dim>                      &loads,
                             const Energy<dim>                     &energy)
     : scene(scene)
     , discretization(space)
     , equations(equations)
+    , loads(loads)
     , energy(energy)
     , entries_(2)
   {
@@ -166,7 +168,9 @@ namespace ThermoContact
         equations.divergence().vmult(heat_product, state.velocity);
         sum += scene.material.heating * dot(end, heat_product, excess);
       }
-    return sum - dot(end, heat_load, excess);
+    // what the surroundings give is part of the state of rest
+    return sum - dot(end, heat_load, excess) +
+           dot(end, loads.outer_heat(), excess);
   }
 
 

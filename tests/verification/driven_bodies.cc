@@ -6,8 +6,9 @@
 // 1. The audit (M.22) of experiment 1, backward Euler, each line by its own
 //    formula, to 1e-11 of the largest term: theta_A or u_A or both vary, with
 //    and without heating, a jump of theta_A, a kink of u_A, no inertia, a rigid
-//    obstacle, the iteration of the paper and its first step, and the midpoint
-//    rule with theta_A; a strip with free sides.
+//    obstacle, heat that is lost along the rod, the iteration of the paper and
+//    its first step, and the midpoint rule with theta_A; a strip with free
+//    sides.
 // 2. A strip on rollers (clamped or sliding, direct or iterative), a round rod
 //    and a block with theta_A(t) and u_A(t) in contact give the rod's numbers,
 //    to 1e-9.
@@ -98,6 +99,9 @@ namespace
        "Solver/Fixed point tolerance=1e-15",
        "Time/End time=0.1"},
       {moved, "Model/Fields=displacement", "Mesh/Mass matrix=lumped"},
+      {heated,
+       "Boundary/Lateral heat exchange=3",
+       "Boundary/Ambient temperature=-4"},
       {heated, "Time/Start=paper"},
       {heated, "Time/Scheme=energy conserving"}};
     deallog << "audit to 1e-11 ";

@@ -47,7 +47,7 @@ namespace ThermoContact
       , equations(scene, discretization, space.matrices.get())
       , loads(scene, discretization, data)
       , energy(scene, discretization, equations, loads)
-      , driven_end(scene, discretization, equations, energy)
+      , driven_end(scene, discretization, equations, loads, energy)
     {}
 
     const Scene                                     &scene;

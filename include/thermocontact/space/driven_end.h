@@ -39,6 +39,7 @@ namespace ThermoContact
     DrivenEnd(const Scene                           &scene,
               const Discretization<dim>             &discretization,
               const ThermoviscoelasticOperator<dim> &equations,
+              const Loads<dim>                      &loads,
               const Energy<dim>                     &energy);
 
     /** False: everything here does nothing. */
@@ -108,6 +109,7 @@ namespace ThermoContact
     const Scene                           &scene;
     const Discretization<dim>             &discretization;
     const ThermoviscoelasticOperator<dim> &equations;
+    const Loads<dim>                      &loads;
     const Energy<dim>                     &energy;
     std::vector<std::vector<unsigned int>> entries_;
     mutable Vector                         heat_lift; ///< zero but for the end
