@@ -289,6 +289,11 @@ namespace ThermoContact
          {"peak_memory_mb", "MB", "of all ranks, each at its largest"},
          {"peak_memory_mb_per_rank", "MB", "a list"},
          {"warnings", "", "all that were shown, a list"},
+         {"*_time_error",
+          "",
+          "with `Output/Error bars`, of each key result: how far the steps may "
+          "have moved it (doc/numerics.md), in its units; `null` if not known"},
+         {"*_space_error", "", "likewise, the mesh"},
          {"final_contact_force", "force", "of contact.csv at the end"},
          {"final_temperature_end", "temperature", "likewise"},
          {"final_in_contact", "", "likewise, `true` or `false`"},
