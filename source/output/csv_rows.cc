@@ -2,12 +2,14 @@
 
 #include <thermocontact/output/csv_rows.h>
 
+#include <limits>
+
 namespace ThermoContact
 {
-  const CsvColumns<StepRecord> &
-  contact_columns(const unsigned int dim, const bool is_iterative)
+  CsvColumns<StepRecord>
+  contact_columns(const Scene &scene)
   {
-    static const CsvColumns<StepRecord> of_rod = {
+    CsvColumns<StepRecord> columns = {
       {"step", &StepRecord::step},
       {"time", &StepRecord::time},
       {"step_size", &StepRecord::step_size},
@@ -28,8 +30,7 @@ namespace ThermoContact
       {"iterations", &StepRecord::iterations},
       {"work", &StepRecord::work},
       {"temperature_mean", &StepRecord::temperature_mean}};
-    static const CsvColumns<StepRecord> of_face = [] {
-      CsvColumns<StepRecord> columns = of_rod;
+    if (scene.parameters.dimension > 1)
       for (const auto &[name, member] :
            {std::pair("contact_area", &FaceRecord::contact_area),
             std::pair("max_pressure", &FaceRecord::max_pressure),
@@ -39,28 +40,43 @@ namespace ThermoContact
         columns.emplace_back(name, [member = member](const StepRecord &record) {
           return record.face.*member;
         });
-      return columns;
-    }();
-    static const CsvColumns<StepRecord> of_iterative = [] {
-      CsvColumns<StepRecord> columns = of_face;
+    if (scene.linear_solver.is_iterative)
       columns.emplace_back("algebraic", &StepRecord::algebraic);
-      return columns;
-    }();
-    return dim == 1 ? of_rod : is_iterative ? of_iterative : of_face;
+    if (scene.contact.law->damping() > 0.)
+      columns.emplace_back("contact_dissipation",
+                           &StepRecord::contact_dissipation);
+    if (scene.heat.has_lateral_exchange())
+      {
+        columns.emplace_back("lateral_heat_flux",
+                             &StepRecord::lateral_heat_flux);
+        columns.emplace_back("lateral_dissipation",
+                             &StepRecord::lateral_dissipation);
+      }
+    return columns;
   }
 
 
 
-  const CsvColumns<ContactEvent> &
+  EventRow::EventRow(const ContactEvent &event, const ContactEvent *const begin)
+    : ContactEvent(event)
+    , duration(event.kind == ContactEvent::end && begin != nullptr ?
+                 event.time - begin->time :
+                 std::numeric_limits<double>::quiet_NaN())
+  {}
+
+
+
+  const CsvColumns<EventRow> &
   event_columns()
   {
-    static const CsvColumns<ContactEvent> columns = {
+    static const CsvColumns<EventRow> columns = {
       {"time", &ContactEvent::time},
       {"kind",
        [](const ContactEvent &event) {
          return event.kind == ContactEvent::begin ? "begin" : "end";
        }},
-      {"velocity", &ContactEvent::velocity}};
+      {"velocity", &ContactEvent::velocity},
+      {"duration", &EventRow::duration}};
     return columns;
   }
 

@@ -3,7 +3,10 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/probe_positions.h>
+#include <thermocontact/scene/contact_checks.h>
+#include <thermocontact/scene/drive_checks.h>
 #include <thermocontact/scene/mass_checks.h>
+#include <thermocontact/scene/scales_checks.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
 
@@ -359,7 +362,9 @@ namespace ThermoContact
              parameters.contact.compliance,
              "epsilon > 0",
              "for a rigid obstacle set Contact/Condition = rigid");
+    check_scales(parameters);
     check_mass_matrix(scene);
+    check_damping(scene);
     check_number_of_unknowns(parameters.mesh, parameters.dimension);
     parse_probe_positions(parameters.output.probes,
                           parameters.dimension,
@@ -370,6 +375,7 @@ namespace ThermoContact
       check_fixed_steps(parameters.time);
     check_start(scene);
     check_exchange(scene);
+    check_drives(scene);
     if (scene.is_fixed_point)
       check_fixed_point(scene);
     check_scheme(scene);
@@ -383,14 +389,20 @@ namespace ThermoContact
 
 
   void
-  check_scene_text(const std::string &text, const std::string &name)
+  check_assignments(const std::vector<Assignment> &assignments)
   {
     Parameters       parameters;
     ParameterHandler prm;
     parameters.add_parameters(prm);
-    std::istringstream stream(text);
-    assign_entries(read_assignments(stream, name), prm);
-    check_unused_entries(parameters, prm);
-    check_scene(parameters);
+    assign_entries(assignments, prm);
+    try
+      {
+        check_unused_entries(parameters, prm);
+        check_scene(parameters);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(complete_message(error.what(), assignments, prm));
+      }
   }
 } // namespace ThermoContact

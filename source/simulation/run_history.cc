@@ -25,7 +25,9 @@ namespace ThermoContact
     record.iterations = result.n_iterations;
     add_jump(result); // energies that a jump has, too
     record.dissipation += result.dissipation;
+    record.lateral_dissipation += result.lateral_dissipation;
     record.algebraic += result.algebraic;
+    record.contact_dissipation += result.contact_dissipation;
     record.contact_impulse += result.impulse;
     if (!result.is_prescribed)
       max_energy_increase =

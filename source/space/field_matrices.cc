@@ -114,11 +114,16 @@ namespace ThermoContact
       setup_matrix(true, coupling);
     if (scene.has_elastic_contact_nodes())
       setup_matrix(false, viscous_stiffness);
+    if (scene.heat.has_lateral_exchange())
+      setup_matrix(false, lateral_exchange);
     start_rod();
     assemble_mass();
     assemble_stiffness();
     if (scene.fields.has_temperature)
-      assemble_contact_end();
+      {
+        assemble_contact_end();
+        assemble_lateral_exchange();
+      }
     if (rod_cells)
       rod = rod_cells->make();
     rod_cells.reset();
@@ -132,8 +137,7 @@ namespace ThermoContact
   {
     if constexpr (dim == 1)
       {
-        if (!scene.linear_solver.is_along_rod ||
-            Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
+        if (Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
           return;
         rod_cells = std::make_unique<RodCells>(discretization);
         if (!rod_cells->is_in_order())

@@ -49,12 +49,19 @@ namespace ThermoContact
       return *maps.heat_mass;
     }
 
-    /** $K+kB$, $\int\nabla\eta_i\cdot\nabla\eta_j + k\int_{\Gamma_C}\eta_i
-     * \eta_j$. */
+    /** $K+kB+L$, $\int\nabla\eta_i\cdot\nabla\eta_j +
+     * k\int_{\Gamma_C}\eta_i\eta_j$ and the lateral heat exchange. */
     const LinearMap &
     conduction() const
     {
       return *maps.conduction;
+    }
+
+    /** $L$; of scenes with a lateral heat exchange, (M.102). */
+    const LinearMap &
+    lateral_exchange() const
+    {
+      return *maps.lateral_exchange;
     }
 
     /** $D$, $\int\eta_i\,\mathrm{div}\,\varphi_j$; temperature rows,
@@ -117,6 +124,13 @@ namespace ThermoContact
       return matrices != nullptr ? matrices->rod.get() : nullptr;
     }
 
+    /** Whether stage matrices are to be eliminated by the blocks of rod(). */
+    bool
+    is_eliminated_along_rod() const
+    {
+      return rod() != nullptr && is_along_rod;
+    }
+
     const Material &
     coefficients() const
     {
@@ -135,6 +149,10 @@ namespace ThermoContact
      */
     SparseMatrix
     heat_stage_matrix(const double tau) const;
+
+    /** $K+kB+L$ with constrained rows, of scenes that have matrices. */
+    SparseMatrix
+    conduction_matrix() const;
 
     /** Matrix of the momentum block, $bM_u+\tau\zeta S_\zeta+\tau^2S$. */
     SparseMatrix
@@ -179,6 +197,7 @@ namespace ThermoContact
     const Discretization<dim>                      &discretization;
     const Material                                 &material;
     const bool                                      has_own_viscous_stiffness;
+    const bool                                      is_along_rod;
     const std::unique_ptr<const FieldMatrices<dim>> own_matrices;
     /** One of the two is there. */
     const FieldMatrices<dim> *const                      matrices;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/report/output_reference.h>
+#include <thermocontact/output/output_tables.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <fnmatch.h>
 
 namespace ThermoContact
 {
@@ -58,7 +62,10 @@ namespace ThermoContact
          {"numerical_dissipation",
           "energy",
           "by the scheme, summed up, (M.24)"},
-         {"in_contact", "", "1 if any node has pressure, else 0"},
+         {"in_contact",
+          "",
+          "1 if any node has pressure, with damped contact penetrates, else "
+          "0"},
          {"iterations",
           "",
           "of the contact solver or of the fixed point, in the step"},
@@ -79,7 +86,18 @@ namespace ThermoContact
           "energy",
           "iterative solver: what residuals of linear systems do, summed up, "
           "(M.65); energy(0) + work + algebraic = energy + dissipation + "
-          "numerical_dissipation in each row"}}};
+          "numerical_dissipation in each row"},
+         {"contact_dissipation",
+          "energy",
+          "damped contact: what the damping of the obstacle takes, summed up, "
+          "(M.85); the right-hand side of that balance has it as well"},
+         {"lateral_heat_flux",
+          "heat flux",
+          "lateral heat exchange: to the surroundings along the whole body, "
+          "per cross-section, (M.102)"},
+         {"lateral_dissipation",
+          "energy",
+          "lateral heat exchange: its part of dissipation, (M.105)"}}};
     }
 
 
@@ -96,7 +114,8 @@ namespace ThermoContact
          {"velocity",
           "velocity",
           "axial, of the contact end, before an impact, after a release; "
-          "positive towards the obstacle"}}};
+          "positive towards the obstacle"},
+         {"duration", "time", "of the contact that ends; `nan` of a `begin`"}}};
     }
 
 
@@ -141,6 +160,18 @@ namespace ThermoContact
 
 
     OutputTable
+    poincare_table()
+    {
+      return {"poincare.csv",
+              "The rows of contact.csv, whose columns it has, at the multiples "
+              "of `Output/Period`, from t = 0 on; steps end there.",
+              "column",
+              {{"*", "", "as in contact.csv"}}};
+    }
+
+
+
+    OutputTable
     study_table()
     {
       return {
@@ -161,14 +192,14 @@ namespace ThermoContact
          {"error_displacement_end", "length", "largest over time"},
          {"error_velocity_end", "velocity", "likewise"},
          {"error_contact_force", "force", "likewise"},
-         {"error_temperature_end", "temperature", "likewise"},
+         {"error_temperature_end", "temperature difference", "likewise"},
          {"error_first_contact_time", "time", "of the first event"},
          {"error_energy", "energy", "largest over time"},
          {"loop_seconds_median", "s", "the median of repetitions"},
          {"final_error_displacement_end", "length", "at the end time"},
          {"final_error_velocity_end", "velocity", "likewise"},
          {"final_error_contact_force", "force", "likewise"},
-         {"final_error_temperature_end", "temperature", "likewise"},
+         {"final_error_temperature_end", "temperature difference", "likewise"},
          {"final_error_energy", "energy", "likewise"},
          {"first_contact_time", "time", "of the first event"},
          {"contact_begins", "", "how often contact began"},
@@ -251,6 +282,10 @@ namespace ThermoContact
          {"wall_seconds",
           "s",
           "from the start of the program; of a run of a study, from its own"},
+         {"units",
+          "",
+          "of the keys that have one, an object; a scene with `Scales` and "
+          "`Output/SI`"},
          {"peak_memory_mb", "MB", "of all ranks, each at its largest"},
          {"peak_memory_mb_per_rank", "MB", "a list"},
          {"warnings", "", "all that were shown, a list"},
@@ -271,7 +306,7 @@ namespace ThermoContact
          {"predicted_remark", "", "why there is none, or how it is reached"},
          {"difference_displacement_end", "length", "end less state of rest"},
          {"difference_contact_force", "force", "likewise"},
-         {"difference_temperature_end", "temperature", "likewise"},
+         {"difference_temperature_end", "temperature difference", "likewise"},
          {"predicted_first_contact_time", "time", "of the first impact"},
          {"predicted_first_penetration", "length", "peak of the first contact"},
          {"predicted_critical_step_size",
@@ -366,6 +401,7 @@ namespace ThermoContact
                                                     event_table(),
                                                     attempt_table(),
                                                     probe_table(),
+                                                    poincare_table(),
                                                     summary_table(),
                                                     study_table(),
                                                     field_table(),
@@ -373,5 +409,18 @@ namespace ThermoContact
                                                     obstacle_table(),
                                                     space_time_table()};
     return tables;
+  }
+
+
+  const std::string &
+  kind_of(const std::string &file, const std::string &name)
+  {
+    for (const OutputTable &table : output_tables())
+      if (table.file == file)
+        for (const OutputTerm &term : table.terms)
+          if (fnmatch(term.name.c_str(), name.c_str(), 0) == 0)
+            return term.kind;
+    AssertThrow(false, dealii::ExcMessage(file + ": " + name + " has no text"));
+    return file; // not reached
   }
 } // namespace ThermoContact
