@@ -218,9 +218,17 @@ namespace ThermoContact
                 const KeyErrors       &errors,
                 Log                   &log)
   {
-    const KeyValues values = key_values(simulation);
-    const auto      bar    = [](const double error) {
-      return std::isnan(error) ? "unknown" : significant(error, 2);
+    const KeyValues   values = key_values(simulation);
+    const OutputUnits units(simulation.parameters());
+    const auto        bar = [&](const unsigned int k, const double error) {
+      return std::isnan(error) ? "unknown" :
+                                        units.text(key_error_kinds[k], error, 2);
+    };
+    // all are differences but the temperature, whose zero may be another one
+    const auto value = [&](const unsigned int k) {
+      return units.text(k + 1 == n_key_errors ? "temperature" :
+                                                key_error_kinds[k],
+                        values[k]);
     };
     for (const std::string &remark : errors.remarks)
       log.line("  warning:  " + remark);
@@ -231,11 +239,11 @@ namespace ThermoContact
       if (!std::isnan(values[k]))
         log.line(text("            ",
                       align_left(key_error_names[k], 24),
-                      align_left(text(values[k]), 12),
+                      align_left(value(k), 12),
                       "  +- ",
-                      align_left(bar(errors.time[k]), 8),
+                      align_left(bar(k, errors.time[k]), 8),
                       "  +- ",
-                      bar(errors.space[k])));
+                      bar(k, errors.space[k])));
   }
 
 

@@ -272,20 +272,6 @@ namespace ThermoContact
 
 
 
-    /** The runs that error bars take. */
-    std::string
-    describe_repeats(const Parameters &parameters)
-    {
-      std::string line = "for error bars, without files:";
-      for (const auto &scenes :
-           {coarser_in_time(parameters), coarser_in_space(parameters)})
-        for (const CoarserScene &scene : scenes)
-          line += (line.back() == ':' ? " " : "; ") + scene.words;
-      return line + "; with these the run takes about 3 times as long";
-    }
-
-
-
     /** What can be said of a run before it is made. */
     void
     report_forecast(const Scene &scene, const double n_cells, Log &log)

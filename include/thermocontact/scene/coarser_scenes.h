@@ -37,6 +37,10 @@ namespace ThermoContact
    */
   std::vector<CoarserScene>
   coarser_in_space(const Parameters &parameters);
+
+  /** Which they are, and what they cost, for the screen. */
+  std::string
+  describe_repeats(const Parameters &parameters);
 } // namespace ThermoContact
 
 #endif
