@@ -19,6 +19,8 @@ namespace ThermoContact
     const Double coefficient(0., 1e15);
     const Double signed_coefficient(-1e15, 1e15);
     const Double duration(0., 1e15);
+    const Double any_number(-std::numeric_limits<double>::max(),
+                            std::numeric_limits<double>::max());
 
 
 
