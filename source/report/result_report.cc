@@ -115,6 +115,10 @@ namespace ThermoContact
                   in(record.energy),
                   " + dissipated ",
                   in(record.dissipation),
+                  record.contact_dissipation == 0. ?
+                    "" :
+                    text(" + taken by the obstacle ",
+                         in(record.contact_dissipation)),
                   " + lost to the scheme ",
                   in(record.numerical_dissipation),
                   record.algebraic == 0. ?
