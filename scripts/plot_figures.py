@@ -23,6 +23,7 @@ CONTACT = {"gap": r"gap  $g - u(1, t)$",
 ENERGY = {"energy": r"energy  $\hat{E}$", "work": "work",
           "dissipation": "dissipation",
           "numerical_dissipation": "numerical dissipation",
+          "contact_dissipation": "dissipation by the obstacle",
           "defect": "defect of the balance"}
 LOADS = ["stress_end", "work"]  # 0 all the time if nothing acts on the rod
 LOG_ENERGY = r"$\ln\,(\hat{E} + 0.01)$"

@@ -12,6 +12,8 @@ COLUMNS = ["time", "displacement_end", "displacement_mid", "velocity_end",
            "stress_end", "gap", "contact_force", "contact_impulse",
            "temperature_end", "temperature_mean", "heat_flux_end", "energy",
            "work", "dissipation", "numerical_dissipation", "in_contact"]
+# what residuals do to the energy, with the iterative solver; what damping takes
+OPTIONAL = ["algebraic", "contact_dissipation"]
 STEPS = ["time", "step_size", "error", "accepted", "reason"]
 PROBE = re.compile(r"(temperature|displacement|velocity|stress)_(\d+)$")
 
@@ -49,9 +51,8 @@ def read_data(path, end_time):
     """Comments of contact.csv, time of its last row, and the columns up to the
     end time, with what follows from them."""
     comments, header, rows = read_rows(path, COLUMNS)
-    # what residuals do to the energy is a column with the iterative solver only
-    algebraic = ["algebraic"] if "algebraic" in header else []
-    data = convert(path, header, rows, COLUMNS + algebraic)
+    optional = [name for name in OPTIONAL if name in header]
+    data = convert(path, header, rows, COLUMNS + optional)
     times = data["time"]
     for before, time, line in zip([-math.inf, *times], times, data["line"]):
         if not before <= time < math.inf:
@@ -62,11 +63,14 @@ def read_data(path, end_time):
     if count < 2 or times[0] == times[count - 1]:
         fail(path, "fewer than two times to draw", "wait or raise --end-time")
     data = {name: values[:count] for name, values in data.items()}
-    data["defect"] = [data["energy"][0] + work + residuals - energy - lost - numerical
-                      for work, residuals, energy, lost, numerical in zip(
-                          data["work"], data.get("algebraic", [0.] * count),
-                          data["energy"], data["dissipation"],
-                          data["numerical_dissipation"])]
+    nothing = [0.] * count
+    data["defect"] = [
+        data["energy"][0] + work + residuals - energy - sum(lost)
+        for work, residuals, energy, *lost in zip(
+            data["work"], data.get("algebraic", nothing), data["energy"],
+            data["dissipation"], data["numerical_dissipation"],
+            data.get("contact_dissipation", nothing))]
+    data.setdefault("contact_dissipation", [math.nan] * count)
     return comments, times[-1], data, units_of(comments, header)
 
 

@@ -138,7 +138,7 @@ namespace ThermoContact
     const Material   &material = scene.material;
     const ContactLaw &law      = *scene.contact.law;
     const double      gap      = scene.contact.gap;
-    if (!law.is_active() || !material.has_inertia() ||
+    if (!law.is_active() || law.damping() > 0. || !material.has_inertia() ||
         scene.parameters.dimension > 1 || scene.sources.any())
       return {};
     const FreeMotion motion(scene);
@@ -172,13 +172,15 @@ namespace ThermoContact
     impact.penetration = law.penetration(impact.force);
 
     // The series keeps the initial temperature. By the time of the impact,
-    // heat has made the part 1 - exp(-pi^2/4 t) of its way at least.
+    // heat has made the part 1 - exp(-(pi^2/4 + m) t) of its way at least.
     const double heat_shift =
       !material.has_thermal_stress() ?
         0. :
         std::abs(free_expansion(scene, scene.heat.steady_drop()) -
                  motion.initial_expansion()) *
-          -std::expm1(-0.25 * numbers::PI * numbers::PI * impact.time);
+          -std::expm1(
+            -(0.25 * numbers::PI * numbers::PI + scene.heat.lateral_exchange) *
+            impact.time);
     if (!(impact.velocity > 0.) || !(stroke > 2. * heat_shift))
       return {};
     return impact;

@@ -75,10 +75,23 @@ namespace ThermoContact
   BoundaryParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Boundary");
-    prm.add_parameter("Fixed end temperature",
-                      fixed_end_temperature,
-                      "Temperature theta_A of the fixed end x = 0.",
-                      any_number);
+    add_number_or_expression(
+      prm,
+      "Fixed end temperature",
+      fixed_end_temperature,
+      "t",
+      "Temperature theta_A of the fixed end x = 0; an expression in t, e.g. "
+      "10*sin(2*pi*t).",
+      [this](const double number, const std::string &expression) {
+        fixed_end_temperature = number;
+        fixed_end_expression  = expression;
+      },
+      true);
+    prm.add_parameter("Fixed end displacement",
+                      fixed_end_displacement,
+                      "Displacement u_A of the fixed end x = 0 along the axis, "
+                      "a base that moves: an expression in t, zero at t = 0, "
+                      "e.g. 0.1*sin(2*pi*t).");
     add_number_or_expression(
       prm,
       "Heat exchange",
@@ -103,10 +116,22 @@ namespace ThermoContact
         obstacle_expression  = expression;
       },
       true);
+    prm.add_parameter("Lateral heat exchange",
+                      lateral_heat_exchange,
+                      "Heat m (theta - theta_inf) that the rod loses to its "
+                      "surroundings per volume, m >= 0; for Dimension > 1 "
+                      "through its lateral faces: -d theta/dn = m A/P (theta - "
+                      "theta_inf), A/P the area of the cross-section over its "
+                      "perimeter.",
+                      coefficient);
+    prm.add_parameter("Ambient temperature",
+                      ambient_temperature,
+                      "Temperature theta_inf of the surroundings.",
+                      any_number);
     prm.add_parameter("Lateral support",
                       lateral_support,
                       "Lateral faces, for Dimension > 1: rollers (no normal "
-                      "displacement) or free; adiabatic in both cases.",
+                      "displacement) or free.",
                       Selection("rollers|free"));
     prm.add_parameter("Fixed end support",
                       fixed_end_support,
@@ -144,6 +169,12 @@ namespace ThermoContact
       "/ epsilon)^m; 1.5 is Hertz's contact of a rounded end, 1 "
       "is normal compliance.",
       Double(1., 10.));
+    prm.add_parameter(
+      "Damping",
+      damping,
+      "Damping c >= 0 of an elastic obstacle (Hunt and Crossley): its pressure "
+      "is multiplied by 1 + c times the velocity into it, and never negative.",
+      coefficient);
     add_number_or_expression(
       prm,
       "Gap",

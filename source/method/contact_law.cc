@@ -20,6 +20,16 @@ namespace ThermoContact
 
 
   double
+  ContactLaw::damped_pressure(const double penetration, const double v) const
+  {
+    const double elastic = pressure(penetration);
+    const double c       = damping();
+    return c == 0. ? elastic : elastic * std::max(0., 1. + c * v);
+  }
+
+
+
+  double
   ContactLaw::numerical_dissipation(const double change,
                                     const double,
                                     const double old_pressure,

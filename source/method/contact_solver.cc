@@ -2,11 +2,13 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/method/contact_solver.h>
+#include <thermocontact/method/nodal_contact.h>
 
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -138,109 +140,53 @@ namespace ThermoContact
 
   namespace
   {
-    /** The nodes of (M.70): penetrations of either sign, and pressures. */
-    struct Penetrations
+    /** The same law at all nodes, as a function of the penetration. */
+    class LawOfPenetrations : public NodalLaws
     {
-      std::vector<double> penetration, pressure, defect;
-      double              largest_defect = 0.;
-      double              scale          = 0.; ///< of what a defect consists
+    public:
+      LawOfPenetrations(const ContactLaw &law, const std::vector<bool> &is_held)
+        : law(law)
+        , is_held(is_held)
+      {}
+
+      double
+      pressure(const unsigned int i, const double penetration) const override
+      {
+        return is_held[i] && penetration < 0. ? -law.pressure(-penetration) :
+                                                law.pressure(penetration);
+      }
+
+      double
+      stiffness(const unsigned int,
+                const double,
+                const double pressure) const override
+      {
+        return 1. / law.tangent(pressure);
+      }
+
+      double
+      local_pressure(const unsigned int i,
+                     const double       free_penetration,
+                     const double       receptance) const override
+      {
+        return is_held[i] ?
+                 law.local_closed_pressure(free_penetration, receptance) :
+                 law.local_pressure(free_penetration, receptance);
+      }
+
+      double
+      position(const unsigned int,
+               const double free_penetration,
+               const double,
+               const double pressure) const override
+      {
+        return pressure != 0. ? law.penetration(pressure) : free_penetration;
+      }
+
+    private:
+      const ContactLaw        &law;
+      const std::vector<bool> &is_held;
     };
-
-
-
-    double
-    pressure_at(const ContactLaw &law,
-                const double      penetration,
-                const bool        is_held)
-    {
-      return is_held && penetration < 0. ? -law.pressure(-penetration) :
-                                           law.pressure(penetration);
-    }
-
-
-
-    /** Pressures and defects of penetrations. */
-    void
-    evaluate(const ContactLaw                 &law,
-             const dealii::FullMatrix<double> &response,
-             const std::vector<double>        &free_penetration,
-             const std::vector<bool>          &is_held,
-             Penetrations                     &nodes)
-    {
-      const unsigned int n = nodes.penetration.size();
-      nodes.pressure.resize(n);
-      nodes.defect.resize(n);
-      for (unsigned int i = 0; i < n; ++i)
-        nodes.pressure[i] = pressure_at(law, nodes.penetration[i], is_held[i]);
-      nodes.largest_defect = nodes.scale = 0.;
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const double by_pressure = loss(response, nodes.pressure, i);
-          nodes.defect[i] =
-            nodes.penetration[i] + by_pressure - free_penetration[i];
-          // a NaN is no small defect
-          nodes.largest_defect =
-            std::abs(nodes.defect[i]) <= nodes.largest_defect ?
-              nodes.largest_defect :
-              std::abs(nodes.defect[i]);
-          nodes.scale = std::max({nodes.scale,
-                                  std::abs(free_penetration[i]),
-                                  std::abs(nodes.penetration[i]),
-                                  std::abs(by_pressure)});
-        }
-    }
-
-
-
-    /** A step of Newton's method in the penetrations. */
-    std::vector<double>
-    newton_step(const ContactLaw                 &law,
-                const dealii::FullMatrix<double> &response,
-                const Penetrations               &nodes)
-    {
-      const unsigned int         n = nodes.penetration.size();
-      dealii::FullMatrix<double> matrix(response);
-      dealii::Vector<double>     rhs(n), change(n);
-      std::vector<double>        scale(n);
-      for (unsigned int j = 0; j < n; ++j)
-        {
-          // columns of stiff nodes are larger by any factor: their diagonal is
-          // made 1
-          const double stiffness = 1. / law.tangent(nodes.pressure[j]);
-          scale[j]               = 1. + stiffness * response(j, j);
-          for (unsigned int i = 0; i < n; ++i)
-            matrix(i, j) *= stiffness / scale[j];
-          matrix(j, j) = 1.;
-          rhs(j)       = nodes.defect[j];
-        }
-      matrix.gauss_jordan();
-      matrix.vmult(change, rhs);
-      std::vector<double> penetration(nodes.penetration);
-      for (unsigned int i = 0; i < n; ++i)
-        penetration[i] -= change(i) / scale[i];
-      return penetration;
-    }
-
-
-
-    /** One node after another meets the law, by (M.17). */
-    void
-    sweep(const ContactLaw                 &law,
-          const dealii::FullMatrix<double> &response,
-          const std::vector<double>        &free_penetration,
-          const std::vector<bool>          &is_held,
-          Penetrations                     &nodes)
-    {
-      std::vector<double> &p = nodes.pressure;
-      for (unsigned int i = 0; i < p.size(); ++i)
-        {
-          const double reach =
-            free_penetration[i] - loss(response, p, i) + response(i, i) * p[i];
-          p[i] = is_held[i] ? law.local_closed_pressure(reach, response(i, i)) :
-                              law.local_pressure(reach, response(i, i));
-          nodes.penetration[i] = p[i] != 0. ? law.penetration(p[i]) : reach;
-        }
-    }
   } // namespace
 
 
@@ -252,47 +198,16 @@ namespace ThermoContact
     const std::vector<bool>          &is_held,
     std::vector<double>              &pressure) const
   {
-    constexpr unsigned int max_iterations = 1000;
-    constexpr double       smallest_part  = 1e-6; // of a step
-    const unsigned int     n              = pressure.size();
-    Penetrations           nodes;
-    for (unsigned int i = 0; i < n; ++i)
-      nodes.penetration.push_back(
-        pressure[i] != 0. ? law.penetration(pressure[i]) :
-                            free_penetration[i] - loss(response, pressure, i));
-    const auto evaluate_nodes = [&](Penetrations &at) {
-      evaluate(law, response, free_penetration, is_held, at);
-    };
-    evaluate_nodes(nodes);
-    for (unsigned int iteration = 1; iteration <= max_iterations; ++iteration)
-      {
-        const std::vector<double> aim = newton_step(law, response, nodes);
-        Penetrations              trial(nodes);
-        bool                      is_better = false;
-        for (double part = 1.; part > smallest_part && !is_better; part *= 0.5)
-          {
-            for (unsigned int i = 0; i < n; ++i)
-              trial.penetration[i] =
-                part * aim[i] + (1. - part) * nodes.penetration[i];
-            evaluate_nodes(trial);
-            is_better = trial.largest_defect < nodes.largest_defect;
-          }
-        if (is_better)
-          nodes = trial;
-        if (nodes.largest_defect <= (is_better ? 1e-15 : 1e-13) * nodes.scale)
-          {
-            pressure = nodes.pressure;
-            return iteration;
-          }
-        if (!is_better)
-          {
-            sweep(law, response, free_penetration, is_held, nodes);
-            evaluate_nodes(nodes);
-          }
-      }
-    throw ComputationError("the pressures of " + std::to_string(n) +
-                           " contact nodes were not found\n  remedy:  a "
-                           "smaller Time/Step size");
+    std::vector<double> penetration;
+    for (unsigned int i = 0; i < pressure.size(); ++i)
+      penetration.push_back(pressure[i] != 0. ? law.penetration(pressure[i]) :
+                                                free_penetration[i] -
+                                                  loss(response, pressure, i));
+    return solve_nodal_contact(LawOfPenetrations(law, is_held),
+                               response,
+                               free_penetration,
+                               std::move(penetration),
+                               pressure);
   }
 
 

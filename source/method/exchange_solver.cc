@@ -186,9 +186,11 @@ namespace ThermoContact
   ExchangeSolver::solve(const EndResponse       &response,
                         const ContactMode        mode,
                         EndExchange             &end,
-                        const std::vector<bool> &is_held) const
+                        const std::vector<bool> &is_held,
+                        const NodesInMotion     &motion) const
   {
-    ExchangeStage stage(law, exchange, response, mode, is_held, end.pressure);
+    ExchangeStage stage(
+      law, exchange, response, mode, is_held, end.pressure, motion);
     if (stage.n == 1)
       end.coefficient[0] = solve_node(stage, end.coefficient, 0);
     else if (!solve_smooth(stage, end.coefficient) &&

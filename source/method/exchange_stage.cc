@@ -43,7 +43,8 @@ namespace ThermoContact
                                const EndResponse       &response,
                                const ContactMode        mode,
                                const std::vector<bool> &is_held,
-                               const Values            &pressure)
+                               const Values            &pressure,
+                               const NodesInMotion     &motion)
     : n(response.free_penetration.size())
     , pressure(pressure)
     , law(law)
@@ -51,6 +52,7 @@ namespace ThermoContact
     , response(response)
     , mode(mode)
     , is_held(is_held)
+    , motion(motion)
   {}
 
 
@@ -81,9 +83,39 @@ namespace ThermoContact
 
 
   void
+  ExchangeStage::solve_damped_contact()
+  {
+    without_contact = motion;
+    for (unsigned int i = 0; i < n; ++i)
+      without_contact.free_velocity[i] +=
+        (free_penetration[i] - response.free_penetration[i]) / motion.tau;
+    FullMatrix<double> velocity_response(receptance);
+    velocity_response /= motion.tau;
+    n_iterations =
+      DampedContact(law).solve(velocity_response, without_contact, pressure);
+  }
+
+
+
+  double
+  ExchangeStage::tangent(const unsigned int i) const
+  {
+    if (law.damping() == 0.)
+      return law.tangent(pressure[i]);
+    double velocity = without_contact.free_velocity[i];
+    for (unsigned int j = 0; j < n; ++j)
+      velocity -= receptance(i, j) / motion.tau * pressure[j];
+    return motion.tau / DampedContact(law).stiffness(motion, i, velocity);
+  }
+
+
+
+  void
   ExchangeStage::solve_contact()
   {
-    n_iterations     = 0;
+    n_iterations = 0;
+    if (law.damping() > 0. && mode != ContactMode::open)
+      return solve_damped_contact();
     bool is_in_reach = false;
     for (unsigned int i = 0; i < n; ++i)
       is_in_reach |= free_penetration[i] > 0. || stays_closed(i);
@@ -136,7 +168,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < n; ++i)
       {
         all.push_back(i);
-        if (is_closed(i))
+        if (is_closed(i) && std::isfinite(tangent(i)))
           closed.push_back(i);
       }
     FullMatrix<double> result(n, n);
@@ -147,7 +179,7 @@ namespace ThermoContact
     matrix.extract_submatrix_from(receptance, closed, closed);
     rhs.extract_submatrix_from(loss, closed, all);
     for (unsigned int i = 0; i < m; ++i)
-      matrix(i, i) += law.tangent(pressure[closed[i]]);
+      matrix(i, i) += tangent(closed[i]);
     matrix.gauss_jordan();
     FullMatrix<double> of_closed = multiply(matrix, rhs);
     of_closed *= -1.;

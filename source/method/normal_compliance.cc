@@ -85,9 +85,11 @@ namespace ThermoContact
   {
     return {"normal compliance",
             "elastic obstacle",
-            {"Compliance"},
+            {"Compliance", "Damping"},
             [](const ContactLawParameters &parameters) {
-              return std::make_unique<NormalCompliance>(parameters.compliance);
+              return with_damping(std::make_unique<NormalCompliance>(
+                                    parameters.compliance),
+                                  parameters.damping);
             }};
   }
 } // namespace ThermoContact

@@ -112,13 +112,14 @@ namespace ThermoContact
   {
     return {"power law",
             "elastic obstacle, pressure = (penetration / epsilon)^m",
-            {"Compliance", "Exponent"},
+            {"Compliance", "Exponent", "Damping"},
             [](const ContactLawParameters &parameters)
               -> std::unique_ptr<const ContactLaw> {
               if (parameters.exponent == 1.)
                 return normal_compliance().make(parameters);
-              return std::make_unique<PowerLaw>(parameters.compliance,
-                                                parameters.exponent);
+              return with_damping(std::make_unique<PowerLaw>(
+                                    parameters.compliance, parameters.exponent),
+                                  parameters.damping);
             }};
   }
 } // namespace ThermoContact

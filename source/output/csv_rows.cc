@@ -6,10 +6,10 @@
 
 namespace ThermoContact
 {
-  const CsvColumns<StepRecord> &
-  contact_columns(const unsigned int dim, const bool is_iterative)
+  CsvColumns<StepRecord>
+  contact_columns(const Scene &scene)
   {
-    static const CsvColumns<StepRecord> of_rod = {
+    CsvColumns<StepRecord> columns = {
       {"step", &StepRecord::step},
       {"time", &StepRecord::time},
       {"step_size", &StepRecord::step_size},
@@ -30,8 +30,7 @@ namespace ThermoContact
       {"iterations", &StepRecord::iterations},
       {"work", &StepRecord::work},
       {"temperature_mean", &StepRecord::temperature_mean}};
-    static const CsvColumns<StepRecord> of_face = [] {
-      CsvColumns<StepRecord> columns = of_rod;
+    if (scene.parameters.dimension > 1)
       for (const auto &[name, member] :
            {std::pair("contact_area", &FaceRecord::contact_area),
             std::pair("max_pressure", &FaceRecord::max_pressure),
@@ -41,14 +40,19 @@ namespace ThermoContact
         columns.emplace_back(name, [member = member](const StepRecord &record) {
           return record.face.*member;
         });
-      return columns;
-    }();
-    static const CsvColumns<StepRecord> of_iterative = [] {
-      CsvColumns<StepRecord> columns = of_face;
+    if (scene.linear_solver.is_iterative)
       columns.emplace_back("algebraic", &StepRecord::algebraic);
-      return columns;
-    }();
-    return dim == 1 ? of_rod : is_iterative ? of_iterative : of_face;
+    if (scene.contact.law->damping() > 0.)
+      columns.emplace_back("contact_dissipation",
+                           &StepRecord::contact_dissipation);
+    if (scene.heat.has_lateral_exchange())
+      {
+        columns.emplace_back("lateral_heat_flux",
+                             &StepRecord::lateral_heat_flux);
+        columns.emplace_back("lateral_dissipation",
+                             &StepRecord::lateral_dissipation);
+      }
+    return columns;
   }
 
 

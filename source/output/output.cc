@@ -29,8 +29,7 @@ namespace ThermoContact
     , communicator(simulation.discretization().communicator())
     , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
     , units(simulation.parameters())
-    , columns(
-        contact_columns(dim, simulation.scene().linear_solver.is_iterative))
+    , columns(contact_columns(simulation.scene()))
     , contact_units(units.of_columns("contact.csv", columns))
     , event_units(units.of_columns("events.csv", event_columns()))
     , attempt_units(units.of_columns("steps.csv", attempt_columns()))
@@ -42,34 +41,24 @@ namespace ThermoContact
     , next_fields(0.)
     , next_contact(0.)
     , next_space_time(0.)
+    , next_period(0.)
   {
     field_timer.reset();
-    const std::string   &title = simulation.parameters().title;
     const OutputProgress sizes = progress ? *progress : OutputProgress();
-    const auto           open  = [&](const std::string  &name,
-                          const std::string  &head,
-                          const std::uint64_t size,
-                          TableFile          &file) {
-      if (!is_writer)
-        return;
-      if (size > 0)
-        return file.reopen(directory + "/" + name, size);
-      file.open(directory + "/" + name);
-      file.write_row(csv_comments(title) + head);
-    };
-    open("contact.csv",
-         csv_head(columns, contact_units),
-         sizes.contact_size,
-         contact_file);
-    open("events.csv",
-         csv_head(event_columns(), event_units),
-         sizes.events_size,
-         events_file);
+    const std::string    head  = csv_comments(simulation.parameters().title);
+    open(contact_file,
+         "contact.csv",
+         head + csv_head(columns, contact_units),
+         sizes.contact_size);
+    open(events_file,
+         "events.csv",
+         head + csv_head(event_columns(), event_units),
+         sizes.events_size);
     if (has_attempts)
-      open("steps.csv",
-           csv_head(attempt_columns(), attempt_units),
-           sizes.steps_size,
-           steps_file);
+      open(steps_file,
+           "steps.csv",
+           head + csv_head(attempt_columns(), attempt_units),
+           sizes.steps_size);
     if (is_writer && parameters.fields_interval > 0.)
       {
         std::error_code error; // a fault shows when the first file is opened
@@ -79,6 +68,23 @@ namespace ThermoContact
     flush();
     if (progress)
       restore(*progress, simulation);
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::open(TableFile          &file,
+                    const std::string  &name,
+                    const std::string  &head,
+                    const std::uint64_t size)
+  {
+    if (!is_writer)
+      return;
+    if (size > 0)
+      return file.reopen(directory + "/" + name, size);
+    file.open(directory + "/" + name);
+    file.write_row(head);
   }
 
 
@@ -103,6 +109,14 @@ namespace ThermoContact
       }
     else
       unused_space_time_size = sizes.space_time_size;
+    if (parameters.period > 0.)
+      open(poincare_file,
+           "poincare.csv",
+           csv_comments(simulation.parameters().title) +
+             csv_head(columns, contact_units),
+           sizes.poincare_size);
+    else
+      unused_poincare_size = sizes.poincare_size;
   }
 
 
@@ -111,7 +125,10 @@ namespace ThermoContact
   std::vector<TableFile *>
   Output<dim>::tables()
   {
-    std::vector<TableFile *> files = {&contact_file, &events_file, &steps_file};
+    std::vector<TableFile *> files = {&contact_file,
+                                      &events_file,
+                                      &steps_file,
+                                      &poincare_file};
     if (probe_output)
       files.push_back(&probe_output->file());
     if (space_time_output)
@@ -138,7 +155,8 @@ namespace ThermoContact
     for (auto [interval, next] :
          {std::make_pair(parameters.fields_interval, &next_fields),
           std::make_pair(parameters.contact_interval, &next_contact),
-          std::make_pair(parameters.space_time_interval, &next_space_time)})
+          std::make_pair(parameters.space_time_interval, &next_space_time),
+          std::make_pair(parameters.period, &next_period)})
       if (interval > 0.)
         *next = whole_intervals(interval, time) + 1.;
     field_output.restore(progress.snapshot_times);
@@ -174,6 +192,7 @@ namespace ThermoContact
         if (probe_output)
           probe_output->write(simulation.state());
       }
+    write_period(record);
     write_events(simulation.events());
     write_attempts(simulation.history().attempts);
     if (space_time_output &&
@@ -214,6 +233,22 @@ namespace ThermoContact
                                               nullptr),
               events_file,
               event_units);
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::write_period(const StepRecord &record)
+  {
+    if (parameters.period == 0.)
+      return;
+    const double count = whole_intervals(parameters.period, record.time);
+    if (count < next_period)
+      return;
+    next_period = count + 1.; // steps end there: none is missed
+    if (is_writer)
+      add_row(columns, record, poincare_file, contact_units);
   }
 
 
@@ -289,7 +324,9 @@ namespace ThermoContact
         progress.space_time_size = space_time_output ?
                                      space_time_output->file().size() :
                                      unused_space_time_size;
-        progress.snapshot_times  = field_output.times();
+        progress.poincare_size =
+          parameters.period > 0. ? poincare_file.size() : unused_poincare_size;
+        progress.snapshot_times = field_output.times();
       }
     throw_everywhere<ComputationError>(fault, communicator);
     return progress;

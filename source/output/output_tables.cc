@@ -62,7 +62,10 @@ namespace ThermoContact
          {"numerical_dissipation",
           "energy",
           "by the scheme, summed up, (M.24)"},
-         {"in_contact", "", "1 if any node has pressure, else 0"},
+         {"in_contact",
+          "",
+          "1 if any node has pressure, with damped contact penetrates, else "
+          "0"},
          {"iterations",
           "",
           "of the contact solver or of the fixed point, in the step"},
@@ -83,7 +86,18 @@ namespace ThermoContact
           "energy",
           "iterative solver: what residuals of linear systems do, summed up, "
           "(M.65); energy(0) + work + algebraic = energy + dissipation + "
-          "numerical_dissipation in each row"}}};
+          "numerical_dissipation in each row"},
+         {"contact_dissipation",
+          "energy",
+          "damped contact: what the damping of the obstacle takes, summed up, "
+          "(M.85); the right-hand side of that balance has it as well"},
+         {"lateral_heat_flux",
+          "heat flux",
+          "lateral heat exchange: to the surroundings along the whole body, "
+          "per cross-section, (M.102)"},
+         {"lateral_dissipation",
+          "energy",
+          "lateral heat exchange: its part of dissipation, (M.105)"}}};
     }
 
 
@@ -141,6 +155,18 @@ namespace ThermoContact
                {"displacement_*", "length", "axial"},
                {"velocity_*", "velocity", "axial"},
                {"stress_*", "stress", "axial; tension is positive"}}};
+    }
+
+
+
+    OutputTable
+    poincare_table()
+    {
+      return {"poincare.csv",
+              "The rows of contact.csv, whose columns it has, at the multiples "
+              "of `Output/Period`, from t = 0 on; steps end there.",
+              "column",
+              {{"*", "", "as in contact.csv"}}};
     }
 
 
@@ -370,6 +396,7 @@ namespace ThermoContact
                                                     event_table(),
                                                     attempt_table(),
                                                     probe_table(),
+                                                    poincare_table(),
                                                     summary_table(),
                                                     study_table(),
                                                     field_table(),

@@ -20,8 +20,8 @@ namespace ThermoContact
     double
     energy_at_first(const StepRecord &record)
     {
-      return record.energy + record.dissipation + record.numerical_dissipation -
-             record.work - record.algebraic;
+      return record.energy + record.dissipation + record.contact_dissipation +
+             record.numerical_dissipation - record.work - record.algebraic;
     }
   } // namespace
 

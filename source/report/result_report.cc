@@ -105,6 +105,7 @@ namespace ThermoContact
       };
       const double defect = initial_energy + record.work + record.algebraic -
                             record.energy - record.dissipation -
+                            record.contact_dissipation -
                             record.numerical_dissipation;
       return text(in(initial_energy),
                   " at first + work ",
@@ -141,10 +142,13 @@ namespace ThermoContact
         {"steps: energy, errors, rest", steps_rest},
         {"rows and screen", times.loop - times.steps},
         {"fields and checkpoints", times.output},
+        {"repeats for error bars", times.repeats},
         {"whole run", times.wall}};
       const char *title = "time";
       for (const auto &[name, seconds] : sections)
         {
+          if (seconds == 0. && std::string(name) == "repeats for error bars")
+            continue;
           const double share = 100. * std::max(0., seconds) / times.wall;
           log.line(text("  ",
                         align_left(title, 10),
@@ -208,10 +212,41 @@ namespace ThermoContact
 
 
 
+  template <int dim>
+  void
+  report_errors(const Simulation<dim> &simulation,
+                const KeyErrors       &errors,
+                Log                   &log)
+  {
+    const KeyValues values = key_values(simulation);
+    const auto      bar    = [](const double error) {
+      return std::isnan(error) ? "unknown" : significant(error, 2);
+    };
+    for (const std::string &remark : errors.remarks)
+      log.line("  warning:  " + remark);
+    log.line(text("  errors    by ",
+                  errors.n_repeats,
+                  " repeats: value, +- in time, +- in space"));
+    for (unsigned int k = 0; k < n_key_errors; ++k)
+      if (!std::isnan(values[k]))
+        log.line(text("            ",
+                      align_left(key_error_names[k], 24),
+                      align_left(text(values[k]), 12),
+                      "  +- ",
+                      align_left(bar(errors.time[k]), 8),
+                      "  +- ",
+                      bar(errors.space[k])));
+  }
+
+
+
 #define INSTANTIATE(dim)                                    \
   template void report_result<dim>(const Simulation<dim> &, \
                                    const RunTimes &,        \
                                    const double,            \
+                                   Log &);                  \
+  template void report_errors<dim>(const Simulation<dim> &, \
+                                   const KeyErrors &,       \
                                    Log &)
 
   INSTANTIATE(1);

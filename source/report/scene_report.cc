@@ -353,13 +353,23 @@ namespace ThermoContact
     if (scene.fields.has_temperature)
       log.line(
         text("  heat      theta_A = ",
-             units.text("temperature", scene.heat.fixed_end_temperature),
+             scene.sources.has_driven_temperature ?
+               scene.heat.fixed_end_drive->text() :
+               units.text("temperature", scene.heat.fixed_end_temperature),
              ", ",
              scene.heat.exchange->description(),
              ", theta_obs = ",
              scene.sources.has_varying_obstacle ?
                scene.parameters.boundary.obstacle_expression :
-               units.text("temperature", scene.heat.obstacle_temperature)));
+               units.text("temperature", scene.heat.obstacle_temperature),
+             scene.heat.has_lateral_exchange() ?
+               text(", m = ",
+                    scene.heat.lateral_exchange,
+                    ", theta_inf = ",
+                    units.text("temperature", scene.heat.ambient_temperature)) :
+               ""));
+    if (scene.sources.has_moving_end)
+      log.line("  fixed end u_A = " + scene.fixed_end_motion->text());
     if (scene.fields.has_displacement)
       log.line("  contact   " + describe_contact(simulation));
     log.line("  time      " + describe_time(scene));

@@ -120,6 +120,22 @@ namespace ThermoContact
           }
       summary["units"] = names;
     }
+
+
+
+    /** What is not known is null; remarks are warnings. */
+    void
+    add_errors(const KeyErrors &errors, nlohmann::ordered_json &entries)
+    {
+      for (unsigned int k = 0; k < n_key_errors; ++k)
+        {
+          const std::string name         = key_error_names[k];
+          entries[name + "_time_error"]  = errors.time[k];
+          entries[name + "_space_error"] = errors.space[k];
+        }
+      for (const std::string &remark : errors.remarks)
+        entries["warnings"].push_back(remark);
+    }
   } // namespace
 
 
@@ -129,7 +145,8 @@ namespace ThermoContact
   write_summary(const std::string     &file_name,
                 const std::string     &status,
                 const Simulation<dim> &simulation,
-                const RunTimes        &times)
+                const RunTimes        &times,
+                const KeyErrors       *errors)
   {
     const Parameters    &parameters = simulation.parameters();
     const StepRecord    &record     = simulation.record();
@@ -187,6 +204,8 @@ namespace ThermoContact
       summary["first_contact_time"] = events.front().time;
 
     summary.update(predictions(simulation));
+    if (errors != nullptr)
+      add_errors(*errors, summary);
     if (const OutputUnits units(parameters); units.is_si())
       convert(units, summary);
 
@@ -208,7 +227,8 @@ namespace ThermoContact
   template void write_summary<dim>(const std::string &,     \
                                    const std::string &,     \
                                    const Simulation<dim> &, \
-                                   const RunTimes &)
+                                   const RunTimes &,        \
+                                   const KeyErrors *)
 
   INSTANTIATE(1);
   INSTANTIATE(2);

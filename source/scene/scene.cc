@@ -63,11 +63,33 @@ namespace ThermoContact
                                      constant_exchange(boundary.heat_exchange) :
                                      exchange_by_expression(expression, std::max(gap, 1.));
       heat.fixed_end_temperature = boundary.fixed_end_temperature;
+      if (!boundary.fixed_end_expression.empty())
+        {
+          heat.fixed_end_drive = std::make_unique<const TimeFunction>(
+            Expression{"Boundary/Fixed end temperature",
+                       boundary.fixed_end_expression});
+          heat.fixed_end_temperature = heat.fixed_end_drive->value(0.);
+        }
       heat.obstacle_temperature  = boundary.obstacle_expression.empty() ?
                                      boundary.obstacle_temperature :
                                      first_temperature(boundary);
       heat.reference_coefficient = heat.exchange->coefficient(-gap, 0.);
+      heat.lateral_exchange      = boundary.lateral_heat_exchange;
+      heat.ambient_temperature   = boundary.ambient_temperature;
       return heat;
+    }
+
+
+
+    std::unique_ptr<const TimeFunction>
+    resolve_motion(const BoundaryParameters &boundary,
+                   const SceneFields        &fields)
+    {
+      const Expression motion{"Boundary/Fixed end displacement",
+                              boundary.fixed_end_displacement};
+      return fields.has_displacement && !motion.is_zero() ?
+               std::make_unique<const TimeFunction>(motion) :
+               nullptr;
     }
 
 
@@ -75,7 +97,8 @@ namespace ThermoContact
     SceneSources
     resolve_sources(const Parameters  &parameters,
                     const SceneFields &fields,
-                    const SceneHeat   &heat)
+                    const SceneHeat   &heat,
+                    const bool         has_motion)
     {
       const SourceParameters &sources = parameters.sources;
 
@@ -87,7 +110,9 @@ namespace ThermoContact
               acts(fields.has_displacement, sources.end_traction),
               acts(fields.has_temperature, sources.end_heat_flux),
               fields.has_temperature && heat.linear_coefficient() > 0. &&
-                !parameters.boundary.obstacle_expression.empty()};
+                !parameters.boundary.obstacle_expression.empty(),
+              fields.has_temperature && heat.fixed_end_drive != nullptr,
+              has_motion};
     }
 
 
@@ -96,10 +121,11 @@ namespace ThermoContact
     resolve_prescribed_start(const Parameters  &parameters,
                              const SceneFields &fields,
                              const SceneHeat   &heat,
-                             const Scheme      &scheme)
+                             const Scheme      &scheme,
+                             const bool         has_motion)
     {
       return fields.has_displacement && parameters.model.inertia > 0. &&
-             heat.exchange->is_constant() &&
+             heat.exchange->is_constant() && !has_motion &&
              (parameters.time.start == "paper" ||
               (parameters.time.start == "automatic" && scheme.is_of_paper &&
                parameters.contact.massless_nodes != "on"));
@@ -127,6 +153,8 @@ namespace ThermoContact
         return false; // the rule knows no single nodes
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
+      if (law.damping() > 0.)
+        return false; // the damping acts on what moves with inertia
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
       return scheme.needs_massless_contact ||
@@ -189,8 +217,12 @@ namespace ThermoContact
         return "Solver/Step solver = fixed point";
       if (has_prescribed_start)
         return "Time/Start = paper";
+      if (heat.has_lateral_exchange())
+        return "Boundary/Lateral heat exchange is not 0";
       const std::string condition =
         "Contact/Condition = " + parameters.contact.condition;
+      if (contact.law->damping() > 0.)
+        return text("Contact/Damping = ", contact.law->damping());
       if (!contact.law->is_linear())
         return condition;
       if (contact.has_impacts())
@@ -261,10 +293,16 @@ namespace ThermoContact
                  .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, fields))
     , heat(resolve_heat(parameters.boundary, parameters.contact.gap))
-    , sources(resolve_sources(parameters, fields, heat))
+    , fixed_end_motion(resolve_motion(parameters.boundary, fields))
+    , sources(
+        resolve_sources(parameters, fields, heat, fixed_end_motion != nullptr))
     , scheme(ThermoContact::scheme(parameters.time.scheme))
     , has_prescribed_start(
-        resolve_prescribed_start(parameters, fields, heat, scheme))
+        resolve_prescribed_start(parameters,
+                                 fields,
+                                 heat,
+                                 scheme,
+                                 fixed_end_motion != nullptr))
     , contact(resolve_contact(parameters,
                               fields,
                               material,

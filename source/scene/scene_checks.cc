@@ -3,6 +3,8 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/probe_positions.h>
+#include <thermocontact/scene/contact_checks.h>
+#include <thermocontact/scene/drive_checks.h>
 #include <thermocontact/scene/mass_checks.h>
 #include <thermocontact/scene/scales_checks.h>
 #include <thermocontact/scene/scene.h>
@@ -350,6 +352,7 @@ namespace ThermoContact
              "for a rigid obstacle set Contact/Condition = rigid");
     check_scales(parameters);
     check_mass_matrix(scene);
+    check_damping(scene);
     check_number_of_unknowns(parameters.mesh, parameters.dimension);
     parse_probe_positions(parameters.output.probes,
                           parameters.dimension,
@@ -360,6 +363,7 @@ namespace ThermoContact
       check_fixed_steps(parameters.time);
     check_start(scene);
     check_exchange(scene);
+    check_drives(scene);
     if (scene.is_fixed_point)
       check_fixed_point(scene);
     check_scheme(scene);

@@ -43,6 +43,8 @@ namespace ThermoContact
     Words           terms;
     terms.add_if(has_temperature, "heat conduction");
     terms.add_if(has_temperature && scene.heat.has_exchange(), "heat exchange");
+    terms.add_if(has_temperature && scene.heat.has_lateral_exchange(),
+                 "lateral heat exchange");
     terms.add_if(has_displacement && material.has_inertia(), "inertia");
     terms.add_if(has_displacement, "elasticity");
     terms.add_if(has_displacement && material.has_viscosity(), "viscosity");
@@ -52,6 +54,7 @@ namespace ThermoContact
     terms.add_if(law.is_active() && law.is_rigid(), "rigid contact");
     terms.add_if(law.is_active() && !law.is_rigid(),
                  scene.parameters.contact.condition);
+    terms.add_if(law.damping() > 0., "damped contact");
     terms.add_if(scene.contact.has_massless_nodes, "massless contact nodes");
     terms.add_if(scene.has_lumped_mass &&
                    (has_temperature || material.has_inertia()),
@@ -64,6 +67,9 @@ namespace ThermoContact
     terms.add_if(scene.sources.has_end_heat_flux, "end heat flux");
     terms.add_if(scene.sources.has_varying_obstacle,
                  "varying temperature of the obstacle");
+    terms.add_if(scene.sources.has_driven_temperature,
+                 "varying temperature of the fixed end");
+    terms.add_if(scene.sources.has_moving_end, "moving fixed end");
     return terms.list;
   }
 } // namespace ThermoContact

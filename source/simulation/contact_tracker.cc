@@ -61,6 +61,13 @@ namespace ThermoContact
     end.get_penetrations(state.displacement, values.penetration);
     end.get_values(Field::displacement, state.velocity, values.velocity);
     values.pressure = state.contact_pressure;
+    // a damped obstacle is left where the penetration ends
+    const ContactLaw &law = body.law();
+    if (law.damping() > 0.)
+      for (unsigned int i = 0; i < values.pressure.size(); ++i)
+        values.pressure[i] =
+          std::copysign(law.pressure(std::abs(values.penetration[i])),
+                        values.penetration[i]);
   }
 
 
@@ -81,7 +88,7 @@ namespace ThermoContact
                                     const EnergyTerms &energy)
   {
     impacted.reset();
-    if (!locator.switch_at_start(finding.time))
+    if (!locator.switch_at_start(finding.time, finding.change_of_velocity))
       return {ContactVerdict::with_law};
     if (body.law().is_rigid() && !body.scene.contact.is_in_equilibrium &&
         locator.mode() == ContactMode::closed)

@@ -129,10 +129,7 @@ namespace ThermoContact
     if (begins_contact && !body.law().is_rigid())
       {
         changed = true;
-        body.contact_end().get_penetrations(result.state.displacement,
-                                            pressure);
-        for (double &p : pressure) // penetrations so far
-          p = body.law().pressure(p);
+        body.set_pressures_of_law(result.state);
       }
     if (!changed)
       return;

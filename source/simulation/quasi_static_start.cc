@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/method/contact_solver.h>
+#include <thermocontact/method/damped_contact.h>
 #include <thermocontact/simulation/quasi_static_start.h>
 #include <thermocontact/time/iterative_solver.h>
 
@@ -133,6 +134,7 @@ namespace ThermoContact
           state.contact_pressure = known.contact_pressure;
           return;
         }
+      body.driven_end.subtract_viscous_stress(state.time, momentum_load);
       if (body.law().is_rigid())
         {
           solver.solve_quasi_static_velocity(known,
@@ -155,8 +157,33 @@ namespace ThermoContact
         }
       state.velocity.equ((material.viscosity + 1.) / material.viscosity,
                          rates.velocity);
+      body.driven_end.set_velocity(state.time, state.velocity);
     }
   } // namespace
+
+
+
+  template <int dim>
+  void
+  QuasiStaticStart<dim>::solve_with_damping(const Vector &load, State &state)
+  {
+    // a stage of length 1 has the matrix (zeta + 1) S
+    const double viscosity = body.scene.material.viscosity;
+    const double factor    = (viscosity + 1.) / viscosity;
+    factors->solve(state.velocity, load);
+    state.velocity *= factor;
+    FullMatrix<double> velocity_response(response);
+    velocity_response *= factor;
+    NodesInMotion nodes; // where they are
+    body.contact_end().get_penetrations(state.displacement, nodes.start);
+    body.contact_end().get_values(Field::displacement,
+                                  state.velocity,
+                                  nodes.free_velocity);
+    std::vector<double> &p = state.contact_pressure;
+    DampedContact(body.law()).solve(velocity_response, nodes, p);
+    for (unsigned int i = 0; i < p.size(); ++i)
+      state.velocity.add(-p[i] * factor, unit_responses[i]);
+  }
 
 
 
@@ -187,13 +214,15 @@ namespace ThermoContact
     body.loads.assemble(state.time, heat_load, momentum_load);
 
     factorize();
+    const Material &material = body.scene.material;
+    if (!material.is_static())
+      body.driven_end.subtract_viscous_stress(state.time, momentum_load);
     body.equations.stage_rhs(
       state, 1., heat_load, momentum_load, heat_rhs, rhs);
     const unsigned int  n = state.contact_pressure.size();
     std::vector<double> gaps;
     for (const ContactNode<dim> &node : body.contact_end().nodes())
       gaps.push_back(node.gap);
-    const Material &material = body.scene.material;
     if (material.is_static())
       {
         solve_with_contact(body.law(),
@@ -205,6 +234,11 @@ namespace ThermoContact
         return;
       }
 
+    if (body.law().damping() > 0.)
+      {
+        solve_with_damping(rhs, state);
+        return;
+      }
     std::vector<bool> is_away(n, true);
     if (body.law().is_rigid())
       {
@@ -227,6 +261,7 @@ namespace ThermoContact
                        state.velocity,
                        state.contact_pressure);
     state.velocity *= (material.viscosity + 1.) / material.viscosity;
+    body.driven_end.set_velocity(state.time, state.velocity);
   }
 
 

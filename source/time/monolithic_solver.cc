@@ -30,6 +30,7 @@ namespace ThermoContact
     : body(body)
     , exchange(*body.scene.heat.exchange)
     , contact_solver(body.law())
+    , damped_contact(body.law())
     , exchange_solver(body.law(), exchange)
     , max_factorizations(
         cache_size<dim>(body.discretization.dof_handler().n_dofs()))
@@ -262,6 +263,8 @@ namespace ThermoContact
                                        StageRates       &rates)
   {
     const StopWatch watch(counters_.contact_seconds);
+    if (body.law().damping() > 0.)
+      return solve_damped_contact(known, mode, rates);
     get_free_penetration(known, rates);
     bool reaches_obstacle = false;
     for (unsigned int i = 0; i < free_penetration.size(); ++i)
@@ -298,6 +301,8 @@ namespace ThermoContact
     const double           tau      = factorizations.front().matrix.tau();
     const ContactEnd<dim> &end      = body.contact_end();
     response.free_penetration       = free_penetration;
+    if (body.law().damping() > 0.)
+      get_nodes_in_motion(known, mode, rates);
     end.get_values(Field::temperature, known.temperature, known_values);
     end.get_values(Field::temperature,
                    rates.temperature_rate,
@@ -309,8 +314,8 @@ namespace ThermoContact
 
     end_exchange.pressure    = known.contact_pressure;
     end_exchange.coefficient = known.exchange_coefficient;
-    rates.n_iterations =
-      exchange_solver.solve(response, mode, end_exchange, rates.is_held);
+    rates.n_iterations       = exchange_solver.solve(
+      response, mode, end_exchange, rates.is_held, nodes_in_motion);
     rates.pressure             = end_exchange.pressure;
     rates.exchange_coefficient = end_exchange.coefficient;
     apply_pressure(rates);

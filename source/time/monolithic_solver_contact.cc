@@ -68,10 +68,55 @@ namespace ThermoContact
 
 
   template <int dim>
+  void
+  MonolithicSolver<dim>::get_nodes_in_motion(const State      &known,
+                                             const ContactMode mode,
+                                             const StageRates &rates)
+  {
+    const ContactEnd<dim> &end = body.contact_end();
+    nodes_in_motion.tau        = factorizations.front().matrix.tau();
+    nodes_in_motion.is_held    = rates.is_held;
+    if (mode == ContactMode::closed)
+      nodes_in_motion.is_held.assign(end.n_nodes(), true);
+    end.get_penetrations(known.displacement, nodes_in_motion.start);
+    end.get_values(Field::displacement,
+                   rates.velocity,
+                   nodes_in_motion.free_velocity);
+  }
+
+
+
+  template <int dim>
+  void
+  MonolithicSolver<dim>::solve_damped_contact(const State      &known,
+                                              const ContactMode mode,
+                                              StageRates       &rates)
+  {
+    get_nodes_in_motion(known, mode, rates);
+    const NodesInMotion &nodes            = nodes_in_motion;
+    bool                 reaches_obstacle = !nodes.is_held.empty();
+    for (unsigned int i = 0; i < nodes.start.size(); ++i)
+      reaches_obstacle |=
+        nodes.start[i] + nodes.tau * nodes.free_velocity[i] > 0.;
+    if (!reaches_obstacle)
+      return;
+    FullMatrix<double> velocity_response(response());
+    velocity_response /= nodes.tau;
+    rates.pressure = known.contact_pressure;
+    rates.n_iterations =
+      damped_contact.solve(velocity_response, nodes, rates.pressure);
+    apply_pressure(rates);
+  }
+
+
+
+  template <int dim>
   bool
   MonolithicSolver<dim>::has_lost_digits(const State      &known,
                                          const StageRates &rates)
   {
+    if (body.law().damping() > 0.)
+      return false; // its unknowns are the velocities
     const double tau = factorizations.front().matrix.tau();
     body.contact_end().get_penetrations(known.displacement, end_values);
     const double free = largest_difference(free_penetration, end_values);
@@ -205,16 +250,21 @@ namespace ThermoContact
 
 
 
-#define INSTANTIATE(dim)                                                    \
-  template void MonolithicSolver<dim>::keep_contact(                        \
-    const std::vector<bool> &, const std::vector<double> &, State &);       \
-  template bool MonolithicSolver<dim>::has_lost_digits(const State &,       \
-                                                       const StageRates &); \
-  template void MonolithicSolver<dim>::refine(const State &,                \
-                                              const Vector &,               \
-                                              const Vector &,               \
-                                              const ContactMode,            \
-                                              const std::vector<double> &,  \
+#define INSTANTIATE(dim)                                                       \
+  template void MonolithicSolver<dim>::keep_contact(                           \
+    const std::vector<bool> &, const std::vector<double> &, State &);          \
+  template void MonolithicSolver<dim>::get_nodes_in_motion(                    \
+    const State &, const ContactMode, const StageRates &);                     \
+  template void MonolithicSolver<dim>::solve_damped_contact(const State &,     \
+                                                            const ContactMode, \
+                                                            StageRates &);     \
+  template bool MonolithicSolver<dim>::has_lost_digits(const State &,          \
+                                                       const StageRates &);    \
+  template void MonolithicSolver<dim>::refine(const State &,                   \
+                                              const Vector &,                  \
+                                              const Vector &,                  \
+                                              const ContactMode,               \
+                                              const std::vector<double> &,     \
                                               StageRates &)
 
   INSTANTIATE(1);

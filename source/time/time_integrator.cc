@@ -18,8 +18,13 @@ namespace ThermoContact
       failure = "another rank has failed";
     std::vector<double> values;
     const auto          visit = [this](const auto &act) {
-      for (double *value :
-           {&work, &dissipation, &numerical_dissipation, &algebraic, &impulse})
+      for (double *value : {&work,
+                            &dissipation,
+                            &lateral_dissipation,
+                            &numerical_dissipation,
+                            &algebraic,
+                            &contact_dissipation,
+                            &impulse})
         act(*value);
     };
     visit([&](const double value) { values.push_back(value); });

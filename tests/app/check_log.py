@@ -50,8 +50,10 @@ def expected_lines(run):
         yield "at rest", "; differs in ", [(s["difference_" + key], TWO, 1e-12)
                                            for key in keys]
     parts = [last["energy"], last["dissipation"], last["numerical_dissipation"]]
-    first = run.contact["energy"][0]
-    yield "energy", "", [(value, SIX, 0) for value in (first, last["work"], *parts)] + [
+    first, shown = run.contact["energy"][0], parts.copy()
+    if "lateral_dissipation" in last:  # the part of the dissipation behind it
+        shown.insert(2, last["lateral_dissipation"])
+    yield "energy", "", [(value, SIX, 0) for value in (first, last["work"], *shown)] + [
         (first + last["work"] - sum(parts), TWO, 1e-11 * (abs(first) + abs(last["work"])))]
     yield "cost", "", [(s[key], 0, 0) for key in (
         "steps", "rejected_steps", "factorizations", "solves")] + [
@@ -98,6 +100,8 @@ def time_scales(settings):
     epsilon = settings.number("Contact/Compliance")
     if settings.has("temperature"):
         yield "heat", 1
+        if m := settings.number("Boundary/Lateral heat exchange"):
+            yield "lateral", 1 / m
     if settings.has("displacement"):
         yield from ((name, value) for name, value in (
             ("wave", b**0.5), ("viscous", zeta),

@@ -15,7 +15,10 @@ VALUES = {
     "Model/Thermoelastic heating": "false", "Model/Poisson ratio": "0.3",
     "Boundary/Fixed end temperature": "5", "Boundary/Heat exchange": "2",
     "Boundary/Obstacle temperature": "1", "Boundary/Lateral support": "free",
+    "Boundary/Lateral heat exchange": "2", "Boundary/Ambient temperature": "1",
+    "Boundary/Fixed end displacement": "0.1*t",
     "Contact/Condition": "rigid", "Contact/Compliance": "0.02", "Contact/Exponent": "2",
+    "Contact/Damping": "0.5",
     "Contact/Gap": "0.2", "Contact/Massless nodes": "on",
     "Initial values/Temperature": "1", "Initial values/Displacement": "0.01*x",
     "Initial values/Velocity": "x", "Sources/Heat source": "1",
@@ -39,7 +42,8 @@ STUDY = ("Study/Vary=Mesh/Cells = 4 | 8", "Study/Reference=Time/Tolerance = 1e-9
 PLANE = "Dimension=2"
 MECHANICAL = """Model/Inertia; Model/Viscosity; Model/Coupling;
      Model/Thermoelastic heating; Model/Poisson ratio;
-     Boundary/Lateral support; Boundary/Fixed end support; Contact/Gap;
+     Boundary/Lateral support; Boundary/Fixed end support;
+     Boundary/Fixed end displacement; Contact/Gap;
      Contact/Massless nodes; Initial values/Displacement; Initial values/Velocity;
      Sources/Body force; Sources/End traction; Time/Start;
      Time/Locate contact events"""
@@ -62,12 +66,18 @@ SCENES = [
      ("Contact/Condition=none",), ("Contact/Condition=normal compliance",)),
     ("Contact/Condition = normal compliance", "Contact/Exponent", (),
      ("Contact/Condition=power law",)),
+    ("Contact/Condition = rigid", "Contact/Damping", ("Contact/Condition=rigid",),
+     ("Contact/Condition=normal compliance",), ("Contact/Condition=power law",)),
+    ("Contact/Condition = none", "Contact/Damping", ("Contact/Condition=none",),
+     ("Contact/Condition=power law",)),
     ("Contact/Condition = none",
      "Contact/Gap; Contact/Massless nodes; Time/Locate contact events",
      ("Contact/Condition=none",), ("Contact/Condition=normal compliance",),
      ("Contact/Condition=rigid",)),
     ("Boundary/Heat exchange = 0", "Boundary/Obstacle temperature",
      ("Boundary/Heat exchange=0",), ("Boundary/Heat exchange=1e-9",)),
+    ("Boundary/Lateral heat exchange = 0", "Boundary/Ambient temperature", (),
+     ("Boundary/Lateral heat exchange=1e-9",)),
     ("Time/Step size = a number", """Time/Tolerance; Time/First step size; Time/Minimum step size;
      Time/Maximum step size""", (STEPS,),
      ("Time/Step size=automatic",)),
@@ -92,11 +102,16 @@ SCENES = [
      ("Model/Fields=temperature",), ()),
     ("Model/Fields = temperature", "Contact/Exponent",
      ("Model/Fields=temperature",), ("Contact/Condition=power law",)),
+    ("Model/Fields = temperature", "Contact/Damping",
+     ("Model/Fields=temperature",), ()),
     ("Model/Fields = temperature", "Contact/Condition",
      ("Model/Fields=temperature",), ()),
     ("Model/Fields = temperature", "Study/Target error",
      ("Model/Fields=temperature",), STUDY),
     ("Model/Fields = displacement", THERMAL, ("Model/Fields=displacement",), ()),
+    ("Model/Fields = displacement", "Boundary/Lateral heat exchange; "
+     "Boundary/Ambient temperature", ("Model/Fields=displacement",),
+     ("Boundary/Lateral heat exchange=1e-9",)),
     ("Model/Coupling = 0", "Model/Thermoelastic heating", ("Model/Coupling=0",),
      ("Model/Coupling=-1e-9",)),
     ("Model/Inertia = 0", "Mesh/Mass matrix",

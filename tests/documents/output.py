@@ -23,9 +23,11 @@ BODY = {**SHORT, "Dimension": "2", "Mesh/Cells across": "2", "Contact/Gap": "-0.
 SCENES = {
     "rod": {**SHORT, "Time/Step size": "automatic", "Output/Probes": "0.5; 1",
             "Output/Space-time interval": "0.01", "Time/End time": "0.2"},
+    "cooling": {**SHORT, "Boundary/Lateral heat exchange": "1", "Output/Period": "0.01"},
     "heat": {**SHORT, "Model/Fields": "temperature"},
     "motion": {**SHORT, "Model/Fields": "displacement", "Contact/Condition": "none"},
     "switch": {**SHORT, "Boundary/Heat exchange": "1+gap"},
+    "damped": {**SHORT, "Contact/Damping": "0.5"},
     "conserving": {**SHORT, "Time/Scheme": "energy conserving"},
     "slow": {**SHORT, "Model/Inertia": "0", "Model/Viscosity": "0",
              "Initial values/Temperature": "theta_A"},

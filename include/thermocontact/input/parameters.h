@@ -40,13 +40,17 @@ namespace ThermoContact
   /** Section Boundary: doc/model.md (M.3). */
   struct BoundaryParameters
   {
-    double      fixed_end_temperature = 10.; ///< $\theta_A$
-    double      heat_exchange         = 1.;  ///< $k\ge0$ if it is a number,
-    std::string exchange_expression;         ///< or else in gap, pressure
-    double      obstacle_temperature = 0.;   ///< $\theta_{obs}$, a number,
-    std::string obstacle_expression;         ///< or else in y, z, t
-    std::string lateral_support   = "rollers";
-    std::string fixed_end_support = "clamped";
+    double      fixed_end_temperature = 10.;  ///< $\theta_A$, a number,
+    std::string fixed_end_expression;         ///< or else in t
+    std::string fixed_end_displacement = "0"; ///< $u_A$, in t
+    double      heat_exchange          = 1.;  ///< $k\ge0$ if it is a number,
+    std::string exchange_expression;          ///< or else in gap, pressure
+    double      obstacle_temperature = 0.;    ///< $\theta_{obs}$, a number,
+    std::string obstacle_expression;          ///< or else in y, z, t
+    double      lateral_heat_exchange = 0.;   ///< $m\ge0$
+    double      ambient_temperature   = 0.;   ///< $\theta_\infty$
+    std::string lateral_support       = "rollers";
+    std::string fixed_end_support     = "clamped";
 
     void
     add_parameters(ParameterHandler &prm);
@@ -210,9 +214,11 @@ namespace ThermoContact
     double      contact_interval = 0.;
     std::string probes; ///< read by parse_probe_positions()
     double      space_time_interval = 0.;
+    double      period              = 0.;    ///< of poincare.csv
     bool        land_on_times       = false; ///< steps end on output times
     double      checkpoint_interval = 0.;    ///< seconds of wall-clock time
     bool        is_si               = true;  ///< if there are scales
+    bool        has_error_bars      = false;
 
     void
     add_parameters(ParameterHandler &prm);

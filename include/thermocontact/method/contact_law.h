@@ -69,6 +69,20 @@ namespace ThermoContact
     virtual double
     pressure(const double penetration) const = 0;
 
+    /**
+     * $c\ge0$ of the factor $[1+cv]_+$ of the pressure, doc/model.md (M.82).
+     * Where it is positive, all else here is the elastic law at $v=0$.
+     */
+    virtual double
+    damping() const
+    {
+      return 0.;
+    }
+
+    /** Pressure that a penetration causes, at the normal velocity @p v. */
+    double
+    damped_pressure(const double penetration, const double v) const;
+
     /** $s(p)$; odd, for the pressures of either sign of a held contact. */
     virtual double
     penetration(const double pressure) const = 0;
@@ -138,6 +152,7 @@ namespace ThermoContact
   {
     double compliance = 0.01; ///< $\varepsilon>0$
     double exponent   = 1.5;  ///< $m\ge1$
+    double damping    = 0.;   ///< $c\ge0$
   };
 
 
@@ -168,6 +183,10 @@ namespace ThermoContact
   /** The kind of that name, which exists. */
   const ContactLawKind &
   contact_law(const std::string &name);
+
+  /** The law with the factor of (M.82); itself without damping. */
+  std::unique_ptr<const ContactLaw>
+  with_damping(std::unique_ptr<const ContactLaw> elastic, const double damping);
 
   // the kinds, each in a file of its own
   ContactLawKind

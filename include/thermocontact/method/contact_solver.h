@@ -88,12 +88,9 @@ namespace ThermoContact
     begins_without_stiffness() const;
 
     /**
-     * Newton's method in the penetrations. Each step, or a part of it, has to
-     * make the largest defect smaller; else one node after another meets the
-     * law.
+     * As solve(), by solve_nodal_contact() for the penetrations.
      *
      * @param is_held nodes with pressures of either sign
-     * @return,@throw as solve()
      */
     unsigned int
     solve_for_penetrations(const dealii::FullMatrix<double> &response,

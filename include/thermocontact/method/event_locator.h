@@ -41,7 +41,12 @@ namespace ThermoContact
     std::vector<double> displacement; ///< normal, $u_n$
     std::vector<double> penetration;  ///< $u_n-g$
     std::vector<double> velocity;     ///< normal, $v_n$
-    std::vector<double> pressure;     ///< of either sign in a closed step
+
+    /**
+     * Of either sign in a closed step. With damping that of the penetration at
+     * rest, of its sign, in all steps.
+     */
+    std::vector<double> pressure;
 
     template <class Archive>
     void
@@ -133,6 +138,9 @@ namespace ThermoContact
 
       /** The node that changes first. */
       unsigned int node = 0;
+
+      /** Of nodes with mass: what is to be added to their velocity. */
+      double change_of_velocity = 0.;
     };
 
     /**
@@ -153,10 +161,11 @@ namespace ThermoContact
      * already, contact is about to change at once in both modes: that event is
      * taken back and the next attempt is unilateral.
      *
+     * @param change_of_velocity from where the body stands to that time
      * @return true if the mode was switched
      */
     bool
-    switch_at_start(const double time);
+    switch_at_start(const double time, const double change_of_velocity = 0.);
 
     /**
      * The next attempt is unilateral: nodes do not change together, or zeros
@@ -239,6 +248,16 @@ namespace ThermoContact
     /** Margin s of a node over the step. */
     CubicHermite
     margin(const ContactValues &next, const unsigned int node) const;
+
+    /**
+     * Change of the velocity of a node with mass from one part of a step to
+     * another, by its margin; else 0.
+     */
+    double
+    change_of_velocity(const CubicHermite &s,
+                       const double        from,
+                       const double        to,
+                       const double        size) const;
 
     /** True if a margin s is as good as zero, (M.32). */
     bool

@@ -48,6 +48,8 @@ namespace ThermoContact
      * @param end in: pressures and coefficients nearby, from which the search
      *   starts; out: the solution
      * @param is_held nodes that stay closed, as for ContactSolver::solve()
+     * @param motion without contact and fluxes, with all nodes held in mode
+     *   closed; with a damped obstacle
      * @return number of linear problems that ContactSolver solved on active
      *   sets for the coefficients of the solution; 0 if no node is pushed back,
      *   and in modes open and closed
@@ -58,7 +60,8 @@ namespace ThermoContact
     solve(const EndResponse       &response,
           const ContactMode        mode,
           EndExchange             &end,
-          const std::vector<bool> &is_held = {}) const;
+          const std::vector<bool> &is_held = {},
+          const NodesInMotion     &motion  = {}) const;
 
   private:
     const ContactLaw   &law;

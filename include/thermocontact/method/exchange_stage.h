@@ -4,6 +4,7 @@
 #define thermocontact_method_exchange_stage_h
 
 #include <thermocontact/method/contact_law.h>
+#include <thermocontact/method/damped_contact.h>
 #include <thermocontact/method/heat_exchange.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -46,13 +47,15 @@ namespace ThermoContact
      *
      * @param is_held nodes that stay closed in mode unilateral; empty: none
      * @param pressure of a nearby problem
+     * @param motion without contact and fluxes; with a damped obstacle
      */
     ExchangeStage(const ContactLaw        &law,
                   const HeatExchange      &exchange,
                   const EndResponse       &response,
                   const ContactMode        mode,
                   const std::vector<bool> &is_held,
-                  const Values            &pressure);
+                  const Values            &pressure,
+                  const NodesInMotion     &motion = {});
 
     const unsigned int n; ///< number of nodes
     Values             pressure;
@@ -78,6 +81,8 @@ namespace ThermoContact
     const ContactMode   mode;
 
     const std::vector<bool> &is_held;
+    const NodesInMotion      motion;
+    NodesInMotion            without_contact; ///< with the fluxes that follow
 
     dealii::FullMatrix<double> inverse;     ///< $(I+kH)^{-1}$
     dealii::FullMatrix<double> conductance; ///< $(I+kH)^{-1}k$
@@ -104,6 +109,14 @@ namespace ThermoContact
 
     void
     solve_contact();
+
+    /** The same for a damped obstacle. */
+    void
+    solve_damped_contact();
+
+    /** $dp/ds$ of node @p i, inverted. */
+    double
+    tangent(const unsigned int i) const;
 
     /** Derivatives of the pressures, from those of the free penetrations. */
     dealii::FullMatrix<double>

@@ -12,11 +12,12 @@
 namespace ThermoContact
 {
   /**
-   * The columns of contact.csv; a body in 2-D or 3-D has some more, and one
-   * more if its stages are solved iteratively.
+   * The columns of contact.csv, those among them that not every scene has:
+   * of the face of a body in 2-D or 3-D, of stages that are solved iteratively,
+   * of a damped obstacle, of a lateral heat exchange.
    */
-  const CsvColumns<StepRecord> &
-  contact_columns(const unsigned int dim, const bool is_iterative = false);
+  CsvColumns<StepRecord>
+  contact_columns(const Scene &scene);
 
   /** A row of events.csv: an event and how long the contact that ends was. */
   struct EventRow : ContactEvent

@@ -4,11 +4,14 @@
 #define thermocontact_scene_scene_h
 
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/input/time_function.h>
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/heat_exchange.h>
+#include <thermocontact/method/rest_profile.h>
 #include <thermocontact/method/scheme.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -84,14 +87,19 @@ namespace ThermoContact
 
 
   /**
-   * Heat between the contact end and the obstacle, (M.3), and the steady
-   * profile $\theta_s=\theta_A-c(\theta_A-\theta_{obs})x$ of one coefficient,
-   * (M.7).
+   * Heat between the contact end and the obstacle, (M.3), between the lateral
+   * faces and the surroundings, (M.101), and the steady profile
+   * $\theta_s=\theta_A-c(\theta_A-\theta_{obs})x$ of one coefficient, (M.7).
    */
   struct SceneHeat
   {
     std::unique_ptr<const HeatExchange> exchange;
-    double                              fixed_end_temperature; ///< $\theta_A$
+
+    /** $\theta_A$; of one that varies that at $t=0$. */
+    double fixed_end_temperature;
+
+    /** $\theta_A(t)$ of one that varies; else null. */
+    std::unique_ptr<const TimeFunction> fixed_end_drive;
 
     /** $\theta_{obs}$; of one that varies that at $t=0$ and $y=z=0$. */
     double obstacle_temperature;
@@ -101,6 +109,37 @@ namespace ThermoContact
      * gap 0 if that is an expression. The profile is a reference: any will do.
      */
     double reference_coefficient;
+
+    double lateral_exchange;    ///< $m\ge0$, of the lateral faces, (M.101)
+    double ambient_temperature; ///< $\theta_\infty$
+
+    bool
+    has_lateral_exchange() const
+    {
+      return lateral_exchange > 0.;
+    }
+
+    /** What the temperature of a rod at rest depends on. */
+    RodSurroundings
+    surroundings() const
+    {
+      return {fixed_end_temperature,
+              obstacle_temperature,
+              lateral_exchange,
+              ambient_temperature};
+    }
+
+    /** The largest difference of the temperatures around the body. */
+    double
+    temperature_range() const
+    {
+      const double drop =
+        std::abs(fixed_end_temperature - obstacle_temperature);
+      return has_lateral_exchange() ?
+               std::max(drop,
+                        std::abs(fixed_end_temperature - ambient_temperature)) :
+               drop;
+    }
 
     /** False if no heat is exchanged. */
     bool
@@ -137,7 +176,7 @@ namespace ThermoContact
       return reference_coefficient / (reference_coefficient + 1.);
     }
 
-    /** $\theta_s(x)$. */
+    /** $\theta_s(x)$ without a lateral heat exchange. */
     double
     steady_temperature(const double x) const
     {
@@ -230,13 +269,22 @@ namespace ThermoContact
     bool has_body_force;
     bool has_end_traction;
     bool has_end_heat_flux;
-    bool has_varying_obstacle; ///< its temperature
+    bool has_varying_obstacle;   ///< its temperature
+    bool has_driven_temperature; ///< of the fixed end
+    bool has_moving_end;         ///< the fixed end
 
     bool
     any() const
     {
       return has_heat_source || has_body_force || has_end_traction ||
-             has_end_heat_flux || has_varying_obstacle;
+             has_end_heat_flux || has_varying_obstacle || drives_end();
+    }
+
+    /** The fixed end is heated or moved as a function of time. */
+    bool
+    drives_end() const
+    {
+      return has_driven_temperature || has_moving_end;
     }
   };
 
@@ -251,7 +299,8 @@ namespace ThermoContact
   {
     /**
      * @param parameters may be ones that check_scene() refuses
-     * @throw InputError if the heat exchange is no valid expression
+     * @throw InputError if the heat exchange or a drive of the fixed end is no
+     *   valid expression
      */
     explicit Scene(const Parameters &parameters);
 
@@ -260,8 +309,12 @@ namespace ThermoContact
     const std::unique_ptr<const BodyGeometry> geometry;
     const Material                            material;
     const SceneHeat                           heat;
-    const SceneSources                        sources;
-    const Scheme                             &scheme;
+
+    /** $u_A(t)$ of a fixed end that moves; else null. */
+    const std::unique_ptr<const TimeFunction> fixed_end_motion;
+
+    const SceneSources sources;
+    const Scheme      &scheme;
 
     /** The first step has the prescribed velocity of the paper, (M.26). */
     const bool has_prescribed_start;
@@ -292,8 +345,7 @@ namespace ThermoContact
     has_work() const
     {
       return sources.any() || material.is_driven_by_heat() ||
-             (!heat.exchange->is_constant() &&
-              heat.fixed_end_temperature != heat.obstacle_temperature);
+             (!heat.exchange->is_constant() && heat.temperature_range() > 0.);
     }
 
     /**

@@ -48,7 +48,7 @@ namespace ThermoContact
     double       velocity_end          = 0.; ///< $u_t(1)$ of the scheme
     double       stress_end            = 0.; ///< $-p+t$
     double       gap                   = 0.; ///< $g-u$, the smallest
-    double       penetration           = 0.; ///< $\varepsilon p$, the largest
+    double       penetration           = 0.; ///< $s(p)$, the largest
     double       contact_force         = 0.; ///< mean of $p\ge0$
     double       contact_impulse       = 0.; ///< $\sum\Delta t\,p$
     double       temperature_end       = 0.;
@@ -61,6 +61,9 @@ namespace ThermoContact
     double       work                  = 0.; ///< sum of (M.25)
     double       temperature_mean      = 0.;
     double       algebraic             = 0.; ///< sum of (M.65)
+    double       contact_dissipation   = 0.; ///< sum of (M.85)
+    double       lateral_heat_flux     = 0.; ///< to the surroundings
+    double       lateral_dissipation   = 0.; ///< sum of (M.105)
     FaceRecord   face;                       ///< of a body in 2-D or 3-D
     EnergyTerms  energy_terms; ///< the terms of energy; not in the file
 
@@ -72,7 +75,8 @@ namespace ThermoContact
         &velocity_end &stress_end &gap &penetration &contact_force
           &contact_impulse &temperature_end &heat_flux_end &energy &dissipation
             &numerical_dissipation &in_contact &iterations &work
-              &temperature_mean &algebraic &face &energy_terms;
+              &temperature_mean &algebraic &contact_dissipation
+                &lateral_heat_flux &lateral_dissipation &face &energy_terms;
     }
   };
 
@@ -109,6 +113,8 @@ namespace ThermoContact
     /** Of the middle of the last cell, where nodes do not have the velocity. */
     Weights             last_cell_weights;
     Vector              mean_weights;
+    Vector              lateral_weights;  ///< of the temperature in the loss
+    double              lateral_sum = 0.; ///< their sum
     std::vector<double> contact_values;
 
     /** Of the axial displacement at @p position on the axis. Collective. */

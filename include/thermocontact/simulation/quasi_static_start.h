@@ -90,6 +90,15 @@ namespace ThermoContact
                        const Vector              &load,
                        Vector                    &w,
                        std::vector<double>       &pressure);
+
+    /**
+     * (M.34) with a damped obstacle: velocities and pressures that go with
+     * the displacements.
+     *
+     * @param load forces on the body without contact
+     */
+    void
+    solve_with_damping(const Vector &load, State &state);
   };
 } // namespace ThermoContact
 

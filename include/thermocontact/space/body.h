@@ -5,12 +5,14 @@
 
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/assembled_space.h>
+#include <thermocontact/space/driven_end.h>
 #include <thermocontact/space/energy.h>
 #include <thermocontact/space/loads.h>
 #include <thermocontact/space/problem_data.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
 #include <memory>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -45,6 +47,7 @@ namespace ThermoContact
       , equations(scene, discretization, space.matrices.get())
       , loads(scene, discretization, data)
       , energy(scene, discretization, equations, loads)
+      , driven_end(scene, discretization, equations, loads, energy)
     {}
 
     const Scene                                     &scene;
@@ -55,6 +58,7 @@ namespace ThermoContact
     const ThermoviscoelasticOperator<dim>            equations;
     Loads<dim>                                       loads;
     const Energy<dim>                                energy;
+    const DrivenEnd<dim>                             driven_end;
 
     /** The contact law, which every node has. */
     const ContactLaw &
@@ -67,6 +71,21 @@ namespace ThermoContact
     contact_end() const
     {
       return discretization.contact_end();
+    }
+
+    /**
+     * The pressures become those of the displacements and velocities, as the
+     * law says; 0 where it says nothing, as for a rigid obstacle. Collective.
+     */
+    void
+    set_pressures_of_law(State &state) const
+    {
+      std::vector<double> penetration, velocity;
+      contact_end().get_penetrations(state.displacement, penetration);
+      contact_end().get_values(Field::displacement, state.velocity, velocity);
+      for (unsigned int i = 0; i < penetration.size(); ++i)
+        state.contact_pressure[i] =
+          law().damped_pressure(penetration[i], velocity[i]);
     }
   };
 } // namespace ThermoContact

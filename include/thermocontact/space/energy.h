@@ -73,12 +73,24 @@ namespace ThermoContact
                       const std::vector<double> &pressure) const;
 
     /**
-     * Rate of physical dissipation, (M.23) without its $\Delta t$:
+     * Rate of physical dissipation, (M.23), (M.105), without its $\Delta t$:
      * $\|\nabla\hat\theta\|^2+k\|\hat\theta\|_{\Gamma_C}^2+\zeta(C\varepsilon
      * (v),\varepsilon(v))\ge0$, with the $k$ of @p state.
      */
     double
     dissipation_rate(const State &state) const;
+
+    /** The part of it that leaves through the lateral faces, (M.105). */
+    double
+    lateral_dissipation_rate(const State &state) const;
+
+    /**
+     * What the damping of the obstacle takes per time, (M.85): work of the
+     * pressures that the obstacle does not store. 0 without damping.
+     * Collective.
+     */
+    double
+    damping_rate(const State &state) const;
 
     /**
      * Numerical dissipation of one backward Euler step, (M.24); every term is
@@ -120,7 +132,7 @@ namespace ThermoContact
                    const State  &state,
                    const Vector &motion) const;
 
-    /** Nodal values of the steady profile $\theta_s$, (M.7). */
+    /** Nodal values of the steady profile $\theta_s$, (M.7), (M.104). */
     const Vector &
     steady_profile() const;
 
@@ -137,6 +149,7 @@ namespace ThermoContact
     const SceneHeat                       &heat;
     const bool                             has_work_;
     Vector                                 steady_profile_;
+    std::vector<double>                    steady_end;    ///< at contact nodes
     Vector                                 steady_stress; ///< $D^T\theta_s$
     mutable Vector                         heat_scratch;
     mutable Vector                         heat_product;
@@ -146,6 +159,8 @@ namespace ThermoContact
     mutable std::vector<double>            old_end_displacement;
     mutable std::vector<double>            old_penetration;
     mutable std::vector<double>            end_temperature;
+    mutable std::vector<double>            end_pressure;
+    mutable std::vector<double>            old_end_pressure;
 
     /** The terms of rank 0, on all ranks. */
     EnergyTerms
@@ -168,6 +183,15 @@ namespace ThermoContact
 
     double
     contact_dissipation(const State &old_state, const State &state) const;
+
+    /**
+     * The pressures that the obstacle stores the energy of: those of @p state,
+     * or with damping those of its penetrations at rest.
+     *
+     * @param scratch may be the result
+     */
+    const std::vector<double> &
+    elastic_pressures(const State &state, std::vector<double> &scratch) const;
 
     /**
      * $\|\hat\theta\|_{\Gamma_C}^2$ with the $k$ of a state, where matrices

@@ -4,6 +4,7 @@
 #define thermocontact_time_monolithic_solver_h
 
 #include <thermocontact/method/contact_solver.h>
+#include <thermocontact/method/damped_contact.h>
 #include <thermocontact/method/exchange_solver.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/stage_factorization.h>
@@ -77,6 +78,7 @@ namespace ThermoContact
     const Body<dim>     &body;
     const HeatExchange  &exchange;
     const ContactSolver  contact_solver;
+    const DampedContact  damped_contact;
     const ExchangeSolver exchange_solver;
 
     /** Rates per unit pressure, or heat flux, with the sign reversed. */
@@ -113,6 +115,7 @@ namespace ThermoContact
     std::vector<double> known_values;
     std::vector<double> free_penetration;
     EndExchange         end_exchange;
+    NodesInMotion       nodes_in_motion; ///< with a damped obstacle
 
     /** Puts the factorisation for @p tau in front. */
     void
@@ -142,6 +145,18 @@ namespace ThermoContact
     /** Of the rates without contact. */
     void
     get_free_penetration(const State &known, const StageRates &rates);
+
+    /** The same with the velocities, for a damped obstacle. */
+    void
+    get_nodes_in_motion(const State      &known,
+                        const ContactMode mode,
+                        const StageRates &rates);
+
+    /** Pressures of a damped obstacle from the velocities without contact. */
+    void
+    solve_damped_contact(const State      &known,
+                         const ContactMode mode,
+                         StageRates       &rates);
 
     /** Pressures from the penetrations without contact. */
     void

@@ -23,8 +23,10 @@ namespace ThermoContact
     double       old_energy            = 0.; ///< where the step starts
     double       work                  = 0.; ///< $W$
     double       dissipation           = 0.; ///< $D$
+    double       lateral_dissipation   = 0.; ///< the part (M.105) of $D$
     double       numerical_dissipation = 0.; ///< $N$
     double       algebraic             = 0.; ///< $A$, (M.65)
+    double       contact_dissipation   = 0.; ///< by the obstacle, (M.85)
     double       impulse               = 0.; ///< of the contact force
     unsigned int n_iterations          = 0;  ///< of the stages, added up
     bool         is_prescribed = false;      ///< the paper's first step, (M.26)
@@ -38,7 +40,7 @@ namespace ThermoContact
     std::string failure; ///< empty: the step is solved
 
     /**
-     * All ranks take work, dissipation, $A$ and impulse of rank 0, as energies
+     * All ranks take work, dissipations, $A$ and impulse of rank 0, as energies
      * are, and the failure of any, so that they decide alike. Collective.
      */
     void

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/method/bracketed_root.h>
+#include <thermocontact/method/damped_contact.h>
+#include <thermocontact/method/nodal_contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** The pressure of each node as a function of its velocity. */
+    class LawOfVelocities : public NodalLaws
+    {
+    public:
+      LawOfVelocities(const ContactLaw &law, const NodesInMotion &nodes)
+        : law(law)
+        , nodes(nodes)
+        , c(law.damping())
+      {}
+
+      double
+      pressure(const unsigned int i, const double v) const override
+      {
+        const double s = penetration(i, v);
+        return s > 0.     ? law.damped_pressure(s, v) :
+               is_held(i) ? -law.pressure(-s) * factor_at_touch(i) :
+                            0.;
+      }
+
+      double
+      stiffness(const unsigned int i,
+                const double       v,
+                const double) const override
+      {
+        const double s = penetration(i, v);
+        if (s > 0.)
+          {
+            const double elastic = law.pressure(s);
+            const double factor  = 1. + c * v;
+            return factor > 0. ?
+                     nodes.tau * factor / law.tangent(elastic) + c * elastic :
+                     0.;
+          }
+        return is_held(i) ? nodes.tau * factor_at_touch(i) /
+                              law.tangent(law.pressure(-s)) :
+                            0.;
+      }
+
+      double
+      local_pressure(const unsigned int i,
+                     const double       free_velocity,
+                     const double       receptance) const override
+      {
+        const double touch = velocity_at_touch(i);
+        const double low   = std::max(touch, -1. / c);
+        if (!(free_velocity > low))
+          return is_held(i) && free_velocity < touch ?
+                   pull(i, free_velocity - touch, receptance) :
+                   0.;
+        const auto excess = [&](const double v) {
+          return v + receptance * pressure(i, v) - free_velocity;
+        };
+        const double v = bracketed_root(excess, low, free_velocity).first;
+        // of the two the one that loses less by the rounding of v
+        return receptance * stiffness(i, v, 0.) > 1. ?
+                 (free_velocity - v) / receptance :
+                 pressure(i, v);
+      }
+
+      double
+      position(const unsigned int,
+               const double free_velocity,
+               const double receptance,
+               const double pressure) const override
+      {
+        return free_velocity - receptance * pressure;
+      }
+
+    private:
+      const ContactLaw    &law;
+      const NodesInMotion &nodes;
+      const double         c;
+
+      bool
+      is_held(const unsigned int i) const
+      {
+        return nodes.tau > 0. && !nodes.is_held.empty() && nodes.is_held[i];
+      }
+
+      double
+      penetration(const unsigned int i, const double v) const
+      {
+        return nodes.start[i] + nodes.tau * v;
+      }
+
+      /** The velocity with which the node ends at $s=0$. */
+      double
+      velocity_at_touch(const unsigned int i) const
+      {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        return nodes.tau > 0.      ? -nodes.start[i] / nodes.tau :
+               nodes.start[i] > 0. ? -infinity :
+                                     infinity;
+      }
+
+      double
+      factor_at_touch(const unsigned int i) const
+      {
+        return std::max(0., 1. + c * velocity_at_touch(i));
+      }
+
+      /** Negative pressure of a node that is held. */
+      double
+      pull(const unsigned int i,
+           const double       beyond_touch,
+           const double       receptance) const
+      {
+        const double factor = factor_at_touch(i);
+        if (factor == 0.)
+          return 0.;
+        return factor *
+               law.local_closed_pressure(nodes.tau * beyond_touch,
+                                         nodes.tau * receptance * factor);
+      }
+    };
+  } // namespace
+
+
+
+  DampedContact::DampedContact(const ContactLaw &law)
+    : law(law)
+  {}
+
+
+
+  unsigned int
+  DampedContact::solve(const dealii::FullMatrix<double> &response,
+                       const NodesInMotion              &nodes,
+                       std::vector<double>              &pressure) const
+  {
+    const LawOfVelocities laws(law, nodes);
+    const unsigned int    n = nodes.start.size();
+    pressure.resize(n, 0.);
+    if (n == 1)
+      {
+        pressure[0] =
+          laws.local_pressure(0, nodes.free_velocity[0], response(0, 0));
+        return 1;
+      }
+    std::vector<double> velocity(nodes.free_velocity);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        velocity[i] -= response(i, j) * pressure[j];
+    return solve_nodal_contact(
+      laws, response, nodes.free_velocity, std::move(velocity), pressure);
+  }
+
+
+
+  double
+  DampedContact::stiffness(const NodesInMotion &nodes,
+                           const unsigned int   i,
+                           const double         v) const
+  {
+    return LawOfVelocities(law, nodes).stiffness(i, v, 0.);
+  }
+} // namespace ThermoContact

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/space/energy.h>
+
+namespace ThermoContact
+{
+  template <int dim>
+  const std::vector<double> &
+  Energy<dim>::elastic_pressures(const State         &state,
+                                 std::vector<double> &scratch) const
+  {
+    if (law.damping() == 0.)
+      return state.contact_pressure;
+    discretization.contact_end().get_penetrations(state.displacement, scratch);
+    for (double &value : scratch) // penetrations so far
+      value = law.pressure(value);
+    return scratch;
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::damping_rate(const State &state) const
+  {
+    if (law.damping() == 0.)
+      return 0.;
+    const ContactEnd<dim>     &end     = discretization.contact_end();
+    const std::vector<double> &elastic = elastic_pressures(state, end_pressure);
+    end.get_values(Field::displacement, state.velocity, end_displacement);
+    double rate = 0.;
+    for (unsigned int i = 0; i < elastic.size(); ++i)
+      rate += end.share(i) * (state.contact_pressure[i] - elastic[i]) *
+              end_displacement[i];
+    return rate;
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::contact_dissipation(const State &old_state,
+                                   const State &state) const
+  {
+    const ContactEnd<dim> &end = discretization.contact_end();
+    end.get_values(Field::displacement, state.displacement, end_displacement);
+    end.get_values(Field::displacement,
+                   old_state.displacement,
+                   old_end_displacement);
+    end.get_penetrations(old_state.displacement, old_penetration);
+    const std::vector<double> &old_pressure =
+      elastic_pressures(old_state, old_end_pressure);
+    const std::vector<double> &pressure =
+      elastic_pressures(state, end_pressure);
+    double sum = 0.;
+    for (unsigned int i = 0; i < pressure.size(); ++i)
+      sum += end.share(i) * law.numerical_dissipation(end_displacement[i] -
+                                                        old_end_displacement[i],
+                                                      old_penetration[i],
+                                                      old_pressure[i],
+                                                      pressure[i]);
+    return sum;
+  }
+
+
+
+#define INSTANTIATE(dim)                                              \
+  template const std::vector<double> &Energy<dim>::elastic_pressures( \
+    const State &, std::vector<double> &) const;                      \
+  template double Energy<dim>::damping_rate(const State &) const;     \
+  template double Energy<dim>::contact_dissipation(const State &,     \
+                                                   const State &) const
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace ThermoContact
