@@ -410,6 +410,15 @@ namespace ThermoContact
   const std::string &
   kind_of(const std::string &file, const std::string &name)
   {
+    static const std::string difference = "temperature difference";
+    for (const std::string suffix : {"_time_error", "_space_error"})
+      if (name.size() > suffix.size() &&
+          name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0)
+        {
+          const std::string &kind =
+            kind_of(file, name.substr(0, name.size() - suffix.size()));
+          return kind == "temperature" ? difference : kind;
+        }
     for (const OutputTable &table : output_tables())
       if (table.file == file)
         for (const OutputTerm &term : table.terms)

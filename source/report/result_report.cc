@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/output/output_tables.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/key_results.h>
 #include <thermocontact/report/result_report.h>
@@ -218,9 +219,12 @@ namespace ThermoContact
                 const KeyErrors       &errors,
                 Log                   &log)
   {
-    const KeyValues values = key_values(simulation);
-    const auto      bar    = [](const double error) {
-      return std::isnan(error) ? "unknown" : significant(error, 2);
+    const KeyValues   values = key_values(simulation);
+    const OutputUnits units(simulation.parameters());
+    const auto bar = [&units](const std::string &key, const double error) {
+      return std::isnan(error) ?
+               "unknown" :
+               units.text(kind_of("summary.json", key), error, 2);
     };
     for (const std::string &remark : errors.remarks)
       log.line("  warning:  " + remark);
@@ -229,13 +233,17 @@ namespace ThermoContact
                   " repeats: value, +- in time, +- in space"));
     for (unsigned int k = 0; k < n_key_errors; ++k)
       if (!std::isnan(values[k]))
-        log.line(text("            ",
-                      align_left(key_error_names[k], 24),
-                      align_left(text(values[k]), 12),
-                      "  +- ",
-                      align_left(bar(errors.time[k]), 8),
-                      "  +- ",
-                      bar(errors.space[k])));
+        {
+          const std::string key = key_error_names[k];
+          log.line(text(
+            "            ",
+            align_left(key, 24),
+            align_left(units.text(kind_of("summary.json", key), values[k]), 12),
+            "  +- ",
+            align_left(bar(key + "_time_error", errors.time[k]), 8),
+            "  +- ",
+            bar(key + "_space_error", errors.space[k])));
+        }
   }
 
 

@@ -35,7 +35,7 @@ namespace ThermoContact
 
   /**
    * The kind of quantity of a column, key or array, as the table of its file
-   * has it.
+   * has it; of the error of a key, that of the differences of such keys.
    */
   const std::string &
   kind_of(const std::string &file, const std::string &name);
