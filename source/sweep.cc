@@ -5,6 +5,7 @@
 #include <thermocontact/base/rank_faults.h>
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/scene/scales_checks.h>
+#include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/scene_run.h>
 #include <thermocontact/study/study.h>
 #include <thermocontact/study/study_report.h>
@@ -112,6 +113,7 @@ namespace ThermoContact
   {
     const MPI_Comm communicator = MPI_COMM_WORLD;
     check_scales(parameters);
+    check_error_bars(parameters);
     const StudyPlan   plan(assignments, parameters.study);
     const std::string directory = output_directory(parameters, command);
     StudyTable        table(plan, directory + "/study.csv", parameters);

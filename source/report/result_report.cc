@@ -221,10 +221,13 @@ namespace ThermoContact
   {
     const KeyValues   values = key_values(simulation);
     const OutputUnits units(simulation.parameters());
-    const auto bar = [&units](const std::string &key, const double error) {
-      return std::isnan(error) ?
-               "unknown" :
-               units.text(kind_of("summary.json", key), error, 2);
+    const auto        in = [&units](const std::string &key,
+                             const double       value,
+                             const unsigned int digits = few_digits) {
+      return units.text(kind_of("summary.json", key), value, digits);
+    };
+    const auto bar = [&in](const std::string &key, const double error) {
+      return std::isnan(error) ? "unknown" : in(key, error, 2);
     };
     for (const std::string &remark : errors.remarks)
       log.line("  warning:  " + remark);
@@ -234,15 +237,15 @@ namespace ThermoContact
     for (unsigned int k = 0; k < n_key_errors; ++k)
       if (!std::isnan(values[k]))
         {
-          const std::string key = key_error_names[k];
-          log.line(text(
-            "            ",
-            align_left(key, 24),
-            align_left(units.text(kind_of("summary.json", key), values[k]), 12),
-            "  +- ",
-            align_left(bar(key + "_time_error", errors.time[k]), 8),
-            "  +- ",
-            bar(key + "_space_error", errors.space[k])));
+          const std::string name = key_error_names[k];
+          log.line(
+            text("            ",
+                 align_left(name, 24),
+                 align_left(in(name, values[k]), 12),
+                 "  +- ",
+                 align_left(bar(name + "_time_error", errors.time[k]), 8),
+                 "  +- ",
+                 bar(name + "_space_error", errors.space[k])));
         }
   }
 

@@ -6,6 +6,7 @@
 #include <thermocontact/forecast/steady_state.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/scene_report.h>
+#include <thermocontact/scene/coarser_scenes.h>
 #include <thermocontact/scene/scene_terms.h>
 
 #include <algorithm>
@@ -271,6 +272,20 @@ namespace ThermoContact
 
 
 
+    /** The runs that error bars take. */
+    std::string
+    describe_repeats(const Parameters &parameters)
+    {
+      std::string line = "for error bars, without files:";
+      for (const auto &scenes :
+           {coarser_in_time(parameters), coarser_in_space(parameters)})
+        for (const CoarserScene &scene : scenes)
+          line += (line.back() == ':' ? " " : "; ") + scene.words;
+      return line + "; with these the run takes about 3 times as long";
+    }
+
+
+
     /** What can be said of a run before it is made. */
     void
     report_forecast(const Scene &scene, const double n_cells, Log &log)
@@ -284,6 +299,8 @@ namespace ThermoContact
         log.line("  limit     " + describe_critical_step(*critical, scene));
       if (const auto cost = expected_cost(scene, n_cells))
         log.line("  expected  " + describe_cost(*cost));
+      if (scene.parameters.output.has_error_bars)
+        log.line("  repeats   " + describe_repeats(scene.parameters));
     }
   } // namespace
 

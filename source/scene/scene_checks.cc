@@ -298,6 +298,18 @@ namespace ThermoContact
 
 
 
+  void
+  check_error_bars(const Parameters &parameters)
+  {
+    if (parameters.output.has_error_bars && parameters.study.is_active())
+      refuse("Output/Error bars",
+             "true",
+             "false, since Study/Vary makes a study",
+             "Study/Reference, to which the errors of all runs are measured");
+  }
+
+
+
   namespace
   {
     /** A rod has one gap, which has no y. */
@@ -371,6 +383,7 @@ namespace ThermoContact
     check_support(scene);
     check_gap(parameters);
     check_linear_solver(scene);
+    check_error_bars(parameters);
   }
 
 

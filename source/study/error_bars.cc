@@ -18,10 +18,8 @@ namespace ThermoContact
   {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-    // doc/numerics.md says what they come from
-    constexpr double space_weight  = 2.;
+    /** A mesh is not trusted to converge faster from one to the next. */
     constexpr double smallest_rate = 0.03;
-    constexpr double sample_weight = 1.5;
 
 
 
@@ -70,10 +68,11 @@ namespace ThermoContact
           }
         catch (const std::runtime_error &error)
           {
+            const std::string reason = error.what();
             errors.remarks.push_back(text("error bars: the repeat with ",
                                           scene.words,
                                           " fails: ",
-                                          error.what()));
+                                          reason.substr(0, reason.find('\n'))));
           }
         return {};
       }
@@ -113,8 +112,7 @@ namespace ThermoContact
       const KeyValues values = key_values(simulation);
       const KeyValues smooth = smooth_key_values(simulation);
       for (unsigned int k = 0; k < n_key_errors; ++k)
-        if (const double missed = sample_weight * (smooth[k] - values[k]);
-            missed > bars[k])
+        if (const double missed = smooth[k] - values[k]; missed > bars[k])
           bars[k] = missed;
       return bars;
     }
@@ -143,7 +141,7 @@ namespace ThermoContact
           // a rate only where the coarser mesh is worse
           const double rate =
             far > near ? std::max(near / far, smallest_rate) : 1.;
-          bars[k] = space_weight * rate * near;
+          bars[k] = rate * near;
         }
       return bars;
     }

@@ -308,6 +308,7 @@ SCENES = [
      "Initial values/Velocity=x", "Initial values/Velocity=x; 0"),
 
     # studies
+    ("Output/Error bars", STUDY, "Output/Error bars=true", "Output/Error bars=false"),
     ("Study/Vary", (), "Study/Vary=Time/Tolerance 1e-4",
      "Study/Vary=Time/Tolerance = 1e-4"),
     ("Study/Vary", (), "Study/Vary=Mesh/Cells = 4; Mesh/Cells = 8",

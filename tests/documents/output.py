@@ -22,7 +22,8 @@ BODY = {**SHORT, "Dimension": "2", "Mesh/Cells across": "2", "Contact/Gap": "-0.
         "Initial values/Displacement": "-0.02*x"}
 SCENES = {
     "rod": {**SHORT, "Time/Step size": "automatic", "Output/Probes": "0.5; 1",
-            "Output/Space-time interval": "0.01", "Time/End time": "0.2"},
+            "Output/Space-time interval": "0.01", "Time/End time": "0.2",
+            "Output/Error bars": "true"},
     "cooling": {**SHORT, "Boundary/Lateral heat exchange": "1", "Output/Period": "0.01"},
     "heat": {**SHORT, "Model/Fields": "temperature"},
     "motion": {**SHORT, "Model/Fields": "displacement", "Contact/Condition": "none"},

@@ -29,13 +29,17 @@ namespace ThermoContact
 
 
 
+  /** That of summary.json. */
+  OutputTable
+  summary_table();
+
   /** All files of an output directory that have names in them. */
   const std::vector<OutputTable> &
   output_tables();
 
   /**
    * The kind of quantity of a column, key or array, as the table of its file
-   * has it; of the error of a key, that of the differences of such keys.
+   * has it.
    */
   const std::string &
   kind_of(const std::string &file, const std::string &name);

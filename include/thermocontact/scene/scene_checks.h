@@ -61,6 +61,14 @@ namespace ThermoContact
                         const ContactLaw     &law);
 
   /**
+   * Error bars are of a run, not of a study; a part of check_scene().
+   *
+   * @throw InputError
+   */
+  void
+  check_error_bars(const Parameters &parameters);
+
+  /**
    * check_unused_entries() and check_scene() for the statements of a parameter
    * file; messages name their places.
    */
