@@ -5,12 +5,15 @@ import json
 import math
 import re
 
-from plot_common import convert, fail, read_rows, read_table, title_of
+from plot_common import (convert, fail, read_rows, read_table, title_of,
+                         units_of)
 
 COLUMNS = ["time", "displacement_end", "displacement_mid", "velocity_end",
            "stress_end", "gap", "contact_force", "contact_impulse",
            "temperature_end", "temperature_mean", "heat_flux_end", "energy",
            "work", "dissipation", "numerical_dissipation", "in_contact"]
+# what residuals do to the energy, with the iterative solver; what damping takes
+OPTIONAL = ["algebraic", "contact_dissipation"]
 STEPS = ["time", "step_size", "error", "accepted", "reason"]
 PROBE = re.compile(r"(temperature|displacement|velocity|stress)_(\d+)$")
 
@@ -48,9 +51,8 @@ def read_data(path, end_time):
     """Comments of contact.csv, time of its last row, and the columns up to the
     end time, with what follows from them."""
     comments, header, rows = read_rows(path, COLUMNS)
-    # what residuals do to the energy is a column with the iterative solver only
-    algebraic = ["algebraic"] if "algebraic" in header else []
-    data = convert(path, header, rows, COLUMNS + algebraic)
+    optional = [name for name in OPTIONAL if name in header]
+    data = convert(path, header, rows, COLUMNS + optional)
     times = data["time"]
     for before, time, line in zip([-math.inf, *times], times, data["line"]):
         if not before <= time < math.inf:
@@ -61,36 +63,46 @@ def read_data(path, end_time):
     if count < 2 or times[0] == times[count - 1]:
         fail(path, "fewer than two times to draw", "wait or raise --end-time")
     data = {name: values[:count] for name, values in data.items()}
-    data["defect"] = [data["energy"][0] + work + residuals - energy - lost - numerical
-                      for work, residuals, energy, lost, numerical in zip(
-                          data["work"], data.get("algebraic", [0.] * count),
-                          data["energy"], data["dissipation"],
-                          data["numerical_dissipation"])]
-    return comments, times[-1], data
+    nothing = [0.] * count
+    data["defect"] = [
+        data["energy"][0] + work + residuals - energy - sum(lost)
+        for work, residuals, energy, *lost in zip(
+            data["work"], data.get("algebraic", nothing), data["energy"],
+            data["dissipation"], data["numerical_dissipation"],
+            data.get("contact_dissipation", nothing))]
+    data.setdefault("contact_dissipation", [math.nan] * count)
+    return comments, times[-1], data, units_of(comments, header)
 
 
-def how_it_ended(directory, time):
+def how_it_ended(directory, time, unit):
     """Nothing if the run is done, else what a label says about it."""
     try:
         summary = json.loads((directory / "summary.json").read_text())
         status = summary["status"]
     except (OSError, ValueError, KeyError, TypeError):
         status = "unfinished"
-    return "" if status == "done" else f" ({status}, $t$ = {time:.4g})"
+    return "" if status == "done" else f" ({status}, $t$ = {time:.4g}{' ' * bool(unit)}{unit})"
+
+
+def rounded(end):
+    """A distance of (|u(1)|, g) without what rounding leaves of either."""
+    u, g = end
+    size = max(u, abs(g))
+    return round(g, 11 - math.floor(math.log10(size))) if size > 0 else 0.0
 
 
 def read_run(directory, end_time):
     path = directory / "contact.csv"
-    comments, last_time, data = read_data(path, end_time)
+    comments, last_time, data, units = read_data(path, end_time)
     # rounding, and bending in 2-D and 3-D, spoil g least where u(1) is smallest
     ends = [(abs(u), u + gap) for u, gap in zip(
         data["displacement_end"], data["gap"]) if math.isfinite(u + gap)]
     return argparse.Namespace(
-        directory=directory, data=data,
+        directory=directory, data=data, units=units,
         title=title_of(comments) or directory.resolve().name,
-        ended=how_it_ended(directory, last_time),
+        ended=how_it_ended(directory, last_time, units.get("time", "")),
         contacts=read_contacts(directory / "events.csv", data),
-        obstacle=round(min(ends)[1], 12) if ends else math.nan,
+        obstacle=rounded(min(ends)) if ends else math.nan,
         steps=read_optional(directory / "steps.csv", lambda _: STEPS, end_time),
         probes=read_optional(
             directory / "probes.csv", lambda header: ["time", *(

@@ -18,6 +18,8 @@ namespace ThermoContact
     std::string
     obstruction(const Scene &scene)
     {
+      if (scene.sources.drives_end())
+        return "none: the fixed end is heated or moved";
       if (scene.sources.any())
         return "no closed form with sources";
       if (scene.parameters.dimension > 1 && scene.heat.has_lateral_exchange())

@@ -75,10 +75,23 @@ namespace ThermoContact
   BoundaryParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Boundary");
-    prm.add_parameter("Fixed end temperature",
-                      fixed_end_temperature,
-                      "Temperature theta_A of the fixed end x = 0.",
-                      any_number);
+    add_number_or_expression(
+      prm,
+      "Fixed end temperature",
+      fixed_end_temperature,
+      "t",
+      "Temperature theta_A of the fixed end x = 0; an expression in t, e.g. "
+      "10*sin(2*pi*t).",
+      [this](const double number, const std::string &expression) {
+        fixed_end_temperature = number;
+        fixed_end_expression  = expression;
+      },
+      true);
+    prm.add_parameter("Fixed end displacement",
+                      fixed_end_displacement,
+                      "Displacement u_A of the fixed end x = 0 along the axis, "
+                      "a base that moves: an expression in t, zero at t = 0, "
+                      "e.g. 0.1*sin(2*pi*t).");
     add_number_or_expression(
       prm,
       "Heat exchange",
@@ -383,6 +396,7 @@ namespace ThermoContact
     time.add_parameters(prm);
     solver.add_parameters(prm);
     output.add_parameters(prm);
+    scales.add_parameters(prm);
     study.add_parameters(prm);
   }
 } // namespace ThermoContact

@@ -121,6 +121,8 @@ namespace ThermoContact
            const double       receptance) const
       {
         const double factor = factor_at_touch(i);
+        if (factor == 0.)
+          return 0.;
         return factor *
                law.local_closed_pressure(nodes.tau * beyond_touch,
                                          nodes.tau * receptance * factor);

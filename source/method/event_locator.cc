@@ -129,6 +129,20 @@ namespace ThermoContact
 
 
 
+  double
+  EventLocator::change_of_velocity(const CubicHermite &s,
+                                   const double        from,
+                                   const double        to,
+                                   const double        size) const
+  {
+    if (nodes != ContactNodes::with_mass || is_margin_pressure())
+      return 0.;
+    const double change = (s.slope(to) - s.slope(from)) / size;
+    return mode_ == ContactMode::closed ? change : -change;
+  }
+
+
+
   bool
   EventLocator::is_near(const double      s,
                         const double      rate,
@@ -229,7 +243,13 @@ namespace ThermoContact
       }
 
     if (starts_near)
-      return {Finding::at_start, present.time + zero * size, all_start, node};
+      return {Finding::at_start,
+              present.time + zero * size,
+              all_start,
+              node,
+              zero < 1. ?
+                change_of_velocity(margin(next, node), 0., zero, size) :
+                0.};
     if (zero < infinity)
       {
         const bool is_last = is_aimed ? ends_near : ends_near && zero > 0.9;
@@ -265,7 +285,8 @@ namespace ThermoContact
 
 
   bool
-  EventLocator::switch_at_start(const double time)
+  EventLocator::switch_at_start(const double time,
+                                const double change_of_velocity)
   {
     if (waiting)
       {
@@ -276,7 +297,7 @@ namespace ThermoContact
     const bool begins = mode_ == ContactMode::open;
     waiting           = {time,
                begins ? ContactEvent::begin : ContactEvent::end,
-                         present.velocity[foremost(present)]};
+                         present.velocity[foremost(present)] + change_of_velocity};
     mode_             = begins ? ContactMode::closed : ContactMode::open;
     return true;
   }
@@ -321,13 +342,17 @@ namespace ThermoContact
       accept_unilateral(next, events);
     else if (finding.kind == Finding::at_end)
       {
-        const bool   begins = mode_ == ContactMode::open;
-        const double zero   = margin(next, finding.node).zero_near_end();
+        const bool         begins = mode_ == ContactMode::open;
+        const CubicHermite s      = margin(next, finding.node);
+        const double       zero   = s.zero_near_end();
+        const double       velocity =
+          next.velocity[finding.node] +
+          change_of_velocity(s, 1., zero, next.time - present.time);
         // contact begins with the first node and ends with the last
         if (begins || finding.is_of_all_nodes)
           add_event({present.time + zero * (next.time - present.time),
                      begins ? ContactEvent::begin : ContactEvent::end,
-                     next.velocity[finding.node]},
+                     velocity},
                     events);
         mode_ = !finding.is_of_all_nodes ? ContactMode::unilateral :
                 begins                   ? ContactMode::closed :

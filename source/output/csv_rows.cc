@@ -2,7 +2,7 @@
 
 #include <thermocontact/output/csv_rows.h>
 
-#include <array>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -57,16 +57,26 @@ namespace ThermoContact
 
 
 
-  const CsvColumns<ContactEvent> &
+  EventRow::EventRow(const ContactEvent &event, const ContactEvent *const begin)
+    : ContactEvent(event)
+    , duration(event.kind == ContactEvent::end && begin != nullptr ?
+                 event.time - begin->time :
+                 std::numeric_limits<double>::quiet_NaN())
+  {}
+
+
+
+  const CsvColumns<EventRow> &
   event_columns()
   {
-    static const CsvColumns<ContactEvent> columns = {
+    static const CsvColumns<EventRow> columns = {
       {"time", &ContactEvent::time},
       {"kind",
        [](const ContactEvent &event) {
          return event.kind == ContactEvent::begin ? "begin" : "end";
        }},
-      {"velocity", &ContactEvent::velocity}};
+      {"velocity", &ContactEvent::velocity},
+      {"duration", &EventRow::duration}};
     return columns;
   }
 

@@ -28,7 +28,11 @@ namespace ThermoContact
     , end_time(simulation.parameters().time.end_time)
     , communicator(simulation.discretization().communicator())
     , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
+    , units(simulation.parameters())
     , columns(contact_columns(simulation.scene()))
+    , contact_units(units.of_columns("contact.csv", columns))
+    , event_units(units.of_columns("events.csv", event_columns()))
+    , attempt_units(units.of_columns("steps.csv", attempt_columns()))
     , field_output(directory, simulation.body())
     , has_attempts(simulation.parameters().time.has_error_control() ||
                    simulation.parameters().time.locates_contact_events())
@@ -40,12 +44,21 @@ namespace ThermoContact
     , next_period(0.)
   {
     field_timer.reset();
-    const std::string   &title = simulation.parameters().title;
     const OutputProgress sizes = progress ? *progress : OutputProgress();
-    open(columns, contact_file, "contact.csv", title, sizes.contact_size);
-    open(event_columns(), events_file, "events.csv", title, sizes.events_size);
+    const std::string    head  = csv_comments(simulation.parameters().title);
+    open(contact_file,
+         "contact.csv",
+         head + csv_head(columns, contact_units),
+         sizes.contact_size);
+    open(events_file,
+         "events.csv",
+         head + csv_head(event_columns(), event_units),
+         sizes.events_size);
     if (has_attempts)
-      open(attempt_columns(), steps_file, "steps.csv", title, sizes.steps_size);
+      open(steps_file,
+           "steps.csv",
+           head + csv_head(attempt_columns(), attempt_units),
+           sizes.steps_size);
     if (is_writer && parameters.fields_interval > 0.)
       {
         std::error_code error; // a fault shows when the first file is opened
@@ -60,20 +73,18 @@ namespace ThermoContact
 
 
   template <int dim>
-  template <typename Record>
   void
-  Output<dim>::open(const CsvColumns<Record> &columns,
-                    TableFile                &file,
-                    const std::string        &name,
-                    const std::string        &title,
-                    const std::uint64_t       size)
+  Output<dim>::open(TableFile          &file,
+                    const std::string  &name,
+                    const std::string  &head,
+                    const std::uint64_t size)
   {
     if (!is_writer)
       return;
     if (size > 0)
       return file.reopen(directory + "/" + name, size);
     file.open(directory + "/" + name);
-    file.write_row(csv_comments(title) + csv_head(columns));
+    file.write_row(head);
   }
 
 
@@ -99,10 +110,10 @@ namespace ThermoContact
     else
       unused_space_time_size = sizes.space_time_size;
     if (parameters.period > 0.)
-      open(columns,
-           poincare_file,
+      open(poincare_file,
            "poincare.csv",
-           simulation.parameters().title,
+           csv_comments(simulation.parameters().title) +
+             csv_head(columns, contact_units),
            sizes.poincare_size);
     else
       unused_poincare_size = sizes.poincare_size;
@@ -177,7 +188,7 @@ namespace ThermoContact
         is_due(parameters.contact_interval, record.time, next_contact))
       {
         if (is_writer)
-          add_row(columns, record, contact_file);
+          add_row(columns, record, contact_file, contact_units);
         if (probe_output)
           probe_output->write(simulation.state());
       }
@@ -216,7 +227,12 @@ namespace ThermoContact
   Output<dim>::write_events(const std::vector<ContactEvent> &events)
   {
     for (; n_written_events < events.size(); ++n_written_events)
-      add_row(event_columns(), events[n_written_events], events_file);
+      add_row(event_columns(),
+              EventRow(events[n_written_events],
+                       n_written_events > 0 ? &events[n_written_events - 1] :
+                                              nullptr),
+              events_file,
+              event_units);
   }
 
 
@@ -232,7 +248,7 @@ namespace ThermoContact
       return;
     next_period = count + 1.; // steps end there: none is missed
     if (is_writer)
-      add_row(columns, record, poincare_file);
+      add_row(columns, record, poincare_file, contact_units);
   }
 
 
@@ -244,7 +260,7 @@ namespace ThermoContact
     if (!is_writer || !has_attempts)
       return; // do not format what goes nowhere
     for (const StepAttempt &attempt : attempts)
-      add_row(attempt_columns(), attempt, steps_file);
+      add_row(attempt_columns(), attempt, steps_file, attempt_units);
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/output/output_tables.h>
 #include <thermocontact/report/output_reference.h>
 
 namespace ThermoContact
@@ -10,10 +11,10 @@ namespace ThermoContact
     std::string page =
       R"(# What a run writes
 
-Every file of an output directory and every name in it, as `thermocontact --print-output` prints them. Numbers are nondimensional; the unit of one is the scale that `--units` prints for a rod in SI (`force` newtons,
-`time` seconds, ...). Extensive quantities of a strip or a block are per unit cross-section, so that they are those of the rod. `nan` (in JSON `null`) is what the scene does not have. Steps end where contact changes: a row can be one.
+Every file of an output directory and every name in it, as `thermocontact --print-output` prints them. Numbers are nondimensional, or in SI units if the scene has section
+`Scales`, which `--units` writes, unless `Output/SI = false`: then a comment line `# units:` above the names of a CSV file has the unit of each column, `units` of summary.json that of each key, and a VTU file those of its arrays. Times are in `Scales/Time unit`. Extensive quantities of a strip or a block are per unit cross-section, so that they are those of the rod. `nan` (in JSON `null`) is what the scene does not have. Steps end where contact changes: a row can be one.
 
-All CSV files have the same head, comment lines that begin with `#` (title, versions, places of probes) and a line of names:
+All CSV files have the same head, comment lines that begin with `#` (title, versions, units, places of probes) and a line of names:
 
 ```python
 import numpy
@@ -34,7 +35,7 @@ table = pandas.read_csv("contact.csv", comment="#")
                 table.kind + " | unit | meaning |\n|---|---|---|\n";
         for (const OutputTerm &term : table.terms)
           page +=
-            "| `" + term.name + "` | " + term.unit + " | " + term.text + " |\n";
+            "| `" + term.name + "` | " + term.kind + " | " + term.text + " |\n";
       }
     return page;
   }

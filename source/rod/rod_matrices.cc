@@ -64,6 +64,17 @@ namespace ThermoContact
 
 
 
+  bool
+  RodMatrices::is_of_differences(const Run &run, const Matrix matrix) const
+  {
+    if (matrix == conduction)
+      return run.end < layout_.n_cells || run.end > run.begin + 1;
+    return matrix == divergence || matrix == stiffness ||
+           matrix == viscous_stiffness;
+  }
+
+
+
   namespace
   {
     /** Entries of a cell for one term of a sum, and its vector. */
@@ -72,6 +83,7 @@ namespace ThermoContact
       const double *entries;
       const double *vector;
       double        factor;
+      bool          is_of_differences; ///< the rows of the matrix add up to 0
     };
 
 
@@ -169,17 +181,22 @@ namespace ThermoContact
           else
             for (unsigned int i = 0; i < p; ++i)
               rows[i] = factor * base[first + i];
-          double left_row = y[left];
+          double     left_row   = y[left];
+          const auto add_column = [&](const double *column, const double x) {
+            left_row += column[0] * x;
+            for (unsigned int i = 0; i < p; ++i)
+              rows[i] += column[i + 1] * x;
+          };
           for (const Factors &term : terms)
-            for (unsigned int j = 0; j < n; ++j)
-              {
-                const double *const column = term.entries + j * n;
-                const double        x =
-                  term.factor * term.vector[j == 0 ? left : first + j - 1];
-                left_row += column[0] * x;
-                for (unsigned int i = 0; i < p; ++i)
-                  rows[i] += column[i + 1] * x;
-              }
+            {
+              const double x_left = term.vector[left];
+              const double zero   = term.is_of_differences ? x_left : 0.;
+              if (!term.is_of_differences)
+                add_column(term.entries, term.factor * x_left);
+              for (unsigned int j = 1; j < n; ++j)
+                add_column(term.entries + j * n,
+                           term.factor * (term.vector[first + j - 1] - zero));
+            }
           y[left] = left_row;
         }
     }
@@ -227,6 +244,7 @@ namespace ThermoContact
     form_of_cells(const RodLayout        &layout,
                   const RodMatrices::Run &run,
                   const double           *a,
+                  const bool              is_of_differences,
                   const Value            &x)
     {
       const unsigned int p   = fixed_degree > 0 ? fixed_degree : layout.degree;
@@ -236,13 +254,14 @@ namespace ThermoContact
         {
           const unsigned int first = cell * p + 1;
           const double       left  = x(layout.left_vertex(cell));
-          for (unsigned int j = 0; j < n; ++j)
+          const double       zero  = is_of_differences ? left : 0.;
+          for (unsigned int j = is_of_differences; j < n; ++j)
             {
               const double *const column  = a + j * n;
-              double              product = column[0] * left;
+              double              product = column[0] * (left - zero);
               for (unsigned int i = 0; i < p; ++i)
-                product += column[i + 1] * x(first + i);
-              sum += product * (j == 0 ? left : x(first + j - 1));
+                product += column[i + 1] * (x(first + i) - zero);
+              sum += product * (j == 0 ? left : x(first + j - 1) - zero);
             }
         }
       return sum;
@@ -265,7 +284,8 @@ namespace ThermoContact
             if constexpr (degree.value == 1)
               sum += linear_form(run, a, x);
             else
-              sum += form_of_cells<degree.value>(layout, run, a, x);
+              sum += form_of_cells<degree.value>(
+                layout, run, a, matrices.is_of_differences(run, matrix), x);
           }
         return sum;
       });
@@ -289,7 +309,8 @@ namespace ThermoContact
           for (unsigned int k = 0; k < n_terms; ++k)
             of_run[k] = {entries(run, terms[k].matrix),
                          terms[k].vector,
-                         terms[k].factor};
+                         terms[k].factor,
+                         is_of_differences(run, terms[k].matrix)};
           if constexpr (degree.value != 1)
             add_cells<degree.value>(layout_, run, of_run, factor, base, y);
           else if (base == nullptr)

@@ -63,6 +63,13 @@ namespace ThermoContact
                                      constant_exchange(boundary.heat_exchange) :
                                      exchange_by_expression(expression, std::max(gap, 1.));
       heat.fixed_end_temperature = boundary.fixed_end_temperature;
+      if (!boundary.fixed_end_expression.empty())
+        {
+          heat.fixed_end_drive = std::make_unique<const TimeFunction>(
+            Expression{"Boundary/Fixed end temperature",
+                       boundary.fixed_end_expression});
+          heat.fixed_end_temperature = heat.fixed_end_drive->value(0.);
+        }
       heat.obstacle_temperature  = boundary.obstacle_expression.empty() ?
                                      boundary.obstacle_temperature :
                                      first_temperature(boundary);
@@ -74,10 +81,24 @@ namespace ThermoContact
 
 
 
+    std::unique_ptr<const TimeFunction>
+    resolve_motion(const BoundaryParameters &boundary,
+                   const SceneFields        &fields)
+    {
+      const Expression motion{"Boundary/Fixed end displacement",
+                              boundary.fixed_end_displacement};
+      return fields.has_displacement && !motion.is_zero() ?
+               std::make_unique<const TimeFunction>(motion) :
+               nullptr;
+    }
+
+
+
     SceneSources
     resolve_sources(const Parameters  &parameters,
                     const SceneFields &fields,
-                    const SceneHeat   &heat)
+                    const SceneHeat   &heat,
+                    const bool         has_motion)
     {
       const SourceParameters &sources = parameters.sources;
 
@@ -89,7 +110,9 @@ namespace ThermoContact
               acts(fields.has_displacement, sources.end_traction),
               acts(fields.has_temperature, sources.end_heat_flux),
               fields.has_temperature && heat.linear_coefficient() > 0. &&
-                !parameters.boundary.obstacle_expression.empty()};
+                !parameters.boundary.obstacle_expression.empty(),
+              fields.has_temperature && heat.fixed_end_drive != nullptr,
+              has_motion};
     }
 
 
@@ -98,10 +121,11 @@ namespace ThermoContact
     resolve_prescribed_start(const Parameters  &parameters,
                              const SceneFields &fields,
                              const SceneHeat   &heat,
-                             const Scheme      &scheme)
+                             const Scheme      &scheme,
+                             const bool         has_motion)
     {
       return fields.has_displacement && parameters.model.inertia > 0. &&
-             heat.exchange->is_constant() &&
+             heat.exchange->is_constant() && !has_motion &&
              (parameters.time.start == "paper" ||
               (parameters.time.start == "automatic" && scheme.is_of_paper &&
                parameters.contact.massless_nodes != "on"));
@@ -269,10 +293,16 @@ namespace ThermoContact
                  .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, fields))
     , heat(resolve_heat(parameters.boundary, parameters.contact.gap))
-    , sources(resolve_sources(parameters, fields, heat))
+    , fixed_end_motion(resolve_motion(parameters.boundary, fields))
+    , sources(
+        resolve_sources(parameters, fields, heat, fixed_end_motion != nullptr))
     , scheme(ThermoContact::scheme(parameters.time.scheme))
     , has_prescribed_start(
-        resolve_prescribed_start(parameters, fields, heat, scheme))
+        resolve_prescribed_start(parameters,
+                                 fields,
+                                 heat,
+                                 scheme,
+                                 fixed_end_motion != nullptr))
     , contact(resolve_contact(parameters,
                               fields,
                               material,

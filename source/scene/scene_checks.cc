@@ -4,7 +4,9 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/probe_positions.h>
 #include <thermocontact/scene/contact_checks.h>
+#include <thermocontact/scene/drive_checks.h>
 #include <thermocontact/scene/mass_checks.h>
+#include <thermocontact/scene/scales_checks.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
 
@@ -296,6 +298,18 @@ namespace ThermoContact
 
 
 
+  void
+  check_error_bars(const Parameters &parameters)
+  {
+    if (parameters.output.has_error_bars && parameters.study.is_active())
+      refuse("Output/Error bars",
+             "true",
+             "false, since Study/Vary makes a study",
+             "Study/Reference, to which the errors of all runs are measured");
+  }
+
+
+
   namespace
   {
     /** A rod has one gap, which has no y. */
@@ -348,6 +362,7 @@ namespace ThermoContact
              parameters.contact.compliance,
              "epsilon > 0",
              "for a rigid obstacle set Contact/Condition = rigid");
+    check_scales(parameters);
     check_mass_matrix(scene);
     check_damping(scene);
     check_number_of_unknowns(parameters.mesh, parameters.dimension);
@@ -360,6 +375,7 @@ namespace ThermoContact
       check_fixed_steps(parameters.time);
     check_start(scene);
     check_exchange(scene);
+    check_drives(scene);
     if (scene.is_fixed_point)
       check_fixed_point(scene);
     check_scheme(scene);
@@ -367,19 +383,26 @@ namespace ThermoContact
     check_support(scene);
     check_gap(parameters);
     check_linear_solver(scene);
+    check_error_bars(parameters);
   }
 
 
 
   void
-  check_scene_text(const std::string &text, const std::string &name)
+  check_assignments(const std::vector<Assignment> &assignments)
   {
     Parameters       parameters;
     ParameterHandler prm;
     parameters.add_parameters(prm);
-    std::istringstream stream(text);
-    assign_entries(read_assignments(stream, name), prm);
-    check_unused_entries(parameters, prm);
-    check_scene(parameters);
+    assign_entries(assignments, prm);
+    try
+      {
+        check_unused_entries(parameters, prm);
+        check_scene(parameters);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(complete_message(error.what(), assignments, prm));
+      }
   }
 } // namespace ThermoContact

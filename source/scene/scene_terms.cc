@@ -67,6 +67,9 @@ namespace ThermoContact
     terms.add_if(scene.sources.has_end_heat_flux, "end heat flux");
     terms.add_if(scene.sources.has_varying_obstacle,
                  "varying temperature of the obstacle");
+    terms.add_if(scene.sources.has_driven_temperature,
+                 "varying temperature of the fixed end");
+    terms.add_if(scene.sources.has_moving_end, "moving fixed end");
     return terms.list;
   }
 } // namespace ThermoContact

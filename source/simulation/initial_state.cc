@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -38,11 +39,17 @@ namespace ThermoContact
       };
       const double rounding = 1e-12;
 
+      // an end that moves gets its velocity from its drive in the first step
+      Vector velocity_of_rest(state.velocity);
+      for (const unsigned int e : body.driven_end.entries(Field::displacement))
+        velocity_of_rest.begin()[e] = 0.;
       for (const auto &[name, expression, field] :
            {std::make_tuple("Displacement",
                             initial.displacement,
-                            &state.displacement),
-            std::make_tuple("Velocity", initial.velocity, &state.velocity)})
+                            &std::as_const(state.displacement)),
+            std::make_tuple("Velocity",
+                            initial.velocity,
+                            &std::as_const(velocity_of_rest))})
         if (largest_constrained(Field::displacement, *field, 0.) >
             rounding * largest(*field))
           throw InputError(

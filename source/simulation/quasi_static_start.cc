@@ -134,6 +134,7 @@ namespace ThermoContact
           state.contact_pressure = known.contact_pressure;
           return;
         }
+      body.driven_end.subtract_viscous_stress(state.time, momentum_load);
       if (body.law().is_rigid())
         {
           solver.solve_quasi_static_velocity(known,
@@ -156,6 +157,7 @@ namespace ThermoContact
         }
       state.velocity.equ((material.viscosity + 1.) / material.viscosity,
                          rates.velocity);
+      body.driven_end.set_velocity(state.time, state.velocity);
     }
   } // namespace
 
@@ -212,13 +214,15 @@ namespace ThermoContact
     body.loads.assemble(state.time, heat_load, momentum_load);
 
     factorize();
+    const Material &material = body.scene.material;
+    if (!material.is_static())
+      body.driven_end.subtract_viscous_stress(state.time, momentum_load);
     body.equations.stage_rhs(
       state, 1., heat_load, momentum_load, heat_rhs, rhs);
     const unsigned int  n = state.contact_pressure.size();
     std::vector<double> gaps;
     for (const ContactNode<dim> &node : body.contact_end().nodes())
       gaps.push_back(node.gap);
-    const Material &material = body.scene.material;
     if (material.is_static())
       {
         solve_with_contact(body.law(),
@@ -257,6 +261,7 @@ namespace ThermoContact
                        state.velocity,
                        state.contact_pressure);
     state.velocity *= (material.viscosity + 1.) / material.viscosity;
+    body.driven_end.set_velocity(state.time, state.velocity);
   }
 
 

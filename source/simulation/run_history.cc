@@ -11,6 +11,8 @@ namespace ThermoContact
   {
     max_penetration   = std::max(max_penetration, record.penetration);
     max_contact_force = std::max(max_contact_force, record.contact_force);
+    penetration_peak.add(record.time, record.penetration);
+    force_peak.add(record.time, record.contact_force);
   }
 
 

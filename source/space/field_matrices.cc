@@ -137,8 +137,7 @@ namespace ThermoContact
   {
     if constexpr (dim == 1)
       {
-        if (!scene.linear_solver.is_along_rod ||
-            Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
+        if (Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
           return;
         rod_cells = std::make_unique<RodCells>(discretization);
         if (!rod_cells->is_in_order())

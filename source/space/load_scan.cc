@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/input/parameter_text.h>
 #include <thermocontact/space/load_scan.h>
 
 #include <algorithm>
@@ -72,67 +74,170 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** A function of time, at one or more places, that steps are to follow. */
+    struct Load
+    {
+      std::string path;
+      std::string expression;
+      LoadSample  sample;
+
+      /** Nothing can follow a jump of it; said to the user. */
+      std::string no_jump;
+    };
+
+
+
+    template <int dim>
+    LoadSample
+    sample_of(ProblemData<dim>    &data,
+              const Function<dim> &function,
+              const bool           is_on_end,
+              const double         width)
+    {
+      const auto places = sample_places<dim>(is_on_end, width);
+      return [&data, &function, places](const double         t,
+                                        std::vector<double> &values) {
+        data.set_time(t);
+        values.clear();
+        for (const Point<dim> &place : places)
+          for (unsigned int c = 0; c < function.n_components; ++c)
+            values.push_back(function.value(place, c));
+      };
+    }
+
+
+
+    LoadSample
+    sample_of(const TimeFunction &function)
+    {
+      return [&function](const double t, std::vector<double> &values) {
+        values.assign(1, function.value(t));
+      };
+    }
+
+
+
+    /** Those of the sources and of the obstacle. */
+    template <int dim>
+    void
+    add_sources(const Scene       &scene,
+                ProblemData<dim>  &data,
+                std::vector<Load> &loads)
+    {
+      const SourceParameters &sources = scene.parameters.sources;
+      const auto              add     = [&](const std::string   &path,
+                           const std::string   &expression,
+                           const Function<dim> *function,
+                           const bool           is_on_end) {
+        if (function != nullptr && depends_on_time(expression))
+          loads.push_back({path,
+                           expression,
+                           sample_of<dim>(data,
+                                          *function,
+                                          is_on_end,
+                                          scene.parameters.mesh.width),
+                           ""});
+      };
+      add("Sources/Heat source",
+          sources.heat_source,
+          data.heat_source(),
+          false);
+      add("Sources/Body force", sources.body_force, data.body_force(), false);
+      add("Sources/End traction",
+          sources.end_traction,
+          data.end_traction(),
+          true);
+      add("Sources/End heat flux",
+          sources.end_heat_flux,
+          data.end_heat_flux(),
+          true);
+      add("Boundary/Obstacle temperature",
+          scene.parameters.boundary.obstacle_expression,
+          data.obstacle_warming(),
+          true);
+    }
+
+
+
+    void
+    add_drives(const Scene &scene, std::vector<Load> &loads)
+    {
+      const auto add = [&](const std::string  &path,
+                           const TimeFunction &drive,
+                           const std::string  &no_jump) {
+        if (depends_on_time(drive.text()))
+          loads.push_back({path, drive.text(), sample_of(drive), no_jump});
+      };
+      if (scene.sources.has_driven_temperature)
+        add("Boundary/Fixed end temperature", *scene.heat.fixed_end_drive, "");
+      if (scene.sources.has_moving_end)
+        add("Boundary/Fixed end displacement",
+            *scene.fixed_end_motion,
+            "a ramp of a length that the body can follow: an end that jumps "
+            "has no velocity");
+    }
+
+
+
+    /** Adds what a load does in time to the history. */
+    void
+    scan(const Load               &load,
+         const TimeParameters     &time,
+         LoadHistory              &history,
+         std::vector<std::string> &warnings)
+    {
+      std::vector<double> named = numbers_in(load.expression);
+      named.insert(named.end(),
+                   time.break_points.begin(),
+                   time.break_points.end());
+      const ScannedLoad scanned = scan_load(load.sample, time.end_time, named);
+      if (!load.no_jump.empty())
+        for (const LoadBreak &at : scanned.history.breaks)
+          if (at.is_jump)
+            throw InputError(text(load.path,
+                                  " = ",
+                                  quote(load.expression),
+                                  ": jumps at t = ",
+                                  at.time,
+                                  "\n  allowed: functions that are continuous"
+                                  "\n  remedy:  ",
+                                  load.no_jump));
+      if (!time.has_error_control())
+        return;
+      history.add(scanned.history);
+      if (!scanned.is_resolved)
+        warnings.push_back(
+          text(load.path,
+               scanned.is_infinite ? " is not finite at t = " :
+                                     " changes too fast near t = ",
+               scanned.time,
+               scanned.is_infinite ? "" : " to be seen before the run",
+               ": steps do not look for its jumps and pulses (Time/Break "
+               "points and Time/Maximum step size help them)"));
+    }
+  } // namespace
+
+
+
   template <int dim>
   LoadHistory
   load_history(const Scene              &scene,
                ProblemData<dim>         &data,
                std::vector<std::string> &warnings)
   {
-    const TimeParameters   &time     = scene.parameters.time;
-    const double            end_time = time.end_time;
-    LoadHistory             history;
-    const SourceParameters &sources = scene.parameters.sources;
-    struct Load
-    {
-      std::string          path;
-      std::string          expression;
-      const Function<dim> *function;
-      bool                 is_on_end;
-    };
-    const std::vector<Load> loads = {
-      {"Sources/Heat source", sources.heat_source, data.heat_source(), false},
-      {"Sources/Body force", sources.body_force, data.body_force(), false},
-      {"Sources/End traction", sources.end_traction, data.end_traction(), true},
-      {"Sources/End heat flux",
-       sources.end_heat_flux,
-       data.end_heat_flux(),
-       true},
-      {"Boundary/Obstacle temperature",
-       scene.parameters.boundary.obstacle_expression,
-       data.obstacle_warming(),
-       true}};
+    const TimeParameters &time = scene.parameters.time;
+    LoadHistory           history;
+    std::vector<Load>     loads;
+    add_sources(scene, data, loads);
+    add_drives(scene, loads);
     for (const Load &load : loads)
-      {
-        if (load.function == nullptr || !depends_on_time(load.expression) ||
-            !time.has_error_control() || end_time == 0.)
-          continue;
-        const auto places =
-          sample_places<dim>(load.is_on_end, scene.parameters.mesh.width);
-        const auto sample = [&](const double t, std::vector<double> &values) {
-          data.set_time(t);
-          values.clear();
-          for (const Point<dim> &place : places)
-            for (unsigned int c = 0; c < load.function->n_components; ++c)
-              values.push_back(load.function->value(place, c));
-        };
-        std::vector<double> named = numbers_in(load.expression);
-        named.insert(named.end(),
-                     time.break_points.begin(),
-                     time.break_points.end());
-        const ScannedLoad scanned = scan_load(sample, end_time, named);
-        history.add(scanned.history);
-        if (!scanned.is_resolved)
-          warnings.push_back(
-            text(load.path,
-                 scanned.is_infinite ? " is not finite at t = " :
-                                       " changes too fast near t = ",
-                 scanned.time,
-                 scanned.is_infinite ? "" : " to be seen before the run",
-                 ": steps do not look for its jumps and pulses (Time/Break "
-                 "points and Time/Maximum step size help them)"));
-      }
+      if (time.end_time > 0. &&
+          (time.has_error_control() || !load.no_jump.empty()))
+        scan(load, time, history, warnings);
     history.add_breaks(time.break_points);
-    history.end_at(end_time);
+    history.end_at(time.end_time);
     return history;
   }
 

@@ -99,6 +99,7 @@ namespace ThermoContact
     : discretization(discretization)
     , material(scene.material)
     , has_own_viscous_stiffness(scene.has_elastic_contact_nodes())
+    , is_along_rod(scene.linear_solver.is_along_rod)
     , own_matrices(shared != nullptr ? nullptr :
                                        make_matrices(scene, discretization))
     , matrices(shared != nullptr ? shared : own_matrices.get())

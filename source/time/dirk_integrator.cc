@@ -42,6 +42,9 @@ namespace ThermoContact
     : body(body)
     , tableau(butcher_tableau(body.scene.scheme.name))
     , solver(make_stage_solver(body))
+    , driven(body.driven_end.is_active() ?
+               std::make_unique<DrivenStep<dim>>(body) :
+               nullptr)
     , stages(tableau.n_stages())
     , accelerations(tableau.n_stages(),
                     body.discretization.make_vector(Field::displacement))
@@ -87,73 +90,85 @@ namespace ThermoContact
 
 
   template <int dim>
-  bool
-  DirkIntegrator<dim>::can_change_at_once(const ContactMode mode) const
+  double
+  DirkIntegrator<dim>::stage_time(const State       &state,
+                                  const TimeStep    &time_step,
+                                  const unsigned int i) const
   {
-    const SceneContact &contact = body.scene.contact;
-    return contact.law->is_active() && !contact.has_mass() &&
-           (mode == ContactMode::unilateral || contact.is_in_equilibrium);
+    return i + 1 == tableau.n_stages() ?
+             time_step.end :
+             state.time + tableau.c[i] * time_step.size;
   }
 
 
 
   template <int dim>
-  bool
-  DirkIntegrator<dim>::holds_closing_nodes(const ContactMode mode) const
+  double
+  DirkIntegrator<dim>::load_time(const State       &state,
+                                 const TimeStep    &time_step,
+                                 const unsigned int i) const
   {
-    return solver->can_hold_nodes() && mode == ContactMode::unilateral &&
-           can_change_at_once(mode) && !body.scene.contact.is_in_equilibrium &&
-           !std::is_sorted(tableau.c.begin(), tableau.c.end());
-  }
-
-
-
-  template <int dim>
-  void
-  DirkIntegrator<dim>::hold_closing_nodes(const State       &state,
-                                          const unsigned int i)
-  {
-    std::vector<bool> &is_held = stages[i].is_held;
-    is_held.assign(state.contact_pressure.size(), false);
-    for (unsigned int j = 0; j < i; ++j)
-      for (unsigned int node = 0; node < is_held.size(); ++node)
-        if (state.contact_pressure[node] == 0. && stages[j].pressure[node] > 0.)
-          is_held[node] = true;
-  }
-
-
-
-  template <int dim>
-  std::vector<bool>
-  DirkIntegrator<dim>::closed_at_end(const ContactMode mode) const
-  {
-    const StageRates &last = stages.back();
-    std::vector<bool> is_closed(last.is_held);
-    is_closed.resize(last.pressure.size(), false);
-    for (unsigned int i = 0; i < is_closed.size(); ++i)
-      if (mode == ContactMode::closed || last.pressure[i] > 0.)
-        is_closed[i] = true;
-    return is_closed;
+    return i + 1 == tableau.n_stages() ? time_step.last_loads :
+                                         stage_time(state, time_step, i);
   }
 
 
 
   template <int dim>
   void
-  DirkIntegrator<dim>::find_closed_nodes(const State      &state,
-                                         const ContactMode mode,
-                                         StepResult       &result) const
+  DirkIntegrator<dim>::solve_stage(const unsigned int i,
+                                   const double       tau,
+                                   const ContactMode  mode)
   {
-    result.closed_nodes.clear();
-    if (!holds_closing_nodes(mode))
-      return;
-    const std::vector<bool> is_closed = closed_at_end(mode);
-    for (unsigned int i = 0; i < is_closed.size(); ++i)
-      if (is_closed[i] && state.contact_pressure[i] == 0.)
-        {
-          result.closed_nodes = is_closed;
-          return;
-        }
+    StageRates &stage = stages[i];
+    if (driven)
+      {
+        driven->constrain(i, tau, heat_load, momentum_load, known);
+        solver->solve(known,
+                      tau,
+                      driven->heat_load(),
+                      driven->momentum_load(),
+                      mode,
+                      stage);
+      }
+    else
+      solver->solve(known, tau, heat_load, momentum_load, mode, stage);
+    if (stage.failure.empty() &&
+        (i + 1 < tableau.n_stages() || tableau.has_error_estimate() || driven))
+      set_difference(accelerations[i],
+                     1. / tau,
+                     stage.velocity,
+                     known.velocity);
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::advance(const unsigned int i, const double tau)
+  {
+    StageRates &stage = stages[i];
+    set_sum(known.temperature, known.temperature, tau, stage.temperature_rate);
+    set_sum(known.displacement, known.displacement, tau, stage.velocity);
+    // the known values of a driven end are those of its stage already
+    if (driven)
+      driven->complete(stage, accelerations[i]);
+    set_equal(known.velocity, stage.velocity);
+    known.contact_pressure     = stage.pressure;
+    known.exchange_coefficient = stage.exchange_coefficient;
+  }
+
+
+
+  template <int dim>
+  double
+  DirkIntegrator<dim>::work_at_end(const unsigned int i) const
+  {
+    return body.driven_end.power(known,
+                                 stages[i].temperature_rate,
+                                 accelerations[i],
+                                 heat_load,
+                                 momentum_load);
   }
 
 
@@ -172,46 +187,37 @@ namespace ThermoContact
     start_sums(result);
     result.n_iterations  = 0;
     result.is_prescribed = false;
+    if (driven)
+      {
+        StageTimes loads_at{{}, tableau.b()};
+        for (unsigned int i = 0; i < tableau.n_stages(); ++i)
+          loads_at.times.push_back(load_time(state, time_step, i));
+        driven->start(state, time_step.size, loads_at);
+      }
     for (unsigned int i = 0; i < tableau.n_stages(); ++i)
       {
-        const bool   is_last = i + 1 == tableau.n_stages();
-        const double time =
-          is_last ? time_step.end : state.time + tableau.c[i] * time_step.size;
         StageRates &stage = stages[i];
-
         set_known_values(state, time_step.size, i);
         if (holds)
           hold_closing_nodes(state, i);
         else
           stage.is_held.clear();
-        body.loads.assemble(is_last ? time_step.last_loads : time,
+        body.loads.assemble(load_time(state, time_step, i),
                             heat_load,
                             momentum_load);
-        solver->solve(known, tau, heat_load, momentum_load, mode, stage);
+        solve_stage(i, tau, mode);
         result.failure = stage.failure;
         result.n_iterations += stage.n_iterations;
         if (!result.failure.empty())
           return;
 
-        if (!is_last || tableau.has_error_estimate())
-          {
-            set_difference(accelerations[i],
-                           1. / tau,
-                           stage.velocity,
-                           known.velocity);
-          }
-        result.algebraic +=
-          tableau.b()[i] * time_step.size * stage.algebraic_power;
-        known.time = time;
-        set_equal(known.velocity, stage.velocity);
-        known.contact_pressure     = stage.pressure;
-        known.exchange_coefficient = stage.exchange_coefficient;
-        set_sum(known.temperature,
-                known.temperature,
-                tau,
-                stage.temperature_rate);
-        set_sum(known.displacement, known.displacement, tau, stage.velocity);
-        book(known, tableau.b()[i] * time_step.size, result);
+        const double weight = tableau.b()[i] * time_step.size;
+        result.algebraic += weight * stage.algebraic_power;
+        known.time = stage_time(state, time_step, i);
+        advance(i, tau);
+        book(known, weight, result);
+        if (driven)
+          result.work += weight * work_at_end(i);
       }
     if (result.state.contact_pressure.size() != known.contact_pressure.size())
       result.state = known; // the first one: gets its layout
@@ -274,11 +280,22 @@ namespace ThermoContact
     DirectSolver heat_solver(body.equations.heat_stage_matrix(tau));
     ++counters_.factorizations;
     Vector heat_rhs(heat_load), momentum_rhs(momentum_load);
-    body.equations.stage_rhs(
-      state, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
+    if (driven)
+      {
+        known = state;
+        driven->constrain(0, tau, heat_load, momentum_load, known);
+      }
+    body.equations.stage_rhs(driven ? known : state,
+                             tau,
+                             driven ? driven->heat_load() : heat_load,
+                             momentum_load,
+                             heat_rhs,
+                             momentum_rhs);
     body.equations.subtract_heating(state.velocity, heat_rhs);
     heat_solver.solve(rate, heat_rhs);
     ++counters_.solves;
+    if (driven)
+      driven->complete(stages[0], accelerations[0]);
   }
 
 
@@ -292,6 +309,8 @@ namespace ThermoContact
     const double tau   = time_step.size;
     StageRates  &stage = stages[0];
     body.loads.assemble(time_step.last_loads, heat_load, momentum_load);
+    if (driven)
+      driven->start(state, tau, {{time_step.last_loads}, tableau.b()});
     if (body.scene.fields.has_temperature)
       solve_heat_alone(state, tau, stage.temperature_rate);
 
@@ -307,6 +326,12 @@ namespace ThermoContact
 
     start_sums(result);
     book(result.state, tau, result);
+    if (driven)
+      result.work += tau * body.driven_end.power(result.state,
+                                                 stage.temperature_rate,
+                                                 accelerations[0],
+                                                 heat_load,
+                                                 momentum_load);
     result.energy = body.energy.energy(result.state);
     result.numerical_dissipation =
       body.energy.energy(state).sum() - result.energy.sum() + result.work -

@@ -46,6 +46,8 @@ namespace ThermoContact
       "the scheme knows the potential of linear laws only";
     scheme.needs_constant_exchange =
       "the scheme finds its pressures before it knows the temperatures";
+    scheme.needs_resting_end =
+      "its midpoint rule would let the velocity of a moving end alternate";
     scheme.needs_factors = true;
     scheme.cannot_hold_contact =
       "the scheme conserves energy through contact in steps of any size";
@@ -60,12 +62,16 @@ namespace ThermoContact
   EnergyConservingIntegrator<dim>::EnergyConservingIntegrator(Body<dim> &body)
     : body(body)
     , solver(make_open_stage_solver(body))
+    , driven(body.driven_end.is_active() ?
+               std::make_unique<DrivenStep<dim>>(body) :
+               nullptr)
     , midpoint(body.discretization.make_state())
     , heat_load(body.discretization.make_vector(Field::temperature))
     , momentum_load(body.discretization.make_vector(Field::displacement))
   {
     rates.temperature_rate = heat_load;
     rates.velocity         = momentum_load;
+    acceleration           = momentum_load;
     if (!body.law().is_active())
       return;
     if (body.scene.has_midpoint_mass)
@@ -301,6 +307,39 @@ namespace ThermoContact
 
   template <int dim>
   void
+  EnergyConservingIntegrator<dim>::solve_without_contact(
+    const State    &state,
+    const TimeStep &time_step)
+  {
+    const double tau = 0.5 * time_step.size;
+    if (!driven)
+      {
+        solver->solve_without_contact(
+          state, tau, heat_load, momentum_load, rates);
+        return;
+      }
+    static const std::vector<double> one_stage = {1.};
+    driven->start(state, time_step.size, {{time_step.last_loads}, one_stage});
+    State known(state);
+    driven->constrain(0, tau, heat_load, momentum_load, known);
+    solver->solve_without_contact(
+      known, tau, driven->heat_load(), driven->momentum_load(), rates);
+  }
+
+
+
+  template <int dim>
+  double
+  EnergyConservingIntegrator<dim>::work_at_end() const
+  {
+    return body.driven_end.power(
+      midpoint, rates.temperature_rate, acceleration, heat_load, momentum_load);
+  }
+
+
+
+  template <int dim>
+  void
   EnergyConservingIntegrator<dim>::step(const State    &state,
                                         const double    old_energy,
                                         const TimeStep &time_step,
@@ -310,13 +349,14 @@ namespace ThermoContact
     const double size = time_step.size;
     midpoint.time     = state.time + 0.5 * size;
     assemble_loads(time_step.first_loads, time_step.last_loads);
-    solver->solve_without_contact(
-      state, 0.5 * size, heat_load, momentum_load, rates);
+    solve_without_contact(state, time_step);
     if (step_contact)
       apply_step_contact(state, time_step);
     else if (contact)
       apply_contact(state, time_step);
 
+    if (driven)
+      driven->complete(rates, acceleration);
     midpoint.velocity    = rates.velocity;
     midpoint.temperature = state.temperature;
     midpoint.temperature.add(0.5 * size, rates.temperature_rate);
@@ -337,7 +377,9 @@ namespace ThermoContact
     result.dissipation   = size * body.energy.dissipation_rate(midpoint);
     result.lateral_dissipation =
       size * body.energy.lateral_dissipation_rate(midpoint);
-    result.work      = body.energy.has_work() ? work(size, result.state) : 0.;
+    result.work = body.energy.has_work() ? work(size, result.state) : 0.;
+    if (driven)
+      result.work += size * work_at_end();
     result.impulse   = size * body.contact_end().mean(rates.pressure);
     result.algebraic = 0.;
     result.energy    = body.energy.energy(result.state);

@@ -86,9 +86,9 @@ namespace ThermoContact
   std::string
   MonolithicSolver<dim>::linear_solver() const
   {
-    return body.equations.rod() == nullptr ? "direct" :
-           has_refused_blocks              ? "block tridiagonal, direct" :
-                                             "block tridiagonal";
+    return !body.equations.is_eliminated_along_rod() ? "direct" :
+           has_refused_blocks ? "block tridiagonal, direct" :
+                                "block tridiagonal";
   }
 
 

@@ -44,6 +44,18 @@ SCENES = [
        POWER + ("Contact/Exponent=1",)) for entry, scene in (
            ("Time/Scheme", CONSERVING), ("Solver/Step solver", ITERATION),
            ("Solver/Linear solver", ITERATIVE))],
+    # damping: its sign, and what needs an obstacle that stores all
+    ("Contact/Damping", (), "Contact/Damping=-1e-9", "Contact/Damping=0",
+     "Contact/Damping=1e3"),
+    *[("Contact/Damping", scene + condition, "Contact/Damping=1e-3", "Contact/Damping=0")
+      for condition in ((), ("Contact/Condition=power law", "Contact/Exponent=1"))
+      for scene in (CONSERVING, ITERATION)],
+    ("Contact/Damping", ("Contact/Massless nodes=on", "Contact/Damping=0.5"),
+     "Model/Viscosity=0", "Model/Viscosity=1e-3",
+     ("Model/Viscosity=0", "Contact/Damping=0"),
+     ("Model/Viscosity=0", "Contact/Massless nodes=automatic")),
+    ("Solver/Linear solver", ITERATIVE, "Contact/Damping=0.5", "Contact/Damping=0",
+     ("Contact/Damping=0.5", "Solver/Linear solver=direct")),
     # an obstacle whose temperature varies
     ("Boundary/Obstacle temperature", (), "Boundary/Obstacle temperature=5*sin(t",
      "Boundary/Obstacle temperature=5*sin(t)", "Boundary/Obstacle temperature=-5"),
@@ -60,6 +72,30 @@ SCENES = [
     ("Solver/Linear solver", ITERATIVE, LOSS, "Boundary/Lateral heat exchange=0",
      LOSS + ("Solver/Linear solver=automatic",)),
     ("Output/Period", (), "Output/Period=-1", "Output/Period=0", "Output/Period=0.3"),
+    # a fixed end that is heated or moved
+    ("Boundary/Fixed end temperature", (), "Boundary/Fixed end temperature=5*sin(t",
+     "Boundary/Fixed end temperature=5*sin(t)", "Boundary/Fixed end temperature=-5"),
+    ("Boundary/Fixed end temperature", (), "Boundary/Fixed end temperature=x*t",
+     "Boundary/Fixed end temperature=2*t"),
+    ("Boundary/Fixed end temperature", (), "Boundary/Fixed end temperature=t*rand_seed(1)",
+     "Boundary/Fixed end temperature=t*0.5"),
+    ("Boundary/Fixed end displacement", (), "Boundary/Fixed end displacement=0.1*cos(t)",
+     "Boundary/Fixed end displacement=0.1*cos(t)-0.1"),
+    ("Boundary/Fixed end displacement", (), "Boundary/Fixed end displacement=1",
+     "Boundary/Fixed end displacement=0"),
+    ("Boundary/Fixed end displacement", ("Time/End time=1",),
+     "Boundary/Fixed end displacement=if(t<0.5,0,1)",
+     "Boundary/Fixed end displacement=if(t<0.5,0,t-0.5)"),
+    ("Boundary/Fixed end displacement", FIXED + ("Time/End time=1",),
+     "Boundary/Fixed end displacement=if(t<0.5,0,1)",
+     "Boundary/Fixed end displacement=if(t<0.5,0,t-0.5)"),
+    ("Boundary/Fixed end displacement", CONSERVING, "Boundary/Fixed end displacement=t^2",
+     ("Boundary/Fixed end displacement=t^2", "Time/Scheme=sdirk2"),
+     "Boundary/Fixed end temperature=t^2"),
+    ("Boundary/Fixed end displacement", EULER + ("Time/Start=paper",),
+     "Boundary/Fixed end displacement=t^2",
+     ("Boundary/Fixed end displacement=t^2", "Time/Start=automatic"),
+     "Boundary/Fixed end temperature=t^2"),
     # times of steps
     ("Time/Break points", (), "Time/Break points=0.5;-1", "Time/Break points=0.5;1"),
     ("Time/Break points", (), "Time/Break points=0.5,1", "Time/Break points=0.5",
@@ -272,6 +308,7 @@ SCENES = [
      "Initial values/Velocity=x", "Initial values/Velocity=x; 0"),
 
     # studies
+    ("Output/Error bars", STUDY, "Output/Error bars=true", "Output/Error bars=false"),
     ("Study/Vary", (), "Study/Vary=Time/Tolerance 1e-4",
      "Study/Vary=Time/Tolerance = 1e-4"),
     ("Study/Vary", (), "Study/Vary=Mesh/Cells = 4; Mesh/Cells = 8",

@@ -25,7 +25,9 @@ from program import run  # noqa: E402
 ROD = dict(L=0.3, A=2e-5, rho=8900.0, E=1.2e11, nu=0.34, sides="free", eta=7e3,
            alpha=17e-6, kappa=390.0, c=385.0, ref=290.0, initial=310.0,
            fixed=350.0, obstacle=270.0, gap=1e-4, stiffness=3e7, h=900.0,
-           t=500.0, small="dropped")
+           t=500.0, small="dropped", v=0.0, force=0.0, power=0.0,
+           force_time=math.inf, power_time=math.inf, time_unit=None, celsius=False)
+SECONDS = {"ms": 1e-3, "min": 60.0}
 
 
 def scaled(**other):
@@ -69,10 +71,43 @@ RODS = {
     "confined, b kept": scaled(**CONFINED, b=1.001e-6, zeta=0.999e-6),
     "confined, zeta kept": scaled(**CONFINED, b=0.999e-6, zeta=1.001e-6),
     "free, both kept": scaled(b=1.001e-6, zeta=1.001e-6),
+    # of loads only one ends before the run; times and temperatures as people have them
+    "heated and pulled": {**ROD, "power": 3.0, "power_time": 120.0, "force": -2e5,
+                          "force_time": 600.0, "time_unit": "min", "celsius": True},
+    "pushed twice": {**ROD, "power": 3.0, "power_time": 120.0, "force": 2e5,
+                     "force_time": 60.0, "v": 0.4},
+    "thrown": {**ROD, "v": 0.4, "t": 2e-3, "time_unit": "ms", **CONFINED},
+    "thrown, in ms by itself": {**ROD, "v": -0.4, "t": 2e-3},
+    "thrown, damped": {**ROD, "v": 0.4, "t": 2e-3, "small": "kept"},
 }
 
 
+def duration(rod, seconds):
+    return "infinity" if seconds == math.inf else repr(
+        seconds / SECONDS.get(rod["time_unit"], 1.0))
+
+
+def shown(rod, kelvin):
+    """A temperature in the unit of the file."""
+    return kelvin - 273.15 * rod["celsius"]
+
+
+def loads(rod):
+    if not (rod["v"] or rod["power"] or rod["force"]):
+        return ""
+    return f"""subsection Loads
+  set Initial velocity = {rod["v"]!r}
+  set Body force = {rod["force"]!r}
+  set Body force duration = {duration(rod, rod["force_time"])}
+  set Heater power = {rod["power"]!r}
+  set Heater duration = {duration(rod, rod["power_time"])}
+end
+"""
+
+
 def si_file(rod):
+    unit = f"  set Unit = {rod['time_unit']}\n" if rod["time_unit"] else ""
+    degrees = "  set Unit = C\n" if rod["celsius"] else ""
     return f"""set Title = rod
 set Small terms = {rod["small"]}
 subsection Rod
@@ -88,18 +123,18 @@ subsection Rod
   set Heat capacity = {rod["c"]!r}
 end
 subsection Temperatures
-  set Reference = {rod["ref"]!r}
-  set Initial = {rod["initial"]!r}
-  set Fixed end = {rod["fixed"]!r}
-  set Obstacle = {rod["obstacle"]!r}
+{degrees}  set Reference = {shown(rod, rod["ref"])!r}
+  set Initial = {shown(rod, rod["initial"])!r}
+  set Fixed end = {shown(rod, rod["fixed"])!r}
+  set Obstacle = {shown(rod, rod["obstacle"])!r}
 end
 subsection Obstacle
   set Gap = {rod["gap"]!r}
   set Stiffness = {rod["stiffness"]}
   set Exchange coefficient = {rod["h"]!r}
 end
-subsection Time
-  set End time = {rod["t"]!r}
+{loads(rod)}subsection Time
+{unit}  set End time = {duration(rod, rod["t"])}
 end
 """
 
@@ -126,7 +161,7 @@ def expected_comments(rod):
     yield "# heat flux {} W/m^2", kappa * Theta / L
     yield "# energy {} J", M * A * L
     yield "#",
-    yield "# Columns of contact.csv in SI units: multiply by",
+    yield "# Columns of contact.csv in SI units: multiply those of Output/SI = false by",
     yield "# time, step_size {} s", time
     yield "# displacement_*, gap, penetration {} m", L
     yield "# velocity_end {} m/s", diffusivity / L
@@ -149,7 +184,8 @@ def expected_scene(rod):
     for entry, symbol, value in (
             ("Inertia", "b", (diffusivity / L)**2 * rod["rho"] / M),
             ("Viscosity", "zeta", rod["eta"] * diffusivity / (L**2 * M))):
-        kept[symbol] = rod["small"] == "kept" or value >= 1e-6
+        kept[symbol] = rod["small"] == "kept" or value >= 1e-6 or (
+            symbol == "b" and rod["v"] != 0)
         if kept[symbol]:
             yield f"set {entry} = {{}} # {symbol}", value
         else:
@@ -158,12 +194,13 @@ def expected_scene(rod):
     yield "set Coupling = {} # a", expansion(rod) * Theta
     yield "end",
     yield "subsection Boundary",
-    yield ("set Fixed end temperature = {} # theta_A; {} K",
-           (rod["fixed"] - rod["ref"]) / Theta, rod["fixed"])
+    degree = "\u00b0C" if rod["celsius"] else "K"
+    yield (f"set Fixed end temperature = {{}} # theta_A; {{}} {degree}",
+           (rod["fixed"] - rod["ref"]) / Theta, shown(rod, rod["fixed"]))
     yield "set Heat exchange = {} # k", rod["h"] * L / rod["kappa"]
     if rod["h"] > 0:
-        yield ("set Obstacle temperature = {} # theta_obs; {} K",
-               (rod["obstacle"] - rod["ref"]) / Theta, rod["obstacle"])
+        yield (f"set Obstacle temperature = {{}} # theta_obs; {{}} {degree}",
+               (rod["obstacle"] - rod["ref"]) / Theta, shown(rod, rod["obstacle"]))
     yield "end",
     yield "subsection Contact",
     if rod["stiffness"] == "infinity":
@@ -174,18 +211,67 @@ def expected_scene(rod):
     yield "set Gap = {} # g; {} m", rod["gap"] / L, rod["gap"]
     yield "end",
     yield "subsection Initial values",
-    yield ("set Temperature = {} # theta_0; {} K",
-           (rod["initial"] - rod["ref"]) / Theta, rod["initial"])
+    yield (f"set Temperature = {{}} # theta_0; {{}} {degree}",
+           (rod["initial"] - rod["ref"]) / Theta, shown(rod, rod["initial"]))
     if kept["b"] or kept["zeta"]:
         yield "set Displacement = {}", 0
-    if kept["b"]:
+    if kept["b"] and rod["v"]:
+        yield ("set Velocity = {}*x # u_1; {} m/s at x = {}",
+               rod["v"] * L / diffusivity, rod["v"], 1)
+    elif kept["b"]:
         yield "set Velocity = {}", 0
     yield "end",
+    yield from expected_loads(rod)
+    unit = rod["time_unit"] or "s"
     yield "subsection Time",
-    yield "set End time = {} # T; {} s", rod["t"] / time, rod["t"]
+    yield (f"set End time = {{}} # T; {{}} {unit}", rod["t"] / time,
+           rod["t"] / SECONDS.get(unit, 1))
+    ends = [rod[name] / time for name in ("power_time", "force_time")
+            if rod[name] < rod["t"]]
+    if ends:
+        yield "set Break points = " + " ; ".join("{}" for _ in ends), *ends
+    wave = math.sqrt(rod["rho"] / M) * L  # seconds
+    if rod["v"] and not kept["zeta"] and rod["t"] < 100 * wave:
+        yield "set Scheme = energy conserving",
+        yield "set Step size = {}", wave / time / 2000
+        yield "end",
+        yield "subsection Mesh",
+        yield "set Cells = {}", 2000
+        yield "set Degree = {}", 1
+        yield "set Mass matrix = midpoint",
     yield "end",
     yield "subsection Output",
     yield "set Fields interval = {}", float(f"{rod['t'] / time / 20:.6g}")
+    yield "end",
+    yield "subsection Scales",
+    yield "set Length = {} # m", L
+    yield "set Time = {} # s", time
+    yield "set Stress = {} # Pa", M
+    yield "set Area = {} # m^2", rod["A"]
+    yield "set Temperature = {} # K", Theta
+    yield "set Reference temperature = {} # K", rod["ref"]
+    yield "set Time unit = " + (rod["time_unit"] or ("s" if rod["t"] > 10 else "ms")),
+    yield "set Temperature unit = " + ("C" if rod["celsius"] else "K"),
+    yield "end",
+
+
+def expected_loads(rod):
+    """Power over volume and heat capacity, force over stiffness; until they end."""
+    diffusivity, time, Theta = scales(rod)
+    volume, capacity = rod["A"] * rod["L"], rod["rho"] * rod["c"]
+    if not (rod["power"] or rod["force"]):
+        return
+    yield "subsection Sources",
+    for entry, symbol, value, given, end, unit in (
+            ("Heat source", "q", rod["power"] / volume * time / (capacity * Theta),
+             rod["power"], rod["power_time"], "W"),
+            ("Body force", "f", rod["force"] * rod["L"] / modulus(rod),
+             rod["force"], rod["force_time"], "N/m^3")):
+        if end < rod["t"]:
+            yield (f"set {entry} = if(t < {{}}, {{}}, 0) # {symbol}; {{}} {unit}",
+                   end / time, value, given)
+        else:
+            yield f"set {entry} = {{}} # {symbol}; {{}} {unit}", value, given
     yield "end",
 
 
@@ -206,7 +292,7 @@ def differences(text, expected):
 
 def falsified(text):
     """The text with each of its numbers, in turn, off by a millionth."""
-    for match in re.finditer(r"(?<=[ =])-?\d[\d.]*(e[+-]?\d+)?(?=[ ,\n])", text):
+    for match in re.finditer(r"(?<=[ =])-?\d[\d.]*(e[+-]?\d+)?(?=[ ,\n*])", text):
         wrong = repr(float(match[0]) * (1 + 1e-6) or 1e-6)
         yield text[:match.start()] + wrong + text[match.end():]
 
@@ -252,8 +338,15 @@ def main():
 
     print("may be left out:", ", ".join(left_out()))
     for old, new in (("  set Density = 8900.0\n", ""),
-                     ("Stiffness = 30000000.0", "Stiffness = 0")):
-        status, _, message = answer(si_file(ROD).replace(old, new))
+                     ("Stiffness = 30000000.0", "Stiffness = 0"),
+                     ("Initial = 310.0", "Initial = 20"),
+                     ("Initial = 310.0", "Initial = -20\n  set Unit = K"),
+                     ("Unit = s", "Unit = days"),
+                     ("subsection Rod", "subsection Model\n  set Inertia = 1\nend\n"
+                      "subsection Rod"),
+                     ("subsection Rod", "subsection Mesh\n  set Cels = 1\nend\n"
+                      "subsection Rod")):
+        status, _, message = answer(si_file({**ROD, "time_unit": "s"}).replace(old, new))
         print(message.rstrip())
         print("exit status", status)
 

@@ -16,7 +16,9 @@ VALUES = {
     "Boundary/Fixed end temperature": "5", "Boundary/Heat exchange": "2",
     "Boundary/Obstacle temperature": "1", "Boundary/Lateral support": "free",
     "Boundary/Lateral heat exchange": "2", "Boundary/Ambient temperature": "1",
+    "Boundary/Fixed end displacement": "0.1*t",
     "Contact/Condition": "rigid", "Contact/Compliance": "0.02", "Contact/Exponent": "2",
+    "Contact/Damping": "0.5",
     "Contact/Gap": "0.2", "Contact/Massless nodes": "on",
     "Initial values/Temperature": "1", "Initial values/Displacement": "0.01*x",
     "Initial values/Velocity": "x", "Sources/Heat source": "1",
@@ -40,7 +42,8 @@ STUDY = ("Study/Vary=Mesh/Cells = 4 | 8", "Study/Reference=Time/Tolerance = 1e-9
 PLANE = "Dimension=2"
 MECHANICAL = """Model/Inertia; Model/Viscosity; Model/Coupling;
      Model/Thermoelastic heating; Model/Poisson ratio;
-     Boundary/Lateral support; Boundary/Fixed end support; Contact/Gap;
+     Boundary/Lateral support; Boundary/Fixed end support;
+     Boundary/Fixed end displacement; Contact/Gap;
      Contact/Massless nodes; Initial values/Displacement; Initial values/Velocity;
      Sources/Body force; Sources/End traction; Time/Start;
      Time/Locate contact events"""
@@ -62,6 +65,10 @@ SCENES = [
     ("Contact/Condition = none", "Contact/Compliance",
      ("Contact/Condition=none",), ("Contact/Condition=normal compliance",)),
     ("Contact/Condition = normal compliance", "Contact/Exponent", (),
+     ("Contact/Condition=power law",)),
+    ("Contact/Condition = rigid", "Contact/Damping", ("Contact/Condition=rigid",),
+     ("Contact/Condition=normal compliance",), ("Contact/Condition=power law",)),
+    ("Contact/Condition = none", "Contact/Damping", ("Contact/Condition=none",),
      ("Contact/Condition=power law",)),
     ("Contact/Condition = none",
      "Contact/Gap; Contact/Massless nodes; Time/Locate contact events",
@@ -95,6 +102,8 @@ SCENES = [
      ("Model/Fields=temperature",), ()),
     ("Model/Fields = temperature", "Contact/Exponent",
      ("Model/Fields=temperature",), ("Contact/Condition=power law",)),
+    ("Model/Fields = temperature", "Contact/Damping",
+     ("Model/Fields=temperature",), ()),
     ("Model/Fields = temperature", "Contact/Condition",
      ("Model/Fields=temperature",), ()),
     ("Model/Fields = temperature", "Study/Target error",

@@ -110,20 +110,41 @@ LOADS = [
 ]
 
 
+# An elastic rod, almost without viscosity, of steel that is thrown at a stop: waves with
+# kinks run through it for ever. Its peak force, overrides and the largest degree, beside
+# that of the mesh: wrong by more than 1e-2 with the default mesh, which is warned of; by
+# less than 2e-3 with each mesh that the warning names, which is not. The default scene,
+# whose waves are damped, is right to 1e-3 and not warned of.
+THROWN = ("Contact/Condition=normal compliance", "Contact/Compliance=0.21",
+          "Contact/Gap=0.0005", "Contact/Massless nodes=automatic",
+          "Model/Inertia=8.90143681834e-18", "Model/Viscosity=3.67413902446e-13",
+          "Initial values/Velocity=6.48e5*x", "Mesh/Cells=8", "Mesh/Degree=4",
+          "Time/Scheme=sdirk4", "Time/Step size=automatic", "Time/End time=2e-8",
+          "Time/Locate contact events=automatic")
+DAMPED = ("Model/Fields=temperature and displacement", "Model/Viscosity=0.2",
+          "Contact/Condition=normal compliance", "Contact/Massless nodes=automatic",
+          "Initial values/Velocity=20*x*(x-1)^2", "Mesh/Cells=8", "Mesh/Degree=4",
+          "Time/Scheme=sdirk4", "Time/Step size=automatic", "Time/Tolerance=1e-8",
+          "Time/Locate contact events=automatic", "Time/End time=1")
+OF_MESH = "the mesh leaves out"
+
+
 def said(text):
     return re.findall(r"^  warning:  (.*)$", text, re.MULTILINE)
 
 
-def warnings_of(overrides, directory):
-    """Where warnings stand; screen and log.txt must be the same."""
+def warnings_of(overrides, directory, is_of_mesh=False):
+    """Those of the mesh, or all others; screen, log.txt and summary.json must have the
+    same."""
     status, screen, message = run("--output", directory, SCENE,
                                   *settings(overrides))
     if status != 0:
         return [message]
     summary = json.loads((directory / "summary.json").read_text())["warnings"]
     log = said((directory / "log.txt").read_text())
-    return (summary if said(screen) == log == summary else
-            [f"screen {said(screen)}, log {log}, summary {summary}"])
+    if not said(screen) == log == summary:
+        return [f"screen {said(screen)}, log {log}, summary {summary}"]
+    return [line for line in summary if line.startswith(OF_MESH) == is_of_mesh]
 
 
 def due(directory, allowed_at_once, allowed_per_step):
@@ -180,6 +201,35 @@ def check_loads(case):
             f"{' '.join(overrides)}: {warnings}")
 
 
+def peak_and_warnings(overrides):
+    """Largest force, and what is said of the mesh"""
+    directory = Path("mesh-" + re.sub(r"\W+", "-", "".join(overrides[-2:])))
+    warnings = warnings_of(overrides, directory, True)
+    summary = json.loads((directory / "summary.json").read_text())
+    shutil.rmtree(directory)
+    return summary["max_contact_force"], warnings
+
+
+def check_mesh():
+    """What is wrong with the warnings of meshes."""
+    (exact, no_warning), (peak, warning), (damped_exact, damped_none), (damped, none) = \
+        for_all(peak_and_warnings, (THROWN + ("Mesh/Degree=24",), THROWN,
+                                    DAMPED + ("Mesh/Degree=8",), DAMPED))
+    if no_warning or damped_none or none:
+        yield f"warned of fine meshes: {no_warning + damped_none + none}"
+    if abs(damped / damped_exact - 1) > 1e-3 or abs(peak / exact - 1) < 1e-2:
+        yield f"peaks are {peak} of {exact}, {damped} of {damped_exact}"
+    named = re.search(r"remedy: (Mesh/Degree) = (\d+), or (Mesh/Cells) = (\d+) or more$",
+                      "".join(warning))
+    if named is None:
+        yield f"no mesh is named: {warning}"
+        return
+    for remedy in (f"{named[1]}={named[2]}", f"{named[3]}={named[4]}"):
+        better, warning = peak_and_warnings(THROWN + (remedy,))
+        if warning or abs(better / exact - 1) > 2e-3:
+            yield f"with {remedy} {better} of {exact}, {warning}"
+
+
 def report(overrides, warnings, expected):
     return ("" if warnings == expected else
             f"{' '.join(overrides)}: {warnings}, expected {expected}")
@@ -191,12 +241,14 @@ def main():
                                ("loads", check_loads, LOADS)):
         faults = list(filter(None, for_all(check, enumerate(cases))))
         print(f"warnings about the {what}:", "; ".join(faults) or "as derived")
+    print("warnings about the mesh:", "; ".join(check_mesh()) or "as derived")
     places = sum(len(re.findall(r"\bwarnings_?\.push_back\(",
                                 without_comments(file)))
                  for file in source_files())
     # corner layer; contact at the start or preload; energy; dispersion; blocks that
-    # grow, noted by the solver of a stage and handed on; loads; other ranks than before
-    print("kinds of warnings in the sources:", "known" if places == 8 else places)
+    # grow, noted by the solver of a stage and handed on; loads; other ranks than before;
+    # the mesh
+    print("kinds of warnings in the sources:", "known" if places == 9 else places)
 
 
 main()

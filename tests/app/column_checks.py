@@ -219,6 +219,20 @@ def check_poincare(run):
 
 # --- events.csv -------------------------------------------------------------------------
 
+@check("events.csv/duration")
+def check_durations(run):
+    """From the begin, in the row above, to the end."""
+    yield from faults_of_durations(run.events)
+
+
+def faults_of_durations(e):
+    time = numpy.array(e["time"])
+    expected = numpy.where([kind == "end" for kind in e["kind"]],
+                           numpy.diff(time, prepend=numpy.nan), numpy.nan)
+    yield differences(e["duration"], expected, EXACT)
+
+
+
 @check("events.csv/time", "events.csv/kind", "events.csv/velocity")
 def check_events(run):
     """Contact begins and ends in turn, where in_contact changes."""

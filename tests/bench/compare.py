@@ -2,19 +2,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a step costs beside programs that can do nothing else.
 
-Runs the paper's experiment 1 by thermocontact, by a plain C program (rod.c) and by
-numpy with SciPy's band solver (rod_scipy.py), in turn, so that a machine whose
-speed drifts does so for all of them, and writes the tables of doc/performance.md:
-microseconds per step or solve, median and range of the runs, and the median of the
-ratios to rod.c run by run. All must agree in the last u(1).
+Runs the paper's experiment 1 by thermocontact, by a plain C program (rod.c), by
+numpy with SciPy's band solver (rod_scipy.py), and, as far as they are installed, by
+FreeFEM (rod_freefem.edp; Debian: freefem++ libfreefem++) and DOLFINx
+(rod_dolfinx.py; python3-dolfinx), in turn, so that a machine whose speed drifts
+does so for all of them, and writes the tables of doc/performance.md: microseconds
+per step or solve, median and range of the runs, and the median of the ratios to
+rod.c run by run. All must agree in the last u(1). The load of the machine at the
+begin and the end is in the first line.
 
   compare.py THERMOCONTACT [RUNS] [PAGE]
 
 Not a test: times are not asserted. Takes a minute.
 """
+import importlib.util
 import json
+import os
 import platform
 import re
+import shutil
 import statistics
 import subprocess
 import sys
@@ -24,12 +30,16 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 PRM = HERE.parent.parent / "prm"
+# plugins of FreeFEM, where Debian has them; one thread for all
+ENVIRONMENT = {"FF_LOADPATH": "/usr/lib/freefem++", **os.environ,
+               "OMP_NUM_THREADS": "1"}
 BEGIN, END = "<!-- measured -->\n", "<!-- end of what was measured -->\n"
 
 
 def printed(command):
-    """Microseconds per step and u(1) of rod.c and rod_scipy.py."""
-    line = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    """Microseconds per step and u(1) of rod.c and the others that write as it."""
+    line = subprocess.run(command, check=True, capture_output=True, text=True,
+                          env=ENVIRONMENT).stdout
     found = re.search(r"us_per_step=(\S+) u_end=(\S+)", line)
     return float(found[1]), float(found[2])
 
@@ -72,6 +82,16 @@ def table(title, cases, runs, floor, has_same_scheme):
     return "\n".join(lines) + "\n"
 
 
+def installed():
+    """Commands of the finite element programs that are there."""
+    commands = {}
+    if shutil.which("FreeFem++"):
+        commands["FreeFEM"] = ["FreeFem++", "-nw", "-v", "0", HERE / "rod_freefem.edp"]
+    if importlib.util.find_spec("dolfinx"):
+        commands["DOLFINx"] = [sys.executable, HERE / "rod_dolfinx.py"]
+    return commands
+
+
 def processor():
     for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
         if line.startswith("model name"):
@@ -89,7 +109,9 @@ def main():
         (scratch / "default.prm").write_text("# all defaults\n", encoding="utf-8")
         scene = PRM / "paper" / "experiment-1.prm"
         row = scratch / "rows.csv"
-        scipy = [sys.executable, HERE / "rod_scipy.py"]
+        others = {"numpy and SciPy": [sys.executable, HERE / "rod_scipy.py"],
+                  **installed()}
+        load = os.getloadavg()[0]
         fine = ("Mesh/Cells=25000", "Time/End time=0.2", "Output/Contact interval=1")
         exact = ("Mesh/Cells=4", "Mesh/Degree=6", "Time/Tolerance=5e-6",
                  "Time/Scheme=sdirk4", "Time/Start=automatic", "Time/Step size=automatic")
@@ -104,17 +126,21 @@ def main():
             microseconds, end = printed([c, "250", "10000", "0.001", row])
             return 1e4 * microseconds, end
 
+        def of_others(*arguments):
+            return {name: lambda command=command: printed([*command, *arguments])
+                    for name, command in others.items()}
+
         tables = [
             table("a step, 250 cells, a row for each", {
                 "`rod.c`": lambda: printed([c, "250", "10000", "0.001", row]),
                 "thermocontact": lambda: summary(program, scratch / "paper", scene, "steps"),
-                "numpy and SciPy": lambda: printed([*scipy, "250", "10000", "0.001", row]),
+                **of_others("250", "10000", "0.001", row),
             }, runs, "`rod.c`", True),
             table("a step, 25 000 cells, no rows", {
                 "`rod.c`": lambda: printed([c, "25000", "200", "0.001", "-"]),
                 "thermocontact": lambda: summary(program, scratch / "fine", scene, "steps",
                                                  *fine),
-                "numpy and SciPy": lambda: printed([*scipy, "25000", "200", "0.001", "-"]),
+                **of_others("25000", "200", "0.001", "-"),
             }, runs, "`rod.c`", True),
             table("a solve of the default scene, 8 cells of degree 4, all included", {
                 "`rod.c`, a step of 250 cells": lambda: printed(
@@ -128,7 +154,9 @@ def main():
                     lambda: whole(*exact),
             }, runs, "`rod.c`, 250 cells, 10 000 steps: u(1) to 2e-3", False),
         ]
-    text = (f"{processor()}, {time.strftime('%Y-%m-%d')}, {runs} runs in turn.\n\n" +
+    text = (f"{processor()}, {time.strftime('%Y-%m-%d')}, {runs} runs in turn; "
+            f"processes that wanted one of the {os.cpu_count()} processors: "
+            f"{load:.1f} at the begin, {os.getloadavg()[0]:.1f} at the end.\n\n" +
             "\n".join(tables))
     if len(sys.argv) > 3:
         page = Path(sys.argv[3])

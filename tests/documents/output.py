@@ -22,11 +22,13 @@ BODY = {**SHORT, "Dimension": "2", "Mesh/Cells across": "2", "Contact/Gap": "-0.
         "Initial values/Displacement": "-0.02*x"}
 SCENES = {
     "rod": {**SHORT, "Time/Step size": "automatic", "Output/Probes": "0.5; 1",
-            "Output/Space-time interval": "0.01", "Time/End time": "0.2"},
+            "Output/Space-time interval": "0.01", "Time/End time": "0.2",
+            "Output/Error bars": "true"},
     "cooling": {**SHORT, "Boundary/Lateral heat exchange": "1", "Output/Period": "0.01"},
     "heat": {**SHORT, "Model/Fields": "temperature"},
     "motion": {**SHORT, "Model/Fields": "displacement", "Contact/Condition": "none"},
     "switch": {**SHORT, "Boundary/Heat exchange": "1+gap"},
+    "damped": {**SHORT, "Contact/Damping": "0.5"},
     "conserving": {**SHORT, "Time/Scheme": "energy conserving"},
     "slow": {**SHORT, "Model/Inertia": "0", "Model/Viscosity": "0",
              "Initial values/Temperature": "theta_A"},
@@ -36,6 +38,8 @@ SCENES = {
     "shaped": {**BODY, "Contact/Gap": "0.02+y^2", "Initial values/Displacement": "0"},
     "block": {**BODY, "Dimension": "3", "Contact/Gap": "0.02",
               "Initial values/Displacement": "0"},
+    "units": {**SHORT, **{f"Scales/{name}": "2" for name in (
+        "Length", "Time", "Stress", "Area", "Temperature", "Reference temperature")}},
     "study": {**SHORT, "Study/Vary": "Contact/Gap = 0.1 | 0.2",
               "Study/Reference": "Mesh/Degree = 2"},
 }

@@ -255,6 +255,9 @@ def check_scenes(plot, make):
                             {**ALL, "figure": (labels, 2)})
     solved = make("iterative", 0, "Iterative", algebraic=[0, -.1, .2, .1, .4, .3])
     check_histories(plot, "what residuals do", [solved], ALL)
+    damped = make("damped", 0, "Damped", contact_dissipation=[0, 0, .1, .2, .2, .3])
+    check_histories(plot, "what the obstacle takes", [damped],
+                    {**ALL, "energy": run_pictures.DAMPED})
     blind = make("blind", 0, "Blind", energy=None)
     check_histories(plot, "no energy", [blind], {
         "figure": (figure[:-1], 2), "contact": ALL["contact"]})

@@ -16,11 +16,12 @@ def log_energy(table):
 
 def defect(table):
     """E(0) + work + algebraic - E - dissipation - numerical dissipation, (M.22);
-    algebraic where the table has it, (M.65)."""
+    algebraic and what the obstacle takes where the table has them, (M.65), (M.85)."""
     work, energy, *losses = (numpy.array(table[name], float) for name in (
         "work", "energy", "dissipation", "numerical_dissipation"))
     algebraic = numpy.array(table.get("algebraic", 0.), float)
-    return energy[0] + work + algebraic - energy - sum(losses)
+    damping = numpy.array(table.get("contact_dissipation", 0.), float)
+    return energy[0] + work + algebraic - energy - sum(losses) - damping
 
 
 # The label of an axis, and the column that it names or what follows from some.
@@ -41,6 +42,7 @@ CURVES = {
     "work": "work", "dissipation": "dissipation",
     "numerical dissipation": "numerical_dissipation",
     "defect of the balance": defect,
+    "dissipation by the obstacle": "contact_dissipation",
 }
 FIELDS = {r"temperature  $\theta$": "temperature",
           r"displacement  $u$": "displacement",
@@ -48,12 +50,14 @@ FIELDS = {r"temperature  $\theta$": "temperature",
 STEPS = {r"step size  $\Delta t$": "step_size", "error / tolerance": "error"}
 LABELS = list(CURVES)
 DISPLACEMENT, PLAIN_ENERGY, GAP = LABELS[0], LABELS[8], LABELS[9]
-COLUMNS = sorted({what for what in CURVES.values() if isinstance(what, str)})
+COLUMNS = sorted({what for what in CURVES.values() if isinstance(what, str)}
+                 - {"contact_dissipation"})  # of some runs
 # The panels of a picture in their order, and how many stand side by side.
 FIGURE = [*LABELS[:5], LABELS[7]], 2
 HEAT = LABELS[4:8], 2
 CONTACT = LABELS[9:12], 1
-ENERGY = LABELS[12:], 2
+ENERGY = LABELS[12:17], 2
+DAMPED = [*LABELS[12:16], LABELS[17], LABELS[16]], 2
 REJECTED = {"tolerance": "rejected: error",
             "contact": "rejected: contact changes within",
             "failed": "rejected: not solved"}

@@ -143,6 +143,17 @@ def check_units():
         check(f"unit of {column}", math.isclose(units.factor(column), factor,
                                                 rel_tol=1e-9) and
               units.unit(column) == unit, units.factor(column))
+    run = thermocontact.run({"Obstacle/Stiffness": 1e8, "Time/End time": 2, "Time/Unit": "h"},
+                            base=source / "prm/units/steel-rod.prm")
+    contact = run.contact
+    check("units of a table", contact.units["time"] == "h" and "step" not in contact.units
+          and contact.units["temperature_end"] == "K" and contact.units["energy"] == "J",
+          contact.units)
+    check("2 h in seconds", math.isclose(units.in_si(contact, "time")[-1], 7200,
+                                         rel_tol=1e-9), contact["time"][-1])
+    check("kelvin stay", units.in_si(contact, "temperature_end")[0] ==
+          contact["temperature_end"][0], contact["temperature_end"][0])
+    check("no units", not thermocontact.run({"Time/End time": 0.01}).contact.units)
     table = {"temperature_end": numpy.array([0.0])}
     check("kelvin", units.in_si(table, "temperature_end")[0] == 293.15)
     check("no unit", raised(thermocontact.Error, lambda: units.unit("iterations")))

@@ -5,10 +5,14 @@
 // Rods of 1 to 9 cells and degrees 1 to 8, whose matrices are sums of random
 // cell matrices A^T A + I/2, of two kinds in turn by groups of cells, or one
 // for each cell; D is such a matrix with the half below its diagonal times
-// -1/2, and the thermal stress its transpose.
+// -1/2, and the thermal stress its transpose. Stiffnesses are A^T A and D, with
+// the first columns of A and D such that rows add up to 0; conduction has 1/2
+// more at the end of the last cell, if that is a run of its own.
 //
 // 1. Products, combinations and forms, against sums over full matrices: to
-//    rounding, 1e-12 of the sum of the absolute values of their terms.
+//    rounding, 1e-12 of the sum of the absolute values of their terms. Of cells
+//    of degree 2 and more the products of stiffnesses and D with a constant,
+//    and the forms of stiffnesses, are 0, not rounding: all differences are.
 // 2. Systems of one and of two fields as those of a stage, [M + t K, a D;
 //    -t^2 a D^T, M_u + t z S_z + t^2 S], against the solution that was chosen:
 //    residual in the full matrix to 1e-12 of its terms, and solutions vanish
@@ -77,6 +81,57 @@ namespace
 
 
 
+  /** Whether the product of a matrix with a constant is 0. */
+  bool
+  has_rows_of_zero_sum(const unsigned int matrix)
+  {
+    return matrix == RodMatrices::conduction ||
+           matrix == RodMatrices::divergence ||
+           matrix == RodMatrices::stiffness ||
+           matrix == RodMatrices::viscous_stiffness;
+  }
+
+
+
+  void
+  make_rows_of_zero_sum(FullMatrix<double> &a)
+  {
+    for (unsigned int i = 0; i < a.m(); ++i)
+      {
+        a(i, 0) = 0.;
+        for (unsigned int j = 1; j < a.n(); ++j)
+          a(i, 0) -= a(i, j);
+      }
+  }
+
+
+
+  /** A random matrix of a cell, symmetric but for D. */
+  FullMatrix<double>
+  random_cell(const unsigned int n, const unsigned int matrix)
+  {
+    FullMatrix<double> a(n, n), result(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        a(i, j) = random();
+    if (has_rows_of_zero_sum(matrix))
+      make_rows_of_zero_sum(a);
+    a.Tmmult(result, a);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        if (!has_rows_of_zero_sum(matrix))
+          result(i, i) += 0.5;
+        for (unsigned int j = 0; matrix == RodMatrices::divergence && j < i;
+             ++j)
+          result(i, j) *= -0.5;
+      }
+    if (matrix == RodMatrices::divergence)
+      make_rows_of_zero_sum(result);
+    return result;
+  }
+
+
+
   /** Cells i with the same i / group are alike. */
   Rod
   random_rod(const RodLayout &layout, const unsigned int group)
@@ -89,24 +144,14 @@ namespace
     for (unsigned int c = 0; c < layout.n_cells; ++c)
       {
         if (c % group == 0)
-          for (FullMatrix<double> &matrix : cell)
-            {
-              FullMatrix<double> a(n, n);
-              for (unsigned int i = 0; i < n; ++i)
-                for (unsigned int j = 0; j < n; ++j)
-                  a(i, j) = random();
-              a.Tmmult(matrix, a);
-              for (unsigned int i = 0; i < n; ++i)
-                matrix(i, i) += 0.5;
-            }
+          for (unsigned int m = 0; m < n_matrices; ++m)
+            cell[m] = random_cell(n, m);
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
-            {
-              if (c % group == 0 && i > j) // not symmetric
-                cell[RodMatrices::divergence](i, j) *= -0.5;
-              cell[RodMatrices::thermal_stress](j, i) =
-                cell[RodMatrices::divergence](i, j);
-            }
+            cell[RodMatrices::thermal_stress](j, i) =
+              cell[RodMatrices::divergence](i, j);
+        if (c + 1 == layout.n_cells && c % group == 0)
+          cell[RodMatrices::conduction](1, 1) += 0.5;
         rod.cells.push_back(cell);
         for (unsigned int m = 0; m < n_matrices; ++m)
           for (unsigned int i = 0; i < n; ++i)
@@ -222,6 +267,31 @@ namespace
 
 
 
+  /** Largest entry of products with a constant, and form, that must be 0. */
+  double
+  product_with_constant(const RodMatrices &rod)
+  {
+    const unsigned int n = rod.layout().n_nodes();
+    const Vector       constant(n, 0.7);
+    Vector             product(n);
+    double             largest = 0.;
+    for (const auto matrix : {RodMatrices::divergence,
+                              RodMatrices::stiffness,
+                              RodMatrices::viscous_stiffness})
+      {
+        rod.combine<1>({{{1., matrix, constant.data()}}},
+                       0.,
+                       nullptr,
+                       product.data());
+        for (const double value : product)
+          raise(largest, std::abs(value));
+        raise(largest, std::abs(rod.form(matrix, constant.data())));
+      }
+    return largest;
+  }
+
+
+
   /** The same of the residual of a system, and its growth. */
   template <unsigned int n_fields>
   void
@@ -266,7 +336,8 @@ namespace
   void
   test_random()
   {
-    double products = 0., one = 0., two = 0., growth = 0., fixed = 0.;
+    double products = 0., one = 0., two = 0., growth = 0., fixed = 0.,
+           of_constant = 0.;
     for (unsigned int degree = 1; degree <= 8; ++degree)
       for (unsigned int n_cells = 1; n_cells <= 9; ++n_cells)
         for (const unsigned int group : {1, 2, 5})
@@ -276,6 +347,8 @@ namespace
             const Matrices   &full   = random.full;
             const RodMatrices rod    = make(layout, random);
             raise(products, error_of_products(rod, full));
+            if (degree > 1)
+              raise(of_constant, product_with_constant(rod));
 
             const double               t = 0.4, a = 0.3, z = 0.2;
             const RodFactors<1>::Block heat{{1., RodMatrices::heat_mass},
@@ -297,6 +370,8 @@ namespace
           }
     deallog << "products: error in its bound "
             << (products <= 1. ? "yes" : "no") << std::endl
+            << "products with a constant: nothing but 0 "
+            << (of_constant == 0. ? "yes" : "no") << std::endl
             << "one field: residual in its bound " << (one <= 1. ? "yes" : "no")
             << std::endl
             << "two fields: residual in its bound "

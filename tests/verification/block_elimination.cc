@@ -13,6 +13,12 @@
 // of the contact node there, so that fixed steps are compared, and one run up
 // to its first event. Scenes of prm/ have fixed steps or no events in the time
 // that is compared (measured 4e-12).
+//
+// The bound is 1e-10 of scenes whose rounding is larger, doc/performance.md:
+// velocities without inertia, which are differences over steps (measured
+// 9.4e-11), heat that starts with a jump on a graded mesh (2.1e-11), a mesh of
+// grade 300 (4.1e-11), waves on 400 cells (2.4e-11), cubic cells over 10 000
+// steps (3.4e-11, here fewer).
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -22,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../tests.h"
@@ -58,7 +65,8 @@ namespace
   void
   check(const std::string              &title,
         const std::string              &file,
-        const std::vector<std::string> &overrides)
+        const std::vector<std::string> &overrides,
+        const double                    bound = 1e-11)
   {
     std::string            name, direct_name;
     unsigned int           n_warnings, n_of_direct;
@@ -84,7 +92,8 @@ namespace
       }
     deallog << title << ": " << name << " (warnings " << n_warnings << "), "
             << direct_name << " (" << n_of_direct << "), steps "
-            << (rows.size() == direct.size()) << ", 1e-11 " << (error <= 1e-11)
+            << (rows.size() == direct.size())
+            << (bound == 1e-11 ? ", 1e-11 " : ", 1e-10 ") << (error <= bound)
             << std::endl;
   }
 } // namespace
@@ -109,6 +118,22 @@ main(int argc, char **argv)
                                  "heat-mode",
                                  "inertia-limit"})
     check(name, "verification/" + name + ".prm", {});
+  check("rigid-obstacle",
+        "examples/rigid-obstacle.prm",
+        {"Time/End time=2"},
+        1e-10);
+  check("equilibrium", "verification/equilibrium.prm", {"Time/Step size=0.01"});
+  for (const auto &[name, step] :
+       {std::pair("examples/thermal-switch", "0.04"),
+        std::pair("verification/heat-series", "0.002"),
+        std::pair("verification/rigid-limit", "0.002"),
+        std::pair("verification/thrown-elastic-rod", "0.0015")})
+    check(name,
+          std::string(name) + ".prm",
+          {std::string("Time/Step size=") + step,
+           "Time/Tolerance=1e-5",
+           "Output/Land on output times=false"},
+          1e-10);
   const std::vector<std::string> fixed = {"Time/Step size=0.01",
                                           "Time/End time=3"};
   for (const unsigned int degree : {1, 2, 5, 9})
@@ -128,9 +153,13 @@ main(int argc, char **argv)
   };
   check("no heating", "", with({"Model/Thermoelastic heating=false"}));
   check("temperature", "", with({"Model/Fields=temperature"}));
+  // at steps of 0.01 the rounding of the stress of a rigid contact is 1e-11
   check("displacement, rigid",
         "",
-        with({"Model/Fields=displacement", "Contact/Condition=rigid"}));
+        {"Time/Step size=0.02",
+         "Time/End time=3",
+         "Model/Fields=displacement",
+         "Contact/Condition=rigid"});
   check("no inertia", "", with({"Model/Inertia=0"}));
   check("energy conserving, lumped",
         "",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Heat that is lost along the rod, doc/model.md section 20.
+// Heat that is lost along the rod, doc/model.md section 21.
 //
 // 1. prm/verification/lateral-loss.prm, derived there: at the end of the run
 //    all nodes, the forecast of theta(1), the mean (the integral of the

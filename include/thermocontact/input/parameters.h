@@ -40,13 +40,15 @@ namespace ThermoContact
   /** Section Boundary: doc/model.md (M.3). */
   struct BoundaryParameters
   {
-    double      fixed_end_temperature = 10.; ///< $\theta_A$
-    double      heat_exchange         = 1.;  ///< $k\ge0$ if it is a number,
-    std::string exchange_expression;         ///< or else in gap, pressure
-    double      obstacle_temperature = 0.;   ///< $\theta_{obs}$, a number,
-    std::string obstacle_expression;         ///< or else in y, z, t
-    double      lateral_heat_exchange = 0.;  ///< $m\ge0$
-    double      ambient_temperature   = 0.;  ///< $\theta_\infty$
+    double      fixed_end_temperature = 10.;  ///< $\theta_A$, a number,
+    std::string fixed_end_expression;         ///< or else in t
+    std::string fixed_end_displacement = "0"; ///< $u_A$, in t
+    double      heat_exchange          = 1.;  ///< $k\ge0$ if it is a number,
+    std::string exchange_expression;          ///< or else in gap, pressure
+    double      obstacle_temperature = 0.;    ///< $\theta_{obs}$, a number,
+    std::string obstacle_expression;          ///< or else in y, z, t
+    double      lateral_heat_exchange = 0.;   ///< $m\ge0$
+    double      ambient_temperature   = 0.;   ///< $\theta_\infty$
     std::string lateral_support       = "rollers";
     std::string fixed_end_support     = "clamped";
 
@@ -215,9 +217,37 @@ namespace ThermoContact
     double      period              = 0.;    ///< of poincare.csv
     bool        land_on_times       = false; ///< steps end on output times
     double      checkpoint_interval = 0.;    ///< seconds of wall-clock time
+    bool        is_si               = true;  ///< if there are scales
+    bool        has_error_bars      = false;
 
     void
     add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /**
+   * Section Scales: what one unit of the scene is, in SI units; for output
+   * alone.
+   */
+  struct ScalesParameters
+  {
+    std::optional<double> length;                ///< m, of positions
+    std::optional<double> time;                  ///< s
+    std::optional<double> displacement;          ///< m; none: that of positions
+    std::optional<double> stress;                ///< Pa
+    std::optional<double> area;                  ///< m^2, cross-section
+    std::optional<double> temperature;           ///< K, above the reference
+    std::optional<double> reference_temperature; ///< K
+    std::string           time_unit        = "s";
+    std::string           temperature_unit = "K";
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /** True if there is any scale. */
+    bool
+    is_given() const;
   };
 
 
@@ -262,6 +292,7 @@ namespace ThermoContact
     TimeParameters          time;
     SolverParameters        solver;
     OutputParameters        output;
+    ScalesParameters        scales;
     StudyParameters         study;
 
     /**

@@ -138,6 +138,9 @@ namespace ThermoContact
 
       /** The node that changes first. */
       unsigned int node = 0;
+
+      /** Of nodes with mass: what is to be added to their velocity. */
+      double change_of_velocity = 0.;
     };
 
     /**
@@ -158,10 +161,11 @@ namespace ThermoContact
      * already, contact is about to change at once in both modes: that event is
      * taken back and the next attempt is unilateral.
      *
+     * @param change_of_velocity from where the body stands to that time
      * @return true if the mode was switched
      */
     bool
-    switch_at_start(const double time);
+    switch_at_start(const double time, const double change_of_velocity = 0.);
 
     /**
      * The next attempt is unilateral: nodes do not change together, or zeros
@@ -244,6 +248,16 @@ namespace ThermoContact
     /** Margin s of a node over the step. */
     CubicHermite
     margin(const ContactValues &next, const unsigned int node) const;
+
+    /**
+     * Change of the velocity of a node with mass from one part of a step to
+     * another, by its margin; else 0.
+     */
+    double
+    change_of_velocity(const CubicHermite &s,
+                       const double        from,
+                       const double        to,
+                       const double        size) const;
 
     /** True if a margin s is as good as zero, (M.32). */
     bool

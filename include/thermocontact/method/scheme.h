@@ -39,6 +39,9 @@ namespace ThermoContact
     /** Why its heat exchange cannot depend on the contact; empty: it can. */
     std::string needs_constant_exchange;
 
+    /** Why its fixed end cannot move; empty: it can. */
+    std::string needs_resting_end;
+
     /** Its steps need responses to unit pressures, and so sparse factors. */
     bool needs_factors = false;
 

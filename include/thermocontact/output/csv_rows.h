@@ -19,8 +19,18 @@ namespace ThermoContact
   CsvColumns<StepRecord>
   contact_columns(const Scene &scene);
 
+  /** A row of events.csv: an event and how long the contact that ends was. */
+  struct EventRow : ContactEvent
+  {
+    double duration; ///< NaN of a begin
+
+    /** @param begin the event before, if @p event is an end; else null */
+    explicit EventRow(const ContactEvent       &event = ContactEvent(),
+                      const ContactEvent *const begin = nullptr);
+  };
+
   /** The columns of events.csv. */
-  const CsvColumns<ContactEvent> &
+  const CsvColumns<EventRow> &
   event_columns();
 
   /** The columns of steps.csv. */
@@ -32,10 +42,12 @@ namespace ThermoContact
   void
   add_row(const CsvColumns<Record> &columns,
           const Record             &record,
-          TableFile                &file)
+          TableFile                &file,
+          const Conversions        &conversions = Conversions())
   {
-    file.append_row(
-      [&](std::string &rows) { append_csv_row(columns, record, rows); });
+    file.append_row([&](std::string &rows) {
+      append_csv_row(columns, record, rows, conversions);
+    });
   }
 } // namespace ThermoContact
 

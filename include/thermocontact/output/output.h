@@ -6,6 +6,7 @@
 #include <thermocontact/base/csv_columns.h>
 #include <thermocontact/base/table_file.h>
 #include <thermocontact/output/field_output.h>
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/output/probe_output.h>
 #include <thermocontact/output/space_time_output.h>
 #include <thermocontact/simulation/simulation.h>
@@ -104,7 +105,11 @@ namespace ThermoContact
     const double                 end_time;
     const MPI_Comm               communicator;
     const bool                   is_writer;
-    const CsvColumns<StepRecord> columns; ///< of contact.csv
+    const OutputUnits            units;
+    const CsvColumns<StepRecord> columns;       ///< of contact.csv
+    const Conversions            contact_units; ///< of its columns
+    const Conversions            event_units;
+    const Conversions            attempt_units;
     FieldOutput<dim>             field_output;
     Timer                        field_timer;
     Timer                        since_flush;
@@ -137,17 +142,16 @@ namespace ThermoContact
                   const Simulation<dim> &simulation);
 
     /**
-     * Opens the table with a row for each Record.
+     * Opens a table.
      *
+     * @param head what it begins with
      * @param size of the file so far if a run goes on, else 0
      */
-    template <typename Record>
     void
-    open(const CsvColumns<Record> &columns,
-         TableFile                &file,
-         const std::string        &name,
-         const std::string        &title,
-         const std::uint64_t       size);
+    open(TableFile          &file,
+         const std::string  &name,
+         const std::string  &head,
+         const std::uint64_t size);
 
     void
     restore(const OutputProgress &progress, const Simulation<dim> &simulation);

@@ -138,6 +138,16 @@ namespace ThermoContact
       return runs_;
     }
 
+    /**
+     * True if the product with a constant is zero in exact arithmetic, as that
+     * of a stiffness: products of cells of higher degree are then those with
+     * the differences to the left vertex, and entries whose sums are rounding
+     * leave no force on a rod that does not strain. Not in the last cell, where
+     * conduction has the heat exchange.
+     */
+    bool
+    is_of_differences(const Run &run, const Matrix matrix) const;
+
     /** The entries of a cell of @p run, column by column. */
     const double *
     entries(const Run &run, const Matrix matrix) const

@@ -4,6 +4,7 @@
 #define thermocontact_scene_scene_h
 
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/input/time_function.h>
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/heat_exchange.h>
@@ -93,7 +94,12 @@ namespace ThermoContact
   struct SceneHeat
   {
     std::unique_ptr<const HeatExchange> exchange;
-    double                              fixed_end_temperature; ///< $\theta_A$
+
+    /** $\theta_A$; of one that varies that at $t=0$. */
+    double fixed_end_temperature;
+
+    /** $\theta_A(t)$ of one that varies; else null. */
+    std::unique_ptr<const TimeFunction> fixed_end_drive;
 
     /** $\theta_{obs}$; of one that varies that at $t=0$ and $y=z=0$. */
     double obstacle_temperature;
@@ -263,13 +269,22 @@ namespace ThermoContact
     bool has_body_force;
     bool has_end_traction;
     bool has_end_heat_flux;
-    bool has_varying_obstacle; ///< its temperature
+    bool has_varying_obstacle;   ///< its temperature
+    bool has_driven_temperature; ///< of the fixed end
+    bool has_moving_end;         ///< the fixed end
 
     bool
     any() const
     {
       return has_heat_source || has_body_force || has_end_traction ||
-             has_end_heat_flux || has_varying_obstacle;
+             has_end_heat_flux || has_varying_obstacle || drives_end();
+    }
+
+    /** The fixed end is heated or moved as a function of time. */
+    bool
+    drives_end() const
+    {
+      return has_driven_temperature || has_moving_end;
     }
   };
 
@@ -284,7 +299,8 @@ namespace ThermoContact
   {
     /**
      * @param parameters may be ones that check_scene() refuses
-     * @throw InputError if the heat exchange is no valid expression
+     * @throw InputError if the heat exchange or a drive of the fixed end is no
+     *   valid expression
      */
     explicit Scene(const Parameters &parameters);
 
@@ -293,8 +309,12 @@ namespace ThermoContact
     const std::unique_ptr<const BodyGeometry> geometry;
     const Material                            material;
     const SceneHeat                           heat;
-    const SceneSources                        sources;
-    const Scheme                             &scheme;
+
+    /** $u_A(t)$ of a fixed end that moves; else null. */
+    const std::unique_ptr<const TimeFunction> fixed_end_motion;
+
+    const SceneSources sources;
+    const Scheme      &scheme;
 
     /** The first step has the prescribed velocity of the paper, (M.26). */
     const bool has_prescribed_start;

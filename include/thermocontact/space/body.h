@@ -5,6 +5,7 @@
 
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/assembled_space.h>
+#include <thermocontact/space/driven_end.h>
 #include <thermocontact/space/energy.h>
 #include <thermocontact/space/loads.h>
 #include <thermocontact/space/problem_data.h>
@@ -46,6 +47,7 @@ namespace ThermoContact
       , equations(scene, discretization, space.matrices.get())
       , loads(scene, discretization, data)
       , energy(scene, discretization, equations, loads)
+      , driven_end(scene, discretization, equations, loads, energy)
     {}
 
     const Scene                                     &scene;
@@ -56,6 +58,7 @@ namespace ThermoContact
     const ThermoviscoelasticOperator<dim>            equations;
     Loads<dim>                                       loads;
     const Energy<dim>                                energy;
+    const DrivenEnd<dim>                             driven_end;
 
     /** The contact law, which every node has. */
     const ContactLaw &

@@ -124,6 +124,13 @@ namespace ThermoContact
       return matrices != nullptr ? matrices->rod.get() : nullptr;
     }
 
+    /** Whether stage matrices are to be eliminated by the blocks of rod(). */
+    bool
+    is_eliminated_along_rod() const
+    {
+      return rod() != nullptr && is_along_rod;
+    }
+
     const Material &
     coefficients() const
     {
@@ -190,6 +197,7 @@ namespace ThermoContact
     const Discretization<dim>                      &discretization;
     const Material                                 &material;
     const bool                                      has_own_viscous_stiffness;
+    const bool                                      is_along_rod;
     const std::unique_ptr<const FieldMatrices<dim>> own_matrices;
     /** One of the two is there. */
     const FieldMatrices<dim> *const                      matrices;

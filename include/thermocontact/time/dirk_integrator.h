@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/method/butcher_tableau.h>
+#include <thermocontact/time/driven_step.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <array>
@@ -62,12 +63,16 @@ namespace ThermoContact
     Body<dim>                         &body;
     const ButcherTableau              &tableau;
     const std::unique_ptr<StageSolver> solver;
-    std::vector<StageRates>            stages;
-    std::vector<Vector>                accelerations; ///< $v'$ of a stage
-    State                              known;
-    State                              difference;
-    Vector                             heat_load;
-    Vector                             momentum_load;
+
+    /** Of a fixed end that is heated or moved; else null. */
+    const std::unique_ptr<DrivenStep<dim>> driven;
+
+    std::vector<StageRates> stages;
+    std::vector<Vector>     accelerations; ///< $v'$ of a stage
+    State                   known;
+    State                   difference;
+    Vector                  heat_load;
+    Vector                  momentum_load;
 
     /** Of the rates of temperature, displacement and velocity. */
     std::array<std::vector<Multiple>, 3> rate_sums;
@@ -113,6 +118,33 @@ namespace ThermoContact
     estimate_error(const double      step_size,
                    const ContactMode mode,
                    StepResult       &result);
+
+    /** The time of stage @p i, and the one whose loads it takes. */
+    double
+    stage_time(const State       &state,
+               const TimeStep    &time_step,
+               const unsigned int i) const;
+
+    double
+    load_time(const State       &state,
+              const TimeStep    &time_step,
+              const unsigned int i) const;
+
+    /**
+     * Solves stage @p i of length @p tau from its known values, with the loads
+     * that have been assembled: its rates and, if something needs it, its
+     * acceleration.
+     */
+    void
+    solve_stage(const unsigned int i, const double tau, const ContactMode mode);
+
+    /** The known values go to the end of stage @p i. */
+    void
+    advance(const unsigned int i, const double tau);
+
+    /** Work of what drives the fixed end in stage @p i. */
+    double
+    work_at_end(const unsigned int i) const;
 
     /** The temperature rate of the paper's first step. */
     void

@@ -5,6 +5,7 @@
 
 #include <thermocontact/method/conserving_contact.h>
 #include <thermocontact/method/step_contact.h>
+#include <thermocontact/time/driven_step.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <memory>
@@ -54,11 +55,16 @@ namespace ThermoContact
     Body<dim>                             &body;
     const std::unique_ptr<OpenStageSolver> solver;
 
+    /** Of a fixed end that is heated; else null. */
+    const std::unique_ptr<DrivenStep<dim>> driven;
+
+
     StageRates         rates;
     State              midpoint;
     Vector             heat_load;
     Vector             momentum_load;
-    FullMatrix<double> receptance; ///< $X$ of (M.39)
+    Vector             acceleration; ///< of an end that rests
+    FullMatrix<double> receptance;   ///< $X$ of (M.39)
 
     /** $X$ with rows for nodes that have no pressure. */
     FullMatrix<double> all_receptance;
@@ -90,6 +96,14 @@ namespace ThermoContact
     /** Penetrations of contact nodes at these positions. */
     std::vector<double>
     beyond_gap(const std::vector<double> &position) const;
+
+    /** The stage to the middle of the step, with a driven end. */
+    void
+    solve_without_contact(const State &state, const TimeStep &time_step);
+
+    /** Power of what drives the fixed end in the middle of the step. */
+    double
+    work_at_end() const;
 
     /** Work of loads and of heat that drives the body, (M.25). */
     double

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/report/output_reference.h>
+#include <thermocontact/output/output_tables.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <fnmatch.h>
 
 namespace ThermoContact
 {
@@ -110,7 +114,8 @@ namespace ThermoContact
          {"velocity",
           "velocity",
           "axial, of the contact end, before an impact, after a release; "
-          "positive towards the obstacle"}}};
+          "positive towards the obstacle"},
+         {"duration", "time", "of the contact that ends; `nan` of a `begin`"}}};
     }
 
 
@@ -187,14 +192,14 @@ namespace ThermoContact
          {"error_displacement_end", "length", "largest over time"},
          {"error_velocity_end", "velocity", "likewise"},
          {"error_contact_force", "force", "likewise"},
-         {"error_temperature_end", "temperature", "likewise"},
+         {"error_temperature_end", "temperature difference", "likewise"},
          {"error_first_contact_time", "time", "of the first event"},
          {"error_energy", "energy", "largest over time"},
          {"loop_seconds_median", "s", "the median of repetitions"},
          {"final_error_displacement_end", "length", "at the end time"},
          {"final_error_velocity_end", "velocity", "likewise"},
          {"final_error_contact_force", "force", "likewise"},
-         {"final_error_temperature_end", "temperature", "likewise"},
+         {"final_error_temperature_end", "temperature difference", "likewise"},
          {"final_error_energy", "energy", "likewise"},
          {"first_contact_time", "time", "of the first event"},
          {"contact_begins", "", "how often contact began"},
@@ -208,105 +213,6 @@ namespace ThermoContact
          {"reached_state_of_rest",
           "",
           "number, from 1, of the state of rest that is reached"}}};
-    }
-
-
-
-    OutputTable
-    summary_table()
-    {
-      return {
-        "summary.json",
-        "The run in one object, written when it ends, also when it fails. "
-        "Keys `predicted_*` were known before the run (doc/model.md, sections "
-        "on forecasts); `null` is what is not known.",
-        "key",
-        {{"title", "", "entry `Title`"},
-         {"status", "", "`done`, `failed: ` or `interrupted: ` and why"},
-         {"version", "", "of the program and of deal.II"},
-         {"dimension", "", "1, 2, 3"},
-         {"ranks", "", "processes"},
-         {"fields", "", "that are computed"},
-         {"terms", "", "of the equations that the scene has"},
-         {"dofs", "", "unknowns of temperature and displacement"},
-         {"factorized_unknowns",
-          "",
-          "of the largest matrix that is factorised; with the iterative solver "
-          "of the coarsest level, 0 if it has algebraic multigrid"},
-         {"scheme", "", "entry `Time/Scheme`"},
-         {"linear_solver",
-          "",
-          "`block tridiagonal` (rods), `direct` (sparse factors), both where "
-          "blocks grow, or `iterative`"},
-         {"steps", "", "accepted"},
-         {"rejected_steps", "", "attempts that were not accepted"},
-         {"factorizations",
-          "",
-          "of stage matrices, and of those for impacts and for states without "
-          "inertia; with the iterative solver preconditioners made"},
-         {"responses", "", "of the body to a unit load at a contact node"},
-         {"solves", "", "of stages"},
-         {"linear_iterations", "", "of GMRES, all"},
-         {"max_linear_iterations", "", "of one linear system"},
-         {"active_set_iterations",
-          "",
-          "sets of contact nodes that were solved for by the iterative solver"},
-         {"contact_begins", "", "how often contact began, by events.csv"},
-         {"first_contact_time", "time", "of the first event"},
-         {"contact_duration", "time", "in contact altogether"},
-         {"contact_impulse", "force × time", "of contact.csv at the end"},
-         {"restitution",
-          "",
-          "velocity of the last release over that of the first impact, with "
-          "the sign that makes it positive for a body that comes back"},
-         {"max_penetration", "length", "over all steps, not only all rows"},
-         {"max_contact_force", "force", "over all steps"},
-         {"final_time", "time", "that was reached"},
-         {"final_displacement_end", "length", "of contact.csv at the end"},
-         {"final_energy", "energy", "likewise"},
-         {"max_energy_increase",
-          "energy",
-          "largest of a step, beyond the work; what the scheme creates"},
-         {"set_up_seconds", "s", "before the time loop"},
-         {"loop_seconds", "s", "time loop, without snapshots"},
-         {"step_seconds", "s", "of these, attempts at steps"},
-         {"factorization_seconds", "s", "of these, factorisations"},
-         {"solve_seconds", "s", "of these, solves"},
-         {"contact_seconds", "s", "of these, contact and responses"},
-         {"output_seconds", "s", "snapshots and checkpoints"},
-         {"wall_seconds",
-          "s",
-          "from the start of the program; of a run of a study, from its own"},
-         {"peak_memory_mb", "MB", "of all ranks, each at its largest"},
-         {"peak_memory_mb_per_rank", "MB", "a list"},
-         {"warnings", "", "all that were shown, a list"},
-         {"final_contact_force", "force", "of contact.csv at the end"},
-         {"final_temperature_end", "temperature", "likewise"},
-         {"final_in_contact", "", "likewise, `true` or `false`"},
-         {"predicted_displacement_end",
-          "length",
-          "of the state of rest, the nearest one to the end, (M.10)"},
-         {"predicted_contact_force", "force", "likewise"},
-         {"predicted_temperature_end", "temperature", "likewise"},
-         {"predicted_in_contact", "", "likewise"},
-         {"predicted_remark", "", "why there is none, or how it is reached"},
-         {"difference_displacement_end", "length", "end less state of rest"},
-         {"difference_contact_force", "force", "likewise"},
-         {"difference_temperature_end", "temperature", "likewise"},
-         {"predicted_first_contact_time", "time", "of the first impact"},
-         {"predicted_first_penetration", "length", "peak of the first contact"},
-         {"predicted_critical_step_size",
-          "time",
-          "of the fixed point iteration: it contracts below"},
-         {"predicted_steps", "", "that the run was expected to take"},
-         {"states_of_rest",
-          "",
-          "heat exchange that depends on the contact: all of them, objects "
-          "with `displacement_end`, `contact_force`, `temperature_end`, "
-          "`in_contact`, `is_stable`"},
-         {"reached_state_of_rest",
-          "",
-          "likewise: number, from 1, of the one that is reached"}}};
     }
 
 
@@ -395,5 +301,18 @@ namespace ThermoContact
                                                     obstacle_table(),
                                                     space_time_table()};
     return tables;
+  }
+
+
+  const std::string &
+  kind_of(const std::string &file, const std::string &name)
+  {
+    for (const OutputTable &table : output_tables())
+      if (table.file == file)
+        for (const OutputTerm &term : table.terms)
+          if (fnmatch(term.name.c_str(), name.c_str(), 0) == 0)
+            return term.kind;
+    AssertThrow(false, dealii::ExcMessage(file + ": " + name + " has no text"));
+    return file; // not reached
   }
 } // namespace ThermoContact

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_driven_end_h
+#define thermocontact_space_driven_end_h
+
+#include <thermocontact/space/energy.h>
+
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * What a fixed end that is heated or moved does at the end of a stage, at
+   * each of its nodes; doc/model.md (M.90). Vectors of what is not driven are
+   * empty.
+   */
+  struct EndMotion
+  {
+    std::vector<double> temperature;      ///< $\theta_D$
+    std::vector<double> temperature_rate; ///< $\theta'_D$
+    std::vector<double> displacement;     ///< $u_D$, along the axis
+    std::vector<double> velocity;         ///< $v_D=u'_D$
+    std::vector<double> acceleration;     ///< $v'_D$
+  };
+
+
+
+  /**
+   * The fixed end of a scene in which its temperature or its displacement is a
+   * function of time. What is constrained has values then and rates that are
+   * not zero, and both act on the rest of the body through the columns of the
+   * matrices that solvers leave out.
+   */
+  template <int dim>
+  class DrivenEnd
+  {
+  public:
+    /** All arguments are borrowed. */
+    DrivenEnd(const Scene                           &scene,
+              const Discretization<dim>             &discretization,
+              const ThermoviscoelasticOperator<dim> &equations,
+              const Loads<dim>                      &loads,
+              const Energy<dim>                     &energy);
+
+    /** False: everything here does nothing. */
+    bool
+    is_active() const
+    {
+      return scene.sources.has_driven_temperature ||
+             scene.sources.has_moving_end;
+    }
+
+    /**
+     * Positions of what is driven within the locally owned part of a block:
+     * temperatures, or displacements along the axis, of the fixed end.
+     */
+    const std::vector<unsigned int> &
+    entries(const Field::Block field) const
+    {
+      return entries_[field];
+    }
+
+    /**
+     * Puts a motion into the equations of a stage: its values into the known
+     * ones, its rates into the loads, so that a solver, for which rates vanish
+     * at the fixed end, finds the others; (M.91).
+     */
+    void
+    constrain(const EndMotion &motion,
+              State           &known,
+              Vector          &heat_load,
+              Vector          &momentum_load) const;
+
+    /** Sets entries() of a field; does nothing if @p values is empty. */
+    void
+    set(const Field::Block         field,
+        const std::vector<double> &values,
+        Vector                    &vector) const;
+
+    /**
+     * Power of what drives the end, per unit cross-section: the heat that flows
+     * in there beyond that of rest times $\hat\theta_D$, and the force on the
+     * end times its velocity; (M.92). Collective.
+     *
+     * @param state at the end of a stage, with the motion
+     * @param temperature_rate,acceleration $\theta'$ and $v'$, with the motion
+     * @param heat_load,momentum_load loads alone
+     */
+    double
+    power(const State  &state,
+          const Vector &temperature_rate,
+          const Vector &acceleration,
+          const Vector &heat_load,
+          const Vector &momentum_load) const;
+
+    /**
+     * Velocity of the end at a time from the right-hand side and into the
+     * solution of a body without inertia, $\zeta Sv=\dots$: subtracts what it
+     * does to the rest of the body.
+     */
+    void
+    subtract_viscous_stress(const double time, Vector &momentum_load) const;
+
+    /** Sets the velocity of the end to that of the drive at @p time. */
+    void
+    set_velocity(const double time, Vector &velocity) const;
+
+  private:
+    const Scene                           &scene;
+    const Discretization<dim>             &discretization;
+    const ThermoviscoelasticOperator<dim> &equations;
+    const Loads<dim>                      &loads;
+    const Energy<dim>                     &energy;
+    std::vector<std::vector<unsigned int>> entries_;
+    mutable Vector                         heat_lift; ///< zero but for the end
+    mutable Vector                         heat_product;
+    mutable Vector                         momentum_lift;
+    mutable Vector                         momentum_product;
+
+    /** Heat flow through each entry of the end beyond that of rest. */
+    double
+    heat_power(const State  &state,
+               const Vector &temperature_rate,
+               const Vector &heat_load) const;
+
+    double
+    force_power(const State  &state,
+                const Vector &acceleration,
+                const Vector &momentum_load) const;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/input/parameter_text.h>
+#include <thermocontact/input/time_function.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Intervals of $[0,T]$ at whose ends a function is looked at. */
+    constexpr unsigned int n_times = 97;
+
+
+
+    ExpressionNames
+    names_of_time()
+    {
+      ExpressionNames names;
+      names.constants["pi"] = dealii::numbers::PI;
+      names.variables       = {"t"};
+      names.example         = "0.1*sin(2*pi*t)";
+      return names;
+    }
+
+
+
+    [[noreturn]] void
+    refuse_formula(const Expression &expression, const std::string &fault)
+    {
+      throw InputError(
+        expression.path + " = " + quote(expression.text) +
+        ": its rate cannot be found: " + fault +
+        "\n  allowed: + - * / ^, comparisons, if, min, max, abs, sqrt, exp, "
+        "log, trigonometric and hyperbolic functions of t"
+        "\n  remedy:  parentheses, or other functions");
+    }
+  } // namespace
+
+
+
+  TimeFunction::TimeFunction(const Expression &expression)
+    : expression(expression)
+  {
+    check_expression<1>(expression, 1, names_of_time());
+    function = make_function<1>(expression.text, names_of_time());
+    try
+      {
+        differentiate(expression.text, 0.);
+      }
+    catch (const std::invalid_argument &fault)
+      {
+        refuse_formula(expression, fault.what());
+      }
+  }
+
+
+
+  double
+  TimeFunction::value(const double time) const
+  {
+    return function->value(dealii::Point<1>(time));
+  }
+
+
+
+  TimeDerivatives
+  TimeFunction::derivatives(const double time) const
+  {
+    TimeDerivatives result = differentiate(expression.text, time);
+    result.value           = value(time);
+    return result;
+  }
+
+
+
+  double
+  TimeFunction::largest_value(const double end_time) const
+  {
+    double largest = 0.;
+    for (unsigned int i = 0; i <= n_times; ++i)
+      largest = std::max(largest, std::abs(value(end_time * i / n_times)));
+    return largest;
+  }
+
+
+
+  void
+  TimeFunction::check(const double end_time) const
+  {
+    const double largest = largest_value(end_time);
+    for (unsigned int i = 0; i <= n_times; ++i)
+      {
+        const double time = end_time * i / n_times;
+        if (std::abs(differentiate(expression.text, time).value - value(time)) >
+            1e-9 * largest)
+          refuse_formula(expression,
+                         ThermoContact::text("the value at t = ",
+                                             time,
+                                             " is not that of its formula"));
+      }
+  }
+} // namespace ThermoContact

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/input/parameter_text.h>
+#include <thermocontact/scene/drive_checks.h>
+
+#include <cmath>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    [[noreturn]] void
+    refuse_motion(const TimeFunction &motion,
+                  const std::string  &allowed,
+                  const std::string  &remedy)
+    {
+      throw InputError(
+        "Boundary/Fixed end displacement = " + quote(motion.text()) +
+        "\n  allowed: " + allowed + "\n  remedy:  " + remedy);
+    }
+  } // namespace
+
+
+
+  void
+  check_drives(const Scene &scene)
+  {
+    const TimeParameters &time = scene.parameters.time;
+    if (scene.sources.has_driven_temperature)
+      scene.heat.fixed_end_drive->check(time.end_time);
+    if (!scene.sources.has_moving_end)
+      return;
+    const TimeFunction &motion = *scene.fixed_end_motion;
+    motion.check(time.end_time);
+    const double start = motion.value(0.);
+    if (std::abs(start) > 1e-12 * motion.largest_value(time.end_time))
+      refuse_motion(motion,
+                    text("zero at t = 0, where it is ", start),
+                    "subtract that: displacements are relative to where the "
+                    "end is at the start");
+    if (!scene.scheme.needs_resting_end.empty())
+      refuse_motion(motion,
+                    "0, since Time/Scheme = " + scene.scheme.name,
+                    "Time/Scheme = " + default_scheme().name + ": " +
+                      scene.scheme.needs_resting_end);
+    if (time.start == "paper")
+      refuse_motion(motion,
+                    "0, since Time/Start = paper",
+                    "Time/Start = automatic: the paper prescribes the first "
+                    "step of a body whose end rests");
+  }
+} // namespace ThermoContact

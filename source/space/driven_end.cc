@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/space/driven_end.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/numerics/vector_tools_boundary.h>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** The owned entries of a component at the fixed end. */
+    template <int dim>
+    std::vector<unsigned int>
+    entries_of_end(const Discretization<dim> &space, const Field::Block field)
+    {
+      AffineConstraints<double> held(space.relevant());
+      ComponentMask             component(space.n_components(), false);
+      component.set(space.first_component(field), true);
+      VectorTools::interpolate_boundary_values(space.mapping(),
+                                               space.dof_handler(),
+                                               fixed_boundary_id,
+                                               Functions::ZeroFunction<dim>(
+                                                 space.n_components()),
+                                               held,
+                                               component);
+      std::vector<unsigned int> entries;
+      const IndexSet           &owned = space.owned_by_block()[field];
+      for (const types::global_dof_index dof : owned)
+        if (held.is_constrained(dof + space.first_dof(field)))
+          entries.push_back(owned.index_within_set(dof));
+      return entries;
+    }
+
+
+
+    double
+    dot(const std::vector<unsigned int> &entries,
+        const Vector                    &a,
+        const Vector                    &b)
+    {
+      double sum = 0.;
+      for (const unsigned int entry : entries)
+        sum += a.begin()[entry] * b.begin()[entry];
+      return sum;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  DrivenEnd<dim>::DrivenEnd(const Scene                           &scene,
+                            const Discretization<dim>             &space,
+                            const ThermoviscoelasticOperator<dim> &equations,
+                            const Loads<dim>                      &loads,
+                            const Energy<dim>                     &energy)
+    : scene(scene)
+    , discretization(space)
+    , equations(equations)
+    , loads(loads)
+    , energy(energy)
+    , entries_(2)
+  {
+    if (!is_active())
+      return;
+    if (scene.sources.has_driven_temperature)
+      entries_[Field::temperature] = entries_of_end(space, Field::temperature);
+    if (scene.sources.has_moving_end)
+      entries_[Field::displacement] =
+        entries_of_end(space, Field::displacement);
+    heat_lift        = space.make_vector(Field::temperature);
+    heat_product     = heat_lift;
+    momentum_lift    = space.make_vector(Field::displacement);
+    momentum_product = momentum_lift;
+  }
+
+
+
+  template <int dim>
+  void
+  DrivenEnd<dim>::set(const Field::Block         field,
+                      const std::vector<double> &values,
+                      Vector                    &vector) const
+  {
+    for (unsigned int i = 0; i < values.size(); ++i)
+      vector.begin()[entries_[field][i]] = values[i];
+  }
+
+
+
+  template <int dim>
+  void
+  DrivenEnd<dim>::constrain(const EndMotion &motion,
+                            State           &known,
+                            Vector          &heat_load,
+                            Vector          &momentum_load) const
+  {
+    const Material &material = scene.material;
+    set(Field::temperature, motion.temperature, known.temperature);
+    set(Field::displacement, motion.displacement, known.displacement);
+    if (scene.sources.has_driven_temperature)
+      {
+        set(Field::temperature, motion.temperature_rate, heat_lift);
+        equations.heat_mass().vmult(heat_product, heat_lift);
+        heat_load -= heat_product;
+      }
+    if (!scene.sources.has_moving_end)
+      return;
+    if (material.has_inertia())
+      {
+        set(Field::displacement, motion.acceleration, momentum_lift);
+        equations.momentum_mass().vmult(momentum_product, momentum_lift);
+        momentum_load.add(-material.inertia, momentum_product);
+        // what the known velocity of the end says is in that term
+        for (const unsigned int entry : entries_[Field::displacement])
+          known.velocity.begin()[entry] = 0.;
+      }
+    set(Field::displacement, motion.velocity, momentum_lift);
+    if (material.has_viscosity())
+      {
+        equations.viscous_stiffness().vmult(momentum_product, momentum_lift);
+        momentum_load.add(-material.viscosity, momentum_product);
+      }
+    if (material.has_heating())
+      {
+        equations.divergence().vmult(heat_product, momentum_lift);
+        heat_load.add(-material.heating, heat_product);
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  DrivenEnd<dim>::power(const State  &state,
+                        const Vector &temperature_rate,
+                        const Vector &acceleration,
+                        const Vector &heat_load,
+                        const Vector &momentum_load) const
+  {
+    double sum = 0.;
+    if (scene.sources.has_driven_temperature)
+      sum += heat_power(state, temperature_rate, heat_load);
+    if (scene.sources.has_moving_end)
+      sum += force_power(state, acceleration, momentum_load);
+    return Utilities::MPI::sum(sum, discretization.communicator()) /
+           discretization.geometry().cross_section();
+  }
+
+
+
+  template <int dim>
+  double
+  DrivenEnd<dim>::heat_power(const State  &state,
+                             const Vector &temperature_rate,
+                             const Vector &heat_load) const
+  {
+    const std::vector<unsigned int> &end    = entries_[Field::temperature];
+    Vector                           excess = state.temperature;
+    excess -= energy.steady_profile();
+    equations.heat_mass().vmult(heat_product, temperature_rate);
+    double sum = dot(end, heat_product, excess);
+    equations.conduction().vmult(heat_product, excess);
+    sum += dot(end, heat_product, excess);
+    if (scene.material.has_heating())
+      {
+        equations.divergence().vmult(heat_product, state.velocity);
+        sum += scene.material.heating * dot(end, heat_product, excess);
+      }
+    // what the surroundings give is part of the state of rest
+    return sum - dot(end, heat_load, excess) +
+           dot(end, loads.outer_heat(), excess);
+  }
+
+
+
+  template <int dim>
+  double
+  DrivenEnd<dim>::force_power(const State  &state,
+                              const Vector &acceleration,
+                              const Vector &momentum_load) const
+  {
+    const std::vector<unsigned int> &end      = entries_[Field::displacement];
+    const Material                  &material = scene.material;
+    equations.stiffness().vmult(momentum_product, state.displacement);
+    double sum = dot(end, momentum_product, state.velocity);
+    if (material.has_inertia())
+      {
+        equations.momentum_mass().vmult(momentum_product, acceleration);
+        sum += material.inertia * dot(end, momentum_product, state.velocity);
+      }
+    if (material.has_viscosity())
+      {
+        equations.viscous_stiffness().vmult(momentum_product, state.velocity);
+        sum += material.viscosity * dot(end, momentum_product, state.velocity);
+      }
+    if (material.has_thermal_stress())
+      {
+        equations.thermal_stress().vmult(momentum_product, state.temperature);
+        sum -=
+          material.thermal_stress * dot(end, momentum_product, state.velocity);
+      }
+    return sum - dot(end, momentum_load, state.velocity);
+  }
+
+
+
+  template <int dim>
+  void
+  DrivenEnd<dim>::set_velocity(const double time, Vector &velocity) const
+  {
+    if (!scene.sources.has_moving_end)
+      return;
+    const double rate = scene.fixed_end_motion->derivatives(time).first;
+    for (const unsigned int entry : entries_[Field::displacement])
+      velocity.begin()[entry] = rate;
+  }
+
+
+
+  template <int dim>
+  void
+  DrivenEnd<dim>::subtract_viscous_stress(const double time,
+                                          Vector      &momentum_load) const
+  {
+    if (!scene.sources.has_moving_end)
+      return;
+    set_velocity(time, momentum_lift);
+    equations.viscous_stiffness().vmult(momentum_product, momentum_lift);
+    momentum_load.add(-scene.material.viscosity, momentum_product);
+  }
+
+
+
+  template class DrivenEnd<1>;
+  template class DrivenEnd<2>;
+  template class DrivenEnd<3>;
+} // namespace ThermoContact

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/time/dirk_integrator.h>
+
+#include <algorithm>
+
+namespace ThermoContact
+{
+  template <int dim>
+  bool
+  DirkIntegrator<dim>::can_change_at_once(const ContactMode mode) const
+  {
+    const SceneContact &contact = body.scene.contact;
+    return contact.law->is_active() && !contact.has_mass() &&
+           (mode == ContactMode::unilateral || contact.is_in_equilibrium);
+  }
+
+
+
+  template <int dim>
+  bool
+  DirkIntegrator<dim>::holds_closing_nodes(const ContactMode mode) const
+  {
+    return solver->can_hold_nodes() && mode == ContactMode::unilateral &&
+           can_change_at_once(mode) && !body.scene.contact.is_in_equilibrium &&
+           !std::is_sorted(tableau.c.begin(), tableau.c.end());
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::hold_closing_nodes(const State       &state,
+                                          const unsigned int i)
+  {
+    std::vector<bool> &is_held = stages[i].is_held;
+    is_held.assign(state.contact_pressure.size(), false);
+    for (unsigned int j = 0; j < i; ++j)
+      for (unsigned int node = 0; node < is_held.size(); ++node)
+        if (state.contact_pressure[node] == 0. && stages[j].pressure[node] > 0.)
+          is_held[node] = true;
+  }
+
+
+
+  template <int dim>
+  std::vector<bool>
+  DirkIntegrator<dim>::closed_at_end(const ContactMode mode) const
+  {
+    const StageRates &last = stages.back();
+    std::vector<bool> is_closed(last.is_held);
+    is_closed.resize(last.pressure.size(), false);
+    for (unsigned int i = 0; i < is_closed.size(); ++i)
+      if (mode == ContactMode::closed || last.pressure[i] > 0.)
+        is_closed[i] = true;
+    return is_closed;
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::find_closed_nodes(const State      &state,
+                                         const ContactMode mode,
+                                         StepResult       &result) const
+  {
+    result.closed_nodes.clear();
+    if (!holds_closing_nodes(mode))
+      return;
+    const std::vector<bool> is_closed = closed_at_end(mode);
+    for (unsigned int i = 0; i < is_closed.size(); ++i)
+      if (is_closed[i] && state.contact_pressure[i] == 0.)
+        {
+          result.closed_nodes = is_closed;
+          return;
+        }
+  }
+
+
+
+#define INSTANTIATE(dim)                                                     \
+  template bool DirkIntegrator<dim>::can_change_at_once(const ContactMode)   \
+    const;                                                                   \
+  template bool DirkIntegrator<dim>::holds_closing_nodes(const ContactMode)  \
+    const;                                                                   \
+  template void DirkIntegrator<dim>::hold_closing_nodes(const State &,       \
+                                                        const unsigned int); \
+  template std::vector<bool> DirkIntegrator<dim>::closed_at_end(             \
+    const ContactMode) const;                                                \
+  template void DirkIntegrator<dim>::find_closed_nodes(const State &,        \
+                                                       const ContactMode,    \
+                                                       StepResult &) const
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace ThermoContact

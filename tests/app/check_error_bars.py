@@ -1,0 +1,126 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Error bars against repeats that are made one by one, and against errors."""
+import csv
+import json
+import math
+import re
+import shutil
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+from program import for_all, run, settings  # noqa: E402
+
+SCENE = Path(__file__).with_name("error_bars.prm")
+KEYS = ("first_contact_time", "max_contact_force", "max_penetration", "contact_impulse",
+        "final_displacement_end", "final_temperature_end")
+PEAKS = {"max_contact_force": "contact_force", "max_penetration": "penetration"}
+MOTION = ("Model/Fields=displacement", "Model/Viscosity=0", "Contact/Condition=rigid",
+          "Initial values/Velocity=x", "Time/Scheme=energy conserving")
+
+# overrides; repeats in time with their weights by (M.88), in space from fine to coarse
+CASES = [
+    (("Time/Tolerance=1e-4", "Mesh/Degree=5"),
+     [(("Time/Tolerance=1e-3",), 0.5), (("Time/Tolerance=1e-2",), 0.05)],
+     [("Mesh/Degree=4",), ("Mesh/Degree=3",)]),
+    # ten times the tolerance is not allowed
+    (("Time/Tolerance=0.02", "Mesh/Degree=1", "Mesh/Cells=3", "Mesh/Refinements=1"),
+     [(("Time/Tolerance=2e-3",), 1.5)],
+     [("Mesh/Refinements=0",), ("Mesh/Refinements=0", "Mesh/Cells=2")]),
+    (("Time/Scheme=backward euler", "Time/Step size=0.01", "Mesh/Degree=2", "Mesh/Cells=10"),
+     [(("Time/Step size=0.02",), 1), (("Time/Step size=0.04",), 1 / 3)],
+     [("Mesh/Cells=5",), ("Mesh/Cells=3",)]),
+    (("Dimension=2", "Mesh/Cells=4", "Mesh/Cells across=2", "Mesh/Degree=1",
+      "Time/Step size=0.02", "Time/Scheme=sdirk2"),
+     [(("Time/Step size=0.04",), 1), (("Time/Step size=0.08",), 1 / 3)],
+     [("Mesh/Cells=2", "Mesh/Cells across=1"), ("Mesh/Cells=1", "Mesh/Cells across=1")]),
+    (MOTION + ("Mesh/Mass matrix=midpoint", "Mesh/Degree=1", "Mesh/Cells=40",
+               "Time/Step size=0.025"), [],
+     [("Mesh/Cells=20", "Time/Step size=0.05"), ("Mesh/Cells=10", "Time/Step size=0.1")]),
+]
+
+
+def results(number, overrides, has_bars):
+    """Summary, and the key results with peaks between step ends"""
+    directory = Path(f"bars-{number}-" + re.sub(r"\W+", "-", "".join(overrides[-3:])))
+    status, _, message = run("--output", directory, SCENE, *settings(overrides),
+                             "--set", f"Output/Error bars={'true' if has_bars else 'false'}")
+    if status != 0:
+        raise RuntimeError(message)
+    summary = json.loads((directory / "summary.json").read_text())
+    with open(directory / "contact.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(row for row in file if row[0] != "#"))
+    shutil.rmtree(directory)
+    values = {key: math.nan if summary[key] is None else summary[key] for key in KEYS}
+    for key, column in PEAKS.items():
+        values[key] = peak([(float(row["time"]), float(row[column])) for row in rows])
+    return summary, values
+
+
+def peak(rows):
+    """(M.87): the vertex of the parabola through the largest value and its neighbours"""
+    i = max(range(len(rows)), key=lambda j: rows[j][1])
+    if not 0 < i < len(rows) - 1:
+        return rows[i][1]
+    (t0, f0), (t1, f1), (t2, f2) = rows[i - 1:i + 2]
+    rise, fall = (f1 - f0) / (t1 - t0), (f2 - f1) / (t2 - t1)
+    curvature = (fall - rise) / (t2 - t0)
+    slope = rise + curvature * (t1 - t0)
+    return f1 - slope ** 2 / (4 * curvature) if curvature < 0 else f1
+
+
+def difference(a, b):
+    return 0.0 if math.isnan(a) and math.isnan(b) else abs(a - b)
+
+
+def expected(key, summary, values, in_time, in_space, weights):
+    """Bars of a key result by (M.88), (M.89)"""
+    time = [weight * difference(values[key], repeat[key])
+            for weight, repeat in zip(weights, in_time)]
+    if key in PEAKS and summary[key] is not None and time:
+        time.append(values[key] - summary[key])
+    near, far = (difference(values[key], repeat[key]) for repeat in in_space)
+    rate = max(near / far, 0.03) if far > near else 1
+    return max(time, default=math.nan), rate * near
+
+
+def check_case(case):
+    number, (overrides, in_time, in_space) = case
+    summary, values = results(number, overrides, True)
+    repeats = [results(number, overrides + entries, False)[1]
+               for entries in [entries for entries, _ in in_time] + in_space]
+    faults = []
+    for key in KEYS:
+        bars = expected(key, summary, values, repeats[:len(in_time)],
+                        repeats[len(in_time):], [weight for _, weight in in_time])
+        for kind, bar in zip(("time", "space"), bars):
+            found = summary[f"{key}_{kind}_error"]
+            is_known = summary[key] is not None and not math.isnan(bar)
+            if (found is not None) != is_known:
+                faults.append(f"{key}_{kind}_error is {found}, expected {bar}")
+            # repeats are bit for bit these runs; tables have 13 digits
+            elif is_known and abs(found - bar) > 1e-6 * bar + 1e-11 * abs(summary[key]):
+                faults.append(f"{key}_{kind}_error is {found}, expected {bar}")
+    return faults and f"{' '.join(overrides)}: {'; '.join(faults)}"
+
+
+def check_errors(number):
+    """True errors of one of the first two cases within three bars"""
+    overrides = CASES[number][0]
+    exact = results(number, ("Time/Tolerance=1e-9", "Mesh/Degree=10"), False)[1]
+    summary = results(number, overrides, True)[0]
+    return "; ".join(
+        f"{key} is {summary[key]} of {exact[key]}" for key in KEYS
+        if abs(summary[key] - exact[key]) > 3 * (summary[f"{key}_time_error"] +
+                                                 summary[f"{key}_space_error"]))
+
+
+def main():
+    faults = list(filter(None, for_all(check_case, enumerate(CASES))))
+    print("error bars:", "; ".join(faults) or "those of the repeats")
+    faults = list(filter(None, map(check_errors, (0, 1))))
+    print("errors:", "; ".join(faults) or "within three bars")
+
+
+main()

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// A fixed end that is heated or moved: what holds for every scene, doc/model.md
+// section 22.
+//
+// 1. The audit (M.22) of experiment 1, backward Euler, each line by its own
+//    formula, to 1e-11 of the largest term: theta_A or u_A or both vary, with
+//    and without heating, a jump of theta_A, a kink of u_A, no inertia, a rigid
+//    obstacle, heat that is lost along the rod, the iteration of the paper and
+//    its first step, and the midpoint rule with theta_A; a strip with free
+//    sides.
+// 2. A strip on rollers (clamped or sliding, direct or iterative), a round rod
+//    and a block with theta_A(t) and u_A(t) in contact give the rod's numbers,
+//    to 1e-9.
+// 3. The derivatives of formulas at t = 0.7, by hand, and their values, by
+//    muParser, to 1e-12 of each; those of t^2 and t^1.5 at t = 0, where the
+//    second one of the latter is infinite.
+
+#include <thermocontact/input/time_function.h>
+#include <thermocontact/simulation/simulation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "../tests.h"
+
+#include "../overrides.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  template <int dim>
+  std::vector<StepRecord>
+  run(const std::string &file, const Overrides &overrides)
+  {
+    std::vector<StepRecord> rows;
+    Simulation<dim> simulation(read_parameters(file, overrides), MPI_COMM_SELF);
+    simulation.run(
+      {[&rows](const Simulation<dim> &s) { rows.push_back(s.record()); }});
+    return rows;
+  }
+
+
+
+  /** Defect of (M.22) over its largest term. */
+  template <int dim>
+  double
+  audit_defect(const Overrides &overrides)
+  {
+    const auto rows    = run<dim>("paper/experiment-1.prm",
+                               Overrides{"Time/Scheme=backward euler",
+                                         "Time/Step size=0.01",
+                                         "Time/Start=consistent",
+                                         "Time/End time=1"} +
+                                 overrides);
+    double     largest = 0., defect = 0.;
+    for (const StepRecord &r : rows)
+      {
+        for (const double term :
+             {r.energy, r.work, r.dissipation, r.numerical_dissipation})
+          raise(largest, std::abs(term));
+        raise(defect,
+              std::abs(rows[0].energy + r.work - r.energy - r.dissipation -
+                       r.numerical_dissipation));
+      }
+    if (std::abs(rows.back().work) < 1e-6 * largest)
+      return 1.; // a drive works
+    return defect / largest;
+  }
+
+
+
+  void
+  check_audit()
+  {
+    const std::string heated = "Boundary/Fixed end temperature=10+5*sin(7*t)";
+    const std::string moved  = "Boundary/Fixed end displacement=0.02*sin(9*t)";
+    const std::vector<Overrides> scenes = {
+      {heated},
+      {moved},
+      {heated, moved},
+      {heated, moved, "Model/Thermoelastic heating=false"},
+      {heated, moved, "Mesh/Cells=1", "Mesh/Degree=1", "Model/Coupling=0.5"},
+      {"Boundary/Fixed end temperature=if(t<0.505,10,3)"},
+      {"Boundary/Fixed end displacement=max(0,t-0.305)/5"},
+      {heated, moved, "Model/Inertia=0"},
+      {heated, moved, "Model/Inertia=0", "Model/Viscosity=0"},
+      {heated, moved, "Contact/Condition=rigid", "Contact/Gap=0.11"},
+      {heated,
+       moved,
+       "Solver/Step solver=fixed point",
+       "Time/Step size=0.001",
+       "Solver/Fixed point tolerance=1e-15",
+       "Time/End time=0.1"},
+      {moved, "Model/Fields=displacement", "Mesh/Mass matrix=lumped"},
+      {heated,
+       "Boundary/Lateral heat exchange=3",
+       "Boundary/Ambient temperature=-4"},
+      {heated, "Time/Start=paper"},
+      {heated, "Time/Scheme=energy conserving"}};
+    deallog << "audit to 1e-11 ";
+    for (const Overrides &scene : scenes)
+      {
+        const double defect = audit_defect<1>(scene);
+        deallog << (defect < 1e-11);
+      }
+    deallog << (audit_defect<2>({"Dimension=2",
+                                 "Mesh/Cells=6",
+                                 "Mesh/Cells across=2",
+                                 "Boundary/Lateral support=free",
+                                 heated,
+                                 moved}) < 1e-11)
+            << std::endl;
+  }
+
+
+
+  double
+  difference(const StepRecord &a, const StepRecord &b)
+  {
+    double error = 0.;
+    for (const auto &[x, y] :
+         {std::pair(a.displacement_end, b.displacement_end),
+          std::pair(a.velocity_end, b.velocity_end),
+          std::pair(a.temperature_end, b.temperature_end),
+          std::pair(a.contact_force, b.contact_force),
+          std::pair(a.contact_impulse, b.contact_impulse),
+          std::pair(a.energy, b.energy),
+          std::pair(a.work, b.work)})
+      raise(error, std::abs(x - y) / std::max(1., std::abs(x)));
+    return error;
+  }
+
+
+
+  void
+  check_bodies()
+  {
+    const Overrides scene{"Boundary/Fixed end temperature=10+5*sin(7*t)",
+                          "Boundary/Fixed end displacement=0.1*sin(9*t)",
+                          "Time/Scheme=sdirk2",
+                          "Time/Start=consistent",
+                          "Time/Step size=0.01",
+                          "Time/End time=0.4",
+                          "Mesh/Cells=6",
+                          "Mesh/Degree=2"};
+    const Overrides body = {"Mesh/Cells across=2", "Model/Poisson ratio=0.3"};
+    const Overrides iterate = {"Solver/Linear solver=iterative",
+                               "Solver/Linear tolerance=1e-13"};
+    const auto      last    = [&](const auto dimension, const Overrides &more) {
+      return run<decltype(dimension)::value>("paper/experiment-1.prm",
+                                             scene + more)
+        .back();
+    };
+    using Rod                            = std::integral_constant<int, 1>;
+    using Strip                          = std::integral_constant<int, 2>;
+    using Block                          = std::integral_constant<int, 3>;
+    const StepRecord              rod    = last(Rod(), {});
+    const std::vector<StepRecord> bodies = {
+      last(Strip(), body + Overrides{"Dimension=2"}),
+      last(Strip(),
+           body +
+             Overrides{"Dimension=2", "Boundary/Fixed end support=sliding"}),
+      last(Strip(), body + iterate + Overrides{"Dimension=2"}),
+      last(Strip(),
+           body + Overrides{"Dimension=2", "Mesh/Geometry=axisymmetric"}),
+      last(Block(),
+           body + iterate + Overrides{"Dimension=3", "Mesh/Cells across=1"})};
+    deallog << "rod in contact " << (rod.contact_impulse > 1e-3)
+            << ", strips and block to 1e-9 ";
+    for (const StepRecord &r : bodies)
+      {
+        deallog << (difference(rod, r) < 1e-9);
+      }
+    deallog << std::endl;
+  }
+
+
+
+  struct Known
+  {
+    std::string formula;
+    double      first, second;
+  };
+
+
+
+  void
+  check_derivatives()
+  {
+    const double             t = 0.7, pi = numbers::PI, l = std::log(2.);
+    const double             power = std::pow(t, t), slope = std::log(t) + 1.;
+    const double             bell = 2. / std::sqrt(pi) * std::exp(-t * t);
+    const double             sec = 1. / std::cos(t), tan = std::tan(t);
+    const std::vector<Known> list = {
+      {"sin(2*pi*t)^2",
+       2. * pi * std::sin(4. * pi * t),
+       8. * pi * pi * std::cos(4. * pi * t)},
+      {"-t^2", -2. * t, -2.},
+      {"2^-t", -l * std::pow(2., -t), l * l * std::pow(2., -t)},
+      {"2^t^2 / 2^(t^2) + t", 1., 0.},
+      {"exp(-t)*abs(-t)", (1. - t) * std::exp(-t), (t - 2.) * std::exp(-t)},
+      {"if(t<1, t^3, sin(t))", 3. * t * t, 6. * t},
+      {"t>0.5 && t<1 ? t*t : 5", 2. * t, 2.},
+      {"(t>0.8 || t<0.1)*9 + 1e1*t", 10., 0.},
+      {"max(t, 1/t)", -1. / (t * t), 2. / (t * t * t)},
+      {"min(3, 2*t, 4) - avg(t, 3*t)", 0., 0.},
+      {"pow(t, t)", power * slope, power * (slope * slope + 1. / t)},
+      {"sqrt(t) + floor(3*t)", 0.5 / std::sqrt(t), -0.25 / (t * std::sqrt(t))},
+      {"log10(t)", 1. / (t * std::log(10.)), -1. / (t * t * std::log(10.))},
+      {"sec(t)", sec * tan, sec * (2. * tan * tan + 1.)},
+      {"erfc(t)", -bell, 2. * t * bell},
+      {"tanh(t) - sinh(t)/cosh(t) + atan(t)",
+       1. / (1. + t * t),
+       -2. * t / std::pow(1. + t * t, 2)}};
+    ExpressionNames names;
+    names.constants["pi"] = pi;
+    names.variables       = {"t"};
+    deallog << "values and derivatives to 1e-12 ";
+    for (const Known &known : list)
+      {
+        const TimeDerivatives found = differentiate(known.formula, t);
+        const double          value =
+          make_function<1>(known.formula, names)->value(Point<1>(t));
+        deallog << (std::abs(found.value - value) <=
+                      1e-12 * std::max(1., std::abs(value)) &&
+                    std::abs(found.first - known.first) <=
+                      1e-12 * std::max(1., std::abs(known.first)) &&
+                    std::abs(found.second - known.second) <=
+                      1e-12 * std::max(1., std::abs(known.second)));
+      }
+    const TimeDerivatives square = differentiate("t^2+3*t", 0.);
+    const TimeDerivatives root   = differentiate("t^1.5+3*t", 0.);
+    deallog << (square.first == 3. && square.second == 2.)
+            << (root.first == 3. && root.second == 0.) << std::endl;
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  initlog();
+  check_audit();
+  check_bodies();
+  check_derivatives();
+}
