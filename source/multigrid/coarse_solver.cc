@@ -33,16 +33,16 @@ namespace ThermoContact
 
 
   template <int dim>
-  CoarseSolver<dim>::CoarseSolver(const MultigridLevels<dim> &levels,
-                                  const Field::Block          field,
-                                  SparseMatrix              &&matrix)
+  CoarseSolver<dim>::CoarseSolver(const DoFHandler<dim> &space,
+                                  const Field::Block     field,
+                                  SparseMatrix         &&matrix)
   {
     if (is_factorised(matrix.m()))
       factors = std::make_unique<DirectSolver>(std::move(matrix));
     else
       {
         unfactorized = std::make_unique<const SparseMatrix>(std::move(matrix));
-        make_cycle(levels, field);
+        make_cycle(space, field);
       }
   }
 
@@ -50,13 +50,13 @@ namespace ThermoContact
 
   template <int dim>
   void
-  CoarseSolver<dim>::make_cycle(const MultigridLevels<dim> &levels,
-                                const Field::Block          field)
+  CoarseSolver<dim>::make_cycle(const DoFHandler<dim> &space,
+                                const Field::Block     field)
   {
     TrilinosWrappers::PreconditionAMG::AdditionalData data;
     data.smoother_sweeps = 2;
     DoFTools::extract_constant_modes(
-      levels.spaces(0).dof_handler(field),
+      space,
       ComponentMask(field == Field::temperature ? 1 : dim, true),
       data.constant_modes);
     Teuchos::ParameterList              parameters;

@@ -59,34 +59,38 @@ namespace ThermoContact
 
 
 
-  template <int dim>
-  MultigridLevels<dim>::MultigridLevels(const Body<dim> &body)
+  template <int dim, typename Number>
+  MultigridLevels<dim, Number>::MultigridLevels(const Body<dim> &body)
     : body(body)
   {
     const std::vector<Parameters> scenes = coarse_scenes(body.scene);
     levels = std::vector<Level>(scenes.size() + 1);
-    for (unsigned int l = 0; l < scenes.size(); ++l)
-      make_level(scenes[l], levels[l]);
-    levels.back().discretization = &body.discretization;
-    levels.back().spaces         = &body.discretization.matrix_free();
-    levels.back().products       = body.equations.matrix_free();
+    make_level(scenes[0], levels[0]);
     coarse_operator_ = std::make_unique<const ThermoviscoelasticOperator<dim>>(
       *levels[0].own_scene, *levels[0].discretization);
-    make_vectors(levels[0]);
+    make_coarse_vectors(levels[0]);
     for (unsigned int l = 1; l < levels.size(); ++l)
       {
-        make_vectors(levels[l]);
-        compute_diagonals(levels[l]);
-        connect(levels[l - 1], levels[l]);
+        Level &level = levels[l];
+        if (l < scenes.size())
+          make_level(scenes[l], level);
+        else
+          {
+            level.discretization = &body.discretization;
+            level.spaces         = &body.discretization.matrix_free();
+            compute_diagonals(level, body.scene, *body.equations.matrix_free());
+          }
+        make_vectors(level);
+        connect(levels[l - 1], level);
       }
   }
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   void
-  MultigridLevels<dim>::make_level(const Parameters &parameters,
-                                   Level            &level) const
+  MultigridLevels<dim, Number>::make_level(const Parameters &parameters,
+                                           Level            &level) const
   {
     level.own_scene          = std::make_unique<const Scene>(parameters);
     level.own_discretization = std::make_unique<const Discretization<dim>>(
@@ -100,65 +104,96 @@ namespace ThermoContact
         return;
       }
     level.spaces = &level.discretization->matrix_free();
-    level.own_products =
-      std::make_unique<const MatrixFreeOperator<dim>>(*level.own_scene,
-                                                      *level.discretization);
-    level.products = level.own_products.get();
+    compute_diagonals(level,
+                      *level.own_scene,
+                      MatrixFreeOperator<dim>(*level.own_scene,
+                                              *level.discretization));
   }
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   void
-  MultigridLevels<dim>::make_vectors(Level &level) const
+  MultigridLevels<dim, Number>::make_coarse_vectors(Level &level) const
   {
     for (const Field::Block field : all_fields)
       if (level.discretization->has_field(field))
         {
-          LevelField<dim> &of_field = level.fields[field];
-          of_field.right            = level.spaces->make_vector(field);
-          of_field.solution         = of_field.right;
-          of_field.residual         = of_field.right;
+          LevelField<dim, Number> &of_field = level.fields[field];
+          of_field.coarse_right             = level.spaces->make_vector(field);
+          of_field.coarse_solution          = of_field.coarse_right;
+          of_field.right.reinit(of_field.coarse_right.get_partitioner());
+          of_field.solution = of_field.right;
         }
   }
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   void
-  MultigridLevels<dim>::compute_diagonals(Level &level) const
+  MultigridLevels<dim, Number>::make_vectors(Level &level) const
   {
-    const MatrixFreeOperator<dim> &products = *level.products;
+    for (const Field::Block field : all_fields)
+      if (level.discretization->has_field(field))
+        {
+          LevelField<dim, Number> &of_field = level.fields[field];
+          of_field.right    = level.products->make_vector(field);
+          of_field.solution = of_field.right;
+          of_field.residual = of_field.right;
+          of_field.update   = of_field.right;
+        }
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  MultigridLevels<dim, Number>::compute_diagonals(
+    Level                         &level,
+    const Scene                   &scene,
+    const MatrixFreeOperator<dim> &products) const
+  {
+    level.products =
+      std::make_unique<const LevelProducts<dim, Number>>(scene,
+                                                         *level.discretization,
+                                                         products);
     if (body.scene.fields.has_temperature)
       {
-        LevelField<dim> &heat = level.fields[Field::temperature];
-        heat.mass             = products.heat_diagonal({1., 0.});
-        heat.stiffness        = products.heat_diagonal({0., 1.});
+        LevelField<dim, Number> &heat = level.fields[Field::temperature];
+        heat.mass                     = products.heat_diagonal({1., 0.});
+        heat.stiffness                = products.heat_diagonal({0., 1.});
       }
     if (body.scene.fields.has_displacement)
       {
-        LevelField<dim> &momentum = level.fields[Field::displacement];
-        momentum.mass             = products.momentum_diagonal({1., 0.});
-        momentum.stiffness        = products.momentum_diagonal({0., 1.});
+        LevelField<dim, Number> &momentum = level.fields[Field::displacement];
+        momentum.mass      = products.momentum_diagonal({1., 0.});
+        momentum.stiffness = products.momentum_diagonal({0., 1.});
       }
   }
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   void
-  MultigridLevels<dim>::connect(const Level &coarse, Level &fine) const
+  MultigridLevels<dim, Number>::connect(const Level &coarse, Level &fine) const
   {
+    const auto constraints = [](const Level &level, const Field::Block field) {
+      AffineConstraints<Number> result;
+      result.copy_from(level.spaces->constraints(field));
+      return result;
+    };
     for (const Field::Block field : all_fields)
       if (fine.discretization->has_field(field))
         fine.fields[field].transfer.reinit(fine.spaces->dof_handler(field),
                                            coarse.spaces->dof_handler(field),
-                                           fine.spaces->constraints(field),
-                                           coarse.spaces->constraints(field));
+                                           constraints(fine, field),
+                                           constraints(coarse, field));
   }
 
 
 
-  template class MultigridLevels<2>;
-  template class MultigridLevels<3>;
+  template class MultigridLevels<2, float>;
+  template class MultigridLevels<2, double>;
+  template class MultigridLevels<3, float>;
+  template class MultigridLevels<3, double>;
 } // namespace ThermoContact

@@ -14,7 +14,8 @@ namespace ThermoContact
 
 
   template <int dim>
-  StageHierarchies<dim>::StageHierarchies(const MultigridLevels<dim> &levels)
+  StageHierarchies<dim>::StageHierarchies(
+    const MultigridLevels<dim, float> &levels)
     : levels(levels)
   {}
 
@@ -43,9 +44,10 @@ namespace ThermoContact
         {
           auto &multigrid =
             field == Field::temperature ? hierarchy.heat : hierarchy.momentum;
-          multigrid = std::make_unique<StageMultigrid<dim>>(levels, field, tau);
+          multigrid =
+            std::make_unique<StageMultigrid<dim, float>>(levels, field, tau);
           hierarchy.diagonals[field] =
-            StageBlock<dim>(levels, finest, field, tau).diagonal();
+            StageBlock<dim, float>(levels, finest, field, tau).diagonal();
         }
     ++n_made_;
   }

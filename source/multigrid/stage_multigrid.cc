@@ -9,20 +9,27 @@ namespace ThermoContact
   namespace
   {
     /** Restricts contact rows to the next coarser level. */
-    template <int dim>
+    template <int dim, typename Number>
     ContactRows
-    restricted(const ContactRows                     &fine,
-               const MGTwoLevelTransfer<dim, Vector> &transfer,
-               const Vector                          &prototype,
-               const ContactEnd<dim>                 &fine_end)
+    restricted(const ContactRows             &fine,
+               const LevelField<dim, Number> &fine_field,
+               const LevelField<dim, Number> &coarse_field,
+               const ContactEnd<dim>         &fine_end)
     {
+      // over the largest one, so that float has room for it
       const auto restrict_vector = [&](const Vector &vector) {
-        Vector result(prototype), copy(vector);
-        result = 0.;
+        LevelVector<Number> result(coarse_field.right), copy(fine_field.right);
+        const double        largest = vector.linfty_norm();
+        const double        scale   = largest > 0. ? largest : 1.;
+        result                      = 0.;
+        for (unsigned int i = 0; i < vector.locally_owned_size(); ++i)
+          copy.local_element(i) = vector.local_element(i) / scale;
         copy.update_ghost_values();
-        transfer.restrict_and_add(result, copy);
-        result.zero_out_ghost_values();
-        return result;
+        fine_field.transfer.restrict_and_add(result, copy);
+        Vector coarse(result.get_partitioner());
+        copy_values(coarse, result);
+        coarse *= scale;
+        return coarse;
       };
       ContactRows coarse;
       if (fine.springs.size() > 0)
@@ -58,119 +65,31 @@ namespace ThermoContact
 
 
 
-  template <int dim>
-  StageBlock<dim>::StageBlock(const MultigridLevels<dim> &levels,
-                              const unsigned int          level,
-                              const Field::Block          field,
-                              const double                tau)
-    : levels(levels)
-    , level(level)
-    , field(field)
-    , tau(tau)
-    , prescribed(levels.discretization(level).constrained_entries(field))
-    , scratch(levels.spaces(level).make_vector(field))
-  {}
-
-
-
-  template <int dim>
-  void
-  StageBlock<dim>::vmult(Vector &y, const Vector &x) const
-  {
-    scratch.copy_locally_owned_data_from(x);
-    zero_prescribed(scratch);
-    const Material &material = levels.scene().material;
-    if (field == Field::temperature)
-      levels.products(level).heat({1., tau}, y, scratch);
-    else
-      levels.products(level).momentum(
-        {material.inertia, tau * (tau + material.viscosity)}, y, scratch);
-    for (const auto &[entry, spring] : springs)
-      y.local_element(entry) += spring * scratch.local_element(entry);
-    for (const unsigned int entry : prescribed)
-      y.local_element(entry) = x.local_element(entry);
-  }
-
-
-
-  template <int dim>
-  Vector
-  StageBlock<dim>::diagonal() const
-  {
-    const LevelField<dim> &parts    = levels.field(level, field);
-    const Material        &material = levels.scene().material;
-    Vector                 result(scratch);
-    const bool             is_heat = field == Field::temperature;
-    result.equ(is_heat ? 1. : material.inertia, parts.mass);
-    result.add(is_heat ? tau : tau * (tau + material.viscosity),
-               parts.stiffness);
-    for (const auto &[entry, spring] : springs)
-      result.local_element(entry) += spring;
-    for (const unsigned int entry : prescribed)
-      result.local_element(entry) = 1.;
-    return result;
-  }
-
-
-
-  template <int dim>
-  void
-  StageBlock<dim>::set_contact(const ContactRows &rows)
-  {
-    prescribed = levels.discretization(level).constrained_entries(field);
-    springs.clear();
-    if (rows.springs.size() > 0)
-      for (unsigned int i = 0; i < rows.springs.locally_owned_size(); ++i)
-        if (rows.springs.local_element(i) > 0.)
-          springs.emplace_back(i, rows.springs.local_element(i));
-    if (rows.held.size() > 0)
-      for (unsigned int i = 0; i < rows.held.locally_owned_size(); ++i)
-        if (rows.held.local_element(i) > 0.)
-          prescribed.push_back(i);
-  }
-
-
-
-  template <int dim>
-  void
-  StageBlock<dim>::zero_prescribed(Vector &vector) const
-  {
-    for (const unsigned int entry : prescribed)
-      vector.local_element(entry) = 0.;
-  }
-
-
-
-  template <int dim>
-  StageMultigrid<dim>::StageMultigrid(const MultigridLevels<dim> &levels,
-                                      const Field::Block          field,
-                                      const double                tau)
+  template <int dim, typename Number>
+  StageMultigrid<dim, Number>::StageMultigrid(
+    const MultigridLevels<dim, Number> &levels,
+    const Field::Block                  field,
+    const double                        tau)
     : levels(levels)
     , field(field)
     , tau(tau)
     , fine(levels.n_levels() - 1)
   {
+    const unsigned int finest = levels.n_levels() - 1;
+    scale = StageBlock<dim, Number>(levels, finest, field, tau)
+              .diagonal()
+              .linfty_norm();
     for (unsigned int l = 1; l < levels.n_levels(); ++l)
       {
         Level &level = fine[l - 1];
-        level.block  = std::make_unique<StageBlock<dim>>(levels, l, field, tau);
-        level.inverse_diagonal = std::make_shared<DiagonalMatrix<Vector>>();
-        Vector &diagonal       = level.inverse_diagonal->get_vector();
-        diagonal               = level.block->diagonal();
-        for (double &value : diagonal)
-          value = 1. / value;
-
-        typename Smoother::AdditionalData data;
-        data.degree              = field == Field::temperature ? 2 : 3;
-        data.smoothing_range     = 15.;
-        data.eig_cg_n_iterations = 12;
-        data.preconditioner      = level.inverse_diagonal;
-        level.smoother           = std::make_unique<Smoother>();
-        level.smoother->initialize(*level.block, data);
-        level.smoother->estimate_eigenvalues(levels.field(l, field).right);
+        level.block  = std::make_unique<StageBlock<dim, Number>>(
+          levels, l, field, tau, scale);
+        level.smoother = std::make_unique<ChebyshevSmoother<dim, Number>>(
+          *level.block, field == Field::temperature ? 2 : 3);
+        level.smoother->estimate_eigenvalue();
       }
     coarse_without_contact = std::make_unique<CoarseSolver<dim>>(
-      levels,
+      levels.spaces(0).dof_handler(field),
       field,
       field == Field::temperature ?
         levels.coarse_operator().heat_stage_matrix(tau) :
@@ -179,32 +98,28 @@ namespace ThermoContact
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   void
-  StageMultigrid<dim>::set_rows(const ContactRows &rows)
+  StageMultigrid<dim, Number>::set_rows(const ContactRows &rows)
   {
     coarse_rows = rows;
     for (unsigned int l = levels.n_levels() - 1; l >= 1; --l)
       {
-        Level &level = fine[l - 1];
-        level.block->set_contact(coarse_rows);
-        Vector &diagonal = level.inverse_diagonal->get_vector();
-        diagonal         = level.block->diagonal();
-        for (double &value : diagonal)
-          value = 1. / value;
+        fine[l - 1].block->set_contact(coarse_rows);
+        fine[l - 1].smoother->update_diagonal();
         coarse_rows = restricted(coarse_rows,
-                                 levels.field(l, field).transfer,
-                                 levels.field(l - 1, field).right,
+                                 levels.field(l, field),
+                                 levels.field(l - 1, field),
                                  levels.discretization(l).contact_end());
       }
   }
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   void
-  StageMultigrid<dim>::set_contact(const ContactRows *rows,
-                                   const bool         are_as_before)
+  StageMultigrid<dim, Number>::set_contact(const ContactRows *rows,
+                                           const bool         are_as_before)
   {
     if (rows == nullptr)
       {
@@ -219,16 +134,16 @@ namespace ThermoContact
       return;
     coarse_with_contact.reset(); // its memory, before there are other factors
     coarse_with_contact = std::make_unique<CoarseSolver<dim>>(
-      levels,
+      levels.spaces(0).dof_handler(field),
       field,
       with_contact(coarse_without_contact->matrix(), coarse_rows));
   }
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   void
-  StageMultigrid<dim>::zero_coarse(Vector &vector) const
+  StageMultigrid<dim, Number>::zero_coarse(Vector &vector) const
   {
     for (const unsigned int entry :
          levels.discretization(0).constrained_entries(field))
@@ -240,60 +155,84 @@ namespace ThermoContact
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   void
-  StageMultigrid<dim>::cycle(const unsigned int l) const
+  StageMultigrid<dim, Number>::solve_coarse() const
   {
-    const LevelField<dim> &vectors = levels.field(l, field);
+    const LevelField<dim, Number> &vectors  = levels.field(0, field);
+    Vector                        &right    = vectors.coarse_right;
+    Vector                        &solution = vectors.coarse_solution;
+    copy_values(right, vectors.right);
+    zero_coarse(right);
+    (has_contact ? coarse_with_contact : coarse_without_contact)
+      ->solve(solution, right);
+    zero_coarse(solution);
+    solution *= scale;
+    copy_values(vectors.solution, solution);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  StageMultigrid<dim, Number>::cycle(const unsigned int l) const
+  {
     if (l == 0)
       {
-        zero_coarse(vectors.right);
-        (has_contact ? coarse_with_contact : coarse_without_contact)
-          ->solve(vectors.solution, vectors.right);
-        zero_coarse(vectors.solution);
+        solve_coarse();
         return;
       }
-    const Level                           &level  = fine[l - 1];
-    const LevelField<dim>                 &coarse = levels.field(l - 1, field);
-    Vector                                &residual = vectors.residual;
-    const MGTwoLevelTransfer<dim, Vector> &transfer = vectors.transfer;
-    level.smoother->vmult(vectors.solution, vectors.right);
-    level.block->vmult(residual, vectors.solution);
+    const LevelField<dim, Number> &vectors  = levels.field(l, field);
+    const LevelField<dim, Number> &coarse   = levels.field(l - 1, field);
+    const Level                   &level    = fine[l - 1];
+    LevelVector<Number>           &residual = vectors.residual;
+    LevelVector<Number>           &solution = vectors.solution;
+    level.smoother->smooth_zero(solution,
+                                vectors.right,
+                                {residual, vectors.update});
+    level.block->vmult(residual, solution);
     residual.sadd(-1., vectors.right);
-    level.block->zero_prescribed(residual);
     residual.update_ghost_values();
     coarse.right = 0.;
-    transfer.restrict_and_add(coarse.right, residual);
+    vectors.transfer.restrict_and_add(coarse.right, residual);
     residual.zero_out_ghost_values();
     if (l > 1)
       fine[l - 2].block->zero_prescribed(coarse.right);
     cycle(l - 1);
     coarse.solution.update_ghost_values();
-    residual = 0.;
-    transfer.prolongate_and_add(residual, coarse.solution);
+    vectors.transfer.prolongate_and_add(solution, coarse.solution);
     coarse.solution.zero_out_ghost_values();
-    level.block->zero_prescribed(residual);
-    vectors.solution += residual;
-    level.smoother->step(vectors.solution, vectors.right);
+    level.block->zero_prescribed(solution);
+    level.smoother->smooth(solution, vectors.right, {residual, vectors.update});
   }
 
 
 
-  template <int dim>
+  template <int dim, typename Number>
   void
-  StageMultigrid<dim>::vmult(Vector &z, const Vector &r) const
+  StageMultigrid<dim, Number>::vmult(Vector &z, const Vector &r) const
   {
-    const unsigned int     finest  = levels.n_levels() - 1;
-    const LevelField<dim> &vectors = levels.field(finest, field);
-    vectors.right.copy_locally_owned_data_from(r);
+    const unsigned int             finest  = levels.n_levels() - 1;
+    const LevelField<dim, Number> &vectors = levels.field(finest, field);
+    const double                   largest = r.linfty_norm();
+    if (largest == 0.)
+      {
+        z = 0.;
+        return;
+      }
+    for (unsigned int i = 0; i < r.locally_owned_size(); ++i)
+      vectors.right.local_element(i) = r.local_element(i) / largest;
+    fine.back().block->zero_prescribed(vectors.right);
     cycle(finest);
-    z.copy_locally_owned_data_from(vectors.solution);
+    const double factor = largest / scale;
+    for (unsigned int i = 0; i < r.locally_owned_size(); ++i)
+      z.local_element(i) = factor * vectors.solution.local_element(i);
   }
 
 
 
-  template class StageBlock<2>;
-  template class StageBlock<3>;
-  template class StageMultigrid<2>;
-  template class StageMultigrid<3>;
+  template class StageMultigrid<2, float>;
+  template class StageMultigrid<2, double>;
+  template class StageMultigrid<3, float>;
+  template class StageMultigrid<3, double>;
 } // namespace ThermoContact

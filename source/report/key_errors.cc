@@ -16,16 +16,6 @@ namespace ThermoContact
 
 
 
-  const std::array<const char *, n_key_errors> key_error_kinds = {
-    {"time",
-     "force",
-     "length",
-     "force × time",
-     "length",
-     "temperature difference"}};
-
-
-
   namespace
   {
     template <int dim>

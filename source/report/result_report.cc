@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/output/output_tables.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/key_results.h>
 #include <thermocontact/report/result_report.h>
@@ -114,6 +115,10 @@ namespace ThermoContact
                   in(record.energy),
                   " + dissipated ",
                   in(record.dissipation),
+                  record.contact_dissipation == 0. ?
+                    "" :
+                    text(" + taken by the obstacle ",
+                         in(record.contact_dissipation)),
                   " + lost to the scheme ",
                   in(record.numerical_dissipation),
                   record.algebraic == 0. ?
@@ -220,15 +225,13 @@ namespace ThermoContact
   {
     const KeyValues   values = key_values(simulation);
     const OutputUnits units(simulation.parameters());
-    const auto        bar = [&](const unsigned int k, const double error) {
-      return std::isnan(error) ? "unknown" :
-                                        units.text(key_error_kinds[k], error, 2);
+    const auto        in = [&units](const std::string &key,
+                             const double       value,
+                             const unsigned int digits = few_digits) {
+      return units.text(kind_of("summary.json", key), value, digits);
     };
-    // all are differences but the temperature, whose zero may be another one
-    const auto value = [&](const unsigned int k) {
-      return units.text(k + 1 == n_key_errors ? "temperature" :
-                                                key_error_kinds[k],
-                        values[k]);
+    const auto bar = [&in](const std::string &key, const double error) {
+      return std::isnan(error) ? "unknown" : in(key, error, 2);
     };
     for (const std::string &remark : errors.remarks)
       log.line("  warning:  " + remark);
@@ -237,13 +240,17 @@ namespace ThermoContact
                   " repeats: value, +- in time, +- in space"));
     for (unsigned int k = 0; k < n_key_errors; ++k)
       if (!std::isnan(values[k]))
-        log.line(text("            ",
-                      align_left(key_error_names[k], 24),
-                      align_left(value(k), 12),
-                      "  +- ",
-                      align_left(bar(k, errors.time[k]), 8),
-                      "  +- ",
-                      bar(k, errors.space[k])));
+        {
+          const std::string name = key_error_names[k];
+          log.line(
+            text("            ",
+                 align_left(name, 24),
+                 align_left(in(name, values[k]), 12),
+                 "  +- ",
+                 align_left(bar(name + "_time_error", errors.time[k]), 8),
+                 "  +- ",
+                 bar(name + "_space_error", errors.space[k])));
+        }
   }
 
 

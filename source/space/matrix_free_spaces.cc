@@ -84,8 +84,11 @@ namespace ThermoContact
     typename MatrixFree<dim>::AdditionalData data;
     data.tasks_parallel_scheme =
       MatrixFree<dim>::AdditionalData::TasksParallelScheme::none;
-    data.mapping_update_flags = update_values | update_gradients |
-                                update_JxW_values | update_quadrature_points;
+    data.mapping_update_flags =
+      update_values | update_gradients | update_JxW_values;
+    // 3 numbers to a point, which is a lot
+    if (!discretization.geometry().has_uniform_weight())
+      data.mapping_update_flags |= update_quadrature_points;
     std::vector<const DoFHandler<dim> *>           used;
     std::vector<const AffineConstraints<double> *> constraints;
     for (const Field::Block field : all_fields)

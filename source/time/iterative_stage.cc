@@ -10,11 +10,20 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /** Directions of a Krylov space that are kept. */
+    constexpr unsigned int max_directions = 60;
+  } // namespace
+
+
+
   template <int dim>
   IterativeStage<dim>::IterativeStage(const Body<dim> &body)
     : body(body)
     , levels(body)
     , hierarchies(levels)
+    , krylov(max_directions)
   {
     rhs.reinit(2);
     for (const Field::Block field : all_fields)

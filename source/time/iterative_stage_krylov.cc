@@ -5,9 +5,6 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/time/iterative_stage.h>
 
-#include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/solver_gmres.h>
-
 namespace ThermoContact
 {
   namespace
@@ -105,24 +102,17 @@ namespace ThermoContact
   unsigned int
   IterativeStage<dim>::add_correction(const double tolerance)
   {
-    SolverControl            control(max_iterations, tolerance, false, false);
-    SolverGMRES<BlockVector> gmres(
-      control, typename SolverGMRES<BlockVector>::AdditionalData(60, true));
-    correction = 0.;
-    try
-      {
-        gmres.solve(Matrix(*this),
-                    correction,
-                    scaled_residual,
-                    Preconditioner(*this));
-      }
-    catch (const SolverControl::NoConvergence &)
-      {
-        give_up(control.last_value(), tolerance, control.last_step());
-      }
+    const FlexibleGmres::Result result = krylov.solve(Matrix(*this),
+                                                      Preconditioner(*this),
+                                                      tolerance,
+                                                      max_iterations,
+                                                      scaled_residual,
+                                                      correction);
+    if (!(result.residual <= tolerance))
+      give_up(result.residual, tolerance, result.n_iterations);
     solution += correction;
     has_residual = false;
-    return control.last_step();
+    return result.n_iterations;
   }
 
 

@@ -69,17 +69,20 @@ namespace
     const double         loop = cpu_seconds([&] { simulation.run(); });
     const SolverCounters n    = simulation.counters();
 
-    const double                         tau = 0.7 * parameters.time.end_time;
-    const MultigridLevels<dim>           levels(body);
-    std::unique_ptr<StageMultigrid<dim>> heat, momentum;
-    const double                         set_up = cpu_seconds([&] {
-      heat =
-        std::make_unique<StageMultigrid<dim>>(levels, Field::temperature, tau);
+    const double                      tau = 0.7 * parameters.time.end_time;
+    const MultigridLevels<dim, float> levels(body);
+    std::unique_ptr<StageMultigrid<dim, float>> heat, momentum;
+    const double                                set_up = cpu_seconds([&] {
+      heat = std::make_unique<StageMultigrid<dim, float>>(levels,
+                                                          Field::temperature,
+                                                          tau);
       momentum =
-        std::make_unique<StageMultigrid<dim>>(levels, Field::displacement, tau);
+        std::make_unique<StageMultigrid<dim, float>>(levels,
+                                                     Field::displacement,
+                                                     tau);
     });
-    const ContactRows                    rows   = contact_rows(body, true, tau);
-    const double contact = cpu_seconds([&] { momentum->set_contact(&rows); });
+    const ContactRows rows = contact_rows(body, true, tau);
+    const double contact   = cpu_seconds([&] { momentum->set_contact(&rows); });
 
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       std::cout << body.discretization.dof_handler().n_dofs() << " unknowns, "

@@ -163,6 +163,49 @@ def check_maps(plot, header):
     check("one result", not faults, "; ".join(faults))
 
 
+BIFURCATION = {r"$u(1)$ at multiples of $P$": "displacement_end",
+               r"$u_t(1)$ at multiples of $P$": "velocity_end",
+               r"$\theta(1)$ at multiples of $P$": "temperature_end",
+               "peak force of a period": "peaks"}
+
+
+def write_periods(directory, i):
+    """Four periods of 2 of run i, with a force that is largest once in each."""
+    directory.mkdir()
+    tables.write_table(directory / "poincare.csv", "A run", {
+        "time": [0, 2, 4, 6, 8], **{name: [round((k + 2) * 0.1 + i + 0.01 * n, 9)
+                                           for n in range(5)] for k, name in enumerate(
+            list(BIFURCATION.values())[:3])}})
+    times = [0.25 * n for n in range(33)]
+    tables.write_table(directory / "contact.csv", "A run", {
+        "time": times, "contact_force": [
+            round(1 + i + 0.1 * (t // 2), 9) if t % 2 == 1.25 else 0.5 for t in times]})
+
+
+def check_bifurcation(plot, header):
+    """The points of the last periods, and the largest force in each; run 2 has none."""
+    gaps = ["0.1", "0.3", "0.2"]
+    write(Path("driven"), header, {"Contact/Gap": gaps})
+    for i in range(2):
+        write_periods(Path(f"driven/run-{i}"), i)
+    for options, periods in (([], (3, 4)), (["--periods", "3"], (2, 3, 4)),
+                             (["--periods", "9"], (1, 2, 3, 4))):
+        figure = drawings.figures_of(plot, "driven", "--figure", "bifurcation",
+                                     *options)["bifurcation"]
+        found = {BIFURCATION.get(panel.get_ylabel()): panel for panel in figure.axes}
+        faults = [] if list(found) == list(BIFURCATION.values()) else [str(list(found))]
+        for k, (name, panel) in enumerate(found.items()):
+            expected = [(float(gaps[i]), (1 + i + 0.1 * (n - 1) if name == "peaks" else
+                                          (k + 2) * 0.1 + i + 0.01 * n))
+                        for i in range(2) for n in periods]
+            points = [tuple(point) for line in panel.lines for point in line.get_xydata()]
+            if sorted(points) != [(x, round(y, 9)) for x, y in sorted(expected)]:
+                faults.append(f"{name}: {points}")
+        if figure.axes[-1].get_xlabel() != "gap":
+            faults.append("label of x")
+        check(f"bifurcation {options}", not faults, "; ".join(faults))
+
+
 def check_refusals(plot, header):
     write(Path("words"), header, {"Time/Scheme": ["sdirk2", "sdirk4"]})
     write(Path("many"), header, {"Contact/Gap": ["0.1", "0.2"] * 13, "Time/Scheme": [
@@ -174,7 +217,9 @@ def check_refusals(plot, header):
             (["13 curves"], ["many"]), (["no run has a restitution"], [
                 "whole", "--result", "restitution"]),
             (["--figure contact is one of runs"], ["whole", "--figure", "contact"]),
-            (["drawn alone"], ["whole", "many"])):
+            (["drawn alone"], ["whole", "many"]),
+            (["poincare.csv", "Output/Period"], ["whole", "--figure", "bifurcation"]),
+            (["--periods must be at least 1"], ["whole", "--periods", "0"])):
         status, message = drawings.refusal_of(plot, *arguments)
         check(f"refused: {arguments}", status == 2 and message.count("\n") == 1 and
               all(word in message for word in words), message.strip())
@@ -197,7 +242,7 @@ def main():
         plot.plot_sweep.RESULTS) and list(LABELS) == list(
             plot.plot_sweep.RESULTS.values()))
     header = [name for name in header if "/" not in name]
-    for part in (check_curves, check_maps, check_refusals):
+    for part in (check_curves, check_maps, check_bifurcation, check_refusals):
         part(plot, header)
 
 

@@ -7,7 +7,8 @@
 //
 // 1. As preconditioners they are what others are (matrix_free.cc): symmetric to
 //    1e-10, positive, and half of an error is left at most; without contact,
-//    with springs and with held nodes.
+//    with springs and with held nodes. In single precision they are the same
+//    to 1e-4.
 // 2. Made again for the same stage, and with the same contact after another
 //    one, they give the same bytes: a run that goes on from a checkpoint makes
 //    them again.
@@ -48,10 +49,10 @@ namespace
 
   /** What a cycle makes of a fixed vector. */
   Vector
-  result(const StageMultigrid<2> &cycle,
-         const Body<2>           &body,
-         const Field::Block       field,
-         const ContactRows       *rows)
+  result(const StageMultigrid<2, float> &cycle,
+         const Body<2>                  &body,
+         const Field::Block              field,
+         const ContactRows              *rows)
   {
     Vector r = body.discretization.make_vector(field), z(r);
     for (unsigned int j = 0; j < r.locally_owned_size(); ++j)
@@ -79,14 +80,15 @@ namespace
 
 
   void
-  test_repetition(const Body<2>            &body,
-                  const MultigridLevels<2> &levels,
-                  const Field::Block        field,
-                  const double              tau,
-                  const ContactRows        *rows,
-                  const ContactRows        *others)
+  test_repetition(const Body<2>                   &body,
+                  const MultigridLevels<2, float> &levels,
+                  const Field::Block               field,
+                  const double                     tau,
+                  const ContactRows               *rows,
+                  const ContactRows               *others)
   {
-    StageMultigrid<2> first(levels, field, tau), second(levels, field, tau);
+    StageMultigrid<2, float> first(levels, field, tau),
+      second(levels, field, tau);
     if (rows != nullptr)
       {
         first.set_contact(rows);
@@ -120,10 +122,11 @@ main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
-  const Scene              scene(large_strip());
-  const Body<2>            body(scene, MPI_COMM_WORLD);
-  const MultigridLevels<2> levels(body);
-  const Discretization<2> &coarsest = levels.discretization(0);
+  const Scene                      scene(large_strip());
+  const Body<2>                    body(scene, MPI_COMM_WORLD);
+  const MultigridLevels<2, double> levels(body);
+  const MultigridLevels<2, float>  rounded(body);
+  const Discretization<2>         &coarsest = levels.discretization(0);
   deallog << "factors of " << coarsest.n_temperature_dofs() << " temperatures "
           << CoarseSolver<2>::is_factorised(coarsest.n_temperature_dofs())
           << ", of " << coarsest.n_displacement_dofs() << " displacements "
@@ -138,8 +141,8 @@ main(int argc, char **argv)
                             const ContactRows *rows,
                             const ContactRows *others) {
         deallog << "tau = " << tau << ", " << name << ':';
-        test_cycle<2>(body, levels, field, tau, rows);
-        test_repetition(body, levels, field, tau, rows, others);
+        test_cycle<2>(body, levels, rounded, field, tau, rows);
+        test_repetition(body, rounded, field, tau, rows, others);
         deallog << std::endl;
       };
       test("heat", Field::temperature, nullptr, nullptr);

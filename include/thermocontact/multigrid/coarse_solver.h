@@ -3,8 +3,9 @@
 #ifndef thermocontact_multigrid_coarse_solver_h
 #define thermocontact_multigrid_coarse_solver_h
 
-#include <thermocontact/multigrid/multigrid_levels.h>
 #include <thermocontact/space/direct_solver.h>
+
+#include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/lac/trilinos_precondition.h>
 
@@ -33,10 +34,13 @@ namespace ThermoContact
   class CoarseSolver
   {
   public:
-    /** @throw ComputationError if the matrix cannot be factorised */
-    CoarseSolver(const MultigridLevels<dim> &levels,
-                 const Field::Block          field,
-                 SparseMatrix              &&matrix);
+    /**
+     * @param space of the matrix
+     * @throw ComputationError if the matrix cannot be factorised
+     */
+    CoarseSolver(const DoFHandler<dim> &space,
+                 const Field::Block     field,
+                 SparseMatrix         &&matrix);
 
     /** Whether a matrix of that many rows gets factors. */
     static bool
@@ -57,7 +61,7 @@ namespace ThermoContact
     std::unique_ptr<TrilinosWrappers::PreconditionAMG> cycle; ///< refers to it
 
     void
-    make_cycle(const MultigridLevels<dim> &levels, const Field::Block field);
+    make_cycle(const DoFHandler<dim> &space, const Field::Block field);
   };
 
 

@@ -3,6 +3,7 @@
 #ifndef thermocontact_multigrid_multigrid_levels_h
 #define thermocontact_multigrid_multigrid_levels_h
 
+#include <thermocontact/multigrid/level_products.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/matrix_free_operator.h>
 
@@ -15,20 +16,25 @@
 namespace ThermoContact
 {
   /** What a level knows of one field whatever the length of a stage. */
-  template <int dim>
+  template <int dim, typename Number>
   struct LevelField
   {
     /** From the next coarser level; of all but the coarsest. */
-    MGTwoLevelTransfer<dim, Vector> transfer;
+    MGTwoLevelTransfer<dim, LevelVector<Number>> transfer;
 
     /** Diagonals of mass and stiffness (conduction). */
     Vector mass;
     Vector stiffness;
 
     /** What a V-cycle works with, of all stage lengths in turn. */
-    mutable Vector right;
-    mutable Vector solution;
-    mutable Vector residual;
+    mutable LevelVector<Number> right;
+    mutable LevelVector<Number> solution;
+    mutable LevelVector<Number> residual;
+    mutable LevelVector<Number> update;
+
+    /** For the coarsest, whose system is solved in double precision. */
+    mutable Vector coarse_right;
+    mutable Vector coarse_solution;
   };
 
 
@@ -38,8 +44,11 @@ namespace ThermoContact
    * half the cells, until the number of cells in some direction is odd. Each
    * level but the coarsest computes its products without matrices; the coarsest
    * has matrices.
+   *
+   * @tparam Number of vectors: a preconditioner needs few digits, and float
+   *   has half the size and twice the lanes
    */
-  template <int dim>
+  template <int dim, typename Number>
   class MultigridLevels
   {
   public:
@@ -60,7 +69,7 @@ namespace ThermoContact
     }
 
     /** Not of the coarsest level. */
-    const MatrixFreeOperator<dim> &
+    const LevelProducts<dim, Number> &
     products(const unsigned int level) const
     {
       return *levels[level].products;
@@ -72,7 +81,7 @@ namespace ThermoContact
       return *levels[level].spaces;
     }
 
-    const LevelField<dim> &
+    const LevelField<dim, Number> &
     field(const unsigned int level, const Field::Block field) const
     {
       return levels[level].fields[field];
@@ -94,16 +103,15 @@ namespace ThermoContact
   private:
     struct Level
     {
-      std::unique_ptr<const Scene>                   own_scene;
-      std::unique_ptr<const Discretization<dim>>     own_discretization;
-      std::unique_ptr<const MatrixFreeOperator<dim>> own_products;
-
+      std::unique_ptr<const Scene>                 own_scene;
+      std::unique_ptr<const Discretization<dim>>   own_discretization;
       std::unique_ptr<const MatrixFreeSpaces<dim>> own_spaces;
 
-      const Discretization<dim>     *discretization = nullptr;
-      const MatrixFreeSpaces<dim>   *spaces         = nullptr;
-      const MatrixFreeOperator<dim> *products       = nullptr;
-      std::array<LevelField<dim>, 2> fields;
+      std::unique_ptr<const LevelProducts<dim, Number>> products;
+
+      const Discretization<dim>             *discretization = nullptr;
+      const MatrixFreeSpaces<dim>           *spaces         = nullptr;
+      std::array<LevelField<dim, Number>, 2> fields;
     };
 
     const Body<dim>                                       &body;
@@ -114,10 +122,15 @@ namespace ThermoContact
     make_level(const Parameters &parameters, Level &level) const;
 
     void
+    make_coarse_vectors(Level &level) const;
+
+    void
     make_vectors(Level &level) const;
 
     void
-    compute_diagonals(Level &level) const;
+    compute_diagonals(Level                         &level,
+                      const Scene                   &scene,
+                      const MatrixFreeOperator<dim> &products) const;
 
     void
     connect(const Level &coarse, Level &fine) const;

@@ -21,15 +21,15 @@ namespace ThermoContact
   {
   public:
     /** @param levels borrowed */
-    explicit StageHierarchies(const MultigridLevels<dim> &levels);
+    explicit StageHierarchies(const MultigridLevels<dim, float> &levels);
 
     /** The preconditioners for a stage length; null: no such field. */
     struct Hierarchy
     {
-      double                               tau;
-      std::unique_ptr<StageMultigrid<dim>> heat;
-      std::unique_ptr<StageMultigrid<dim>> momentum;
-      std::array<Vector, 2>                diagonals; ///< of the blocks
+      double                                      tau;
+      std::unique_ptr<StageMultigrid<dim, float>> heat;
+      std::unique_ptr<StageMultigrid<dim, float>> momentum;
+      std::array<Vector, 2>                       diagonals; ///< of the blocks
 
       /** Contact nodes that the momentum block has springs or holds at. */
       std::vector<bool> active_set;
@@ -76,9 +76,9 @@ namespace ThermoContact
     }
 
   private:
-    const MultigridLevels<dim> &levels;
-    std::list<Hierarchy>        hierarchies;
-    unsigned int                n_made_ = 0;
+    const MultigridLevels<dim, float> &levels;
+    std::list<Hierarchy>               hierarchies;
+    unsigned int                       n_made_ = 0;
   };
 } // namespace ThermoContact
 

@@ -29,6 +29,10 @@ namespace ThermoContact
 
 
 
+  /** That of summary.json. */
+  OutputTable
+  summary_table();
+
   /** All files of an output directory that have names in them. */
   const std::vector<OutputTable> &
   output_tables();

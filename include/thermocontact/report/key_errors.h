@@ -20,9 +20,6 @@ namespace ThermoContact
    */
   extern const std::array<const char *, n_key_errors> key_error_names;
 
-  /** Kinds of their quantities, as OutputUnits has them; of differences. */
-  extern const std::array<const char *, n_key_errors> key_error_kinds;
-
   /** Values of them; NaN for what there is not. */
   using KeyValues = std::array<double, n_key_errors>;
 

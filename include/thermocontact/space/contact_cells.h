@@ -8,6 +8,8 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <deal.II/matrix_free/matrix_free.h>
+
 #include <array>
 #include <vector>
 
@@ -59,6 +61,27 @@ namespace ThermoContact
                    const double                   factor,
                    const VectorizedArray<double> *x,
                    VectorizedArray<double>       *y) const;
+
+    /**
+     * Calls @p visit(cell, matrix) for the matrices of a field: those of heat
+     * exchange, or of the axial mass.
+     *
+     * @param cells of the same mesh
+     */
+    template <typename Visit>
+    void
+    visit_matrices(const Field::Block     field,
+                   const MatrixFree<dim> &cells,
+                   const Visit           &visit) const
+    {
+      const std::vector<FullMatrix<double>> &matrices =
+        field == Field::temperature ? heat_exchange : axial_mass;
+      if (!matrices.empty())
+        for (unsigned int batch = 0; batch < cells_of_batch.size(); ++batch)
+          for (const Cell &cell : cells_of_batch[batch])
+            visit(cells.get_cell_iterator(batch, cell.lane),
+                  matrices[cell.matrix]);
+    }
 
   private:
     const unsigned int n_nodes; ///< of a cell

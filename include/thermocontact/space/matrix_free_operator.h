@@ -74,6 +74,13 @@ namespace ThermoContact
     void
     thermal_stress(Vector &momentum, const Vector &theta) const;
 
+    /** What differs in the cells at the contact end. */
+    const ContactCells<dim> &
+    cells_at_end() const
+    {
+      return contact_cells;
+    }
+
     /** The diagonals of the sums. */
     Vector
     heat_diagonal(const HeatFactors &factors) const;

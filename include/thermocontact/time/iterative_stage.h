@@ -5,6 +5,7 @@
 
 #include <thermocontact/multigrid/stage_hierarchies.h>
 #include <thermocontact/space/body.h>
+#include <thermocontact/time/flexible_gmres.h>
 
 #include <array>
 #include <vector>
@@ -130,15 +131,15 @@ namespace ThermoContact
       return tau;
     }
 
-    const MultigridLevels<dim> &
+    const MultigridLevels<dim, float> &
     multigrid_levels() const
     {
       return levels;
     }
 
   private:
-    const Body<dim>           &body;
-    const MultigridLevels<dim> levels;
+    const Body<dim>                  &body;
+    const MultigridLevels<dim, float> levels;
 
     StageHierarchies<dim> hierarchies;
 
@@ -155,6 +156,8 @@ namespace ThermoContact
     BlockVector         inverse_weights;
     BlockVector         correction;
     BlockVector         scaled_residual;
+
+    FlexibleGmres krylov;
 
     double largest_residual = 0.; ///< of the present stage, at the start
 

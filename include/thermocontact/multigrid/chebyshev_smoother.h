@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_multigrid_chebyshev_smoother_h
+#define thermocontact_multigrid_chebyshev_smoother_h
+
+#include <thermocontact/multigrid/stage_block.h>
+
+namespace ThermoContact
+{
+  /**
+   * Chebyshev polynomials in a StageBlock with its diagonal, for the upper
+   * 14/15 of the spectrum (Adams, Brezina, Hu and Tuminaro 2003): the
+   * iteration of PreconditionChebyshev, each of its steps in one pass over the
+   * vectors. Vectors are zero at prescribed degrees of freedom.
+   */
+  template <int dim, typename Number>
+  class ChebyshevSmoother
+  {
+  public:
+    /**
+     * @param block borrowed
+     * @param degree steps of a smoothing
+     */
+    ChebyshevSmoother(const StageBlock<dim, Number> &block,
+                      const unsigned int             degree);
+
+    /** Takes the diagonal that the block has at present. */
+    void
+    update_diagonal();
+
+    /** Estimates the largest eigenvalue of the present block. Collective. */
+    void
+    estimate_eigenvalue();
+
+    /** Vectors to work with. */
+    struct Work
+    {
+      LevelVector<Number> &product;
+      LevelVector<Number> &update;
+    };
+
+    /** From zero. */
+    void
+    smooth_zero(LevelVector<Number>       &x,
+                const LevelVector<Number> &b,
+                const Work                &work) const;
+
+    /** From @p x. */
+    void
+    smooth(LevelVector<Number>       &x,
+           const LevelVector<Number> &b,
+           const Work                &work) const;
+
+  private:
+    const StageBlock<dim, Number> &block;
+    const unsigned int             degree;
+    LevelVector<Number> inverse_diagonal; ///< zero for prescribed ones
+    double              theta = 1., delta = 0.;
+
+    /** The steps after the first one. */
+    void
+    go_on(LevelVector<Number>       &x,
+          const LevelVector<Number> &b,
+          const Work                &work) const;
+
+    /** One step, with the factors of the last update and of the residual. */
+    void
+    advance(LevelVector<Number>       &x,
+            const LevelVector<Number> &b,
+            const Work                &work,
+            const double               of_update,
+            const double               of_residual) const;
+  };
+} // namespace ThermoContact
+
+#endif

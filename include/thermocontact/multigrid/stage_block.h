@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_multigrid_stage_block_h
+#define thermocontact_multigrid_stage_block_h
+
+#include <thermocontact/multigrid/coarse_solver.h>
+#include <thermocontact/multigrid/multigrid_levels.h>
+
+#include <deal.II/base/subscriptor.h>
+
+#include <utility>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * The block of one field of the stage matrix (M.15) on one level, without
+   * matrix, over a scale: $M+\tau(K+kB)$ or $bM_u+\tau\zeta S_\zeta+\tau^2S$,
+   * with springs at contact nodes. Prescribed degrees of freedom are left out:
+   * vectors are zero there, and so are products.
+   */
+  template <int dim, typename Number>
+  class StageBlock : public Subscriptor
+  {
+  public:
+    /** @param levels borrowed */
+    StageBlock(const MultigridLevels<dim, Number> &levels,
+               const unsigned int                  level,
+               const Field::Block                  field,
+               const double                        tau,
+               const double                        scale = 1.);
+
+    void
+    vmult(LevelVector<Number> &y, const LevelVector<Number> &x) const;
+
+    /** Diagonal, 1 for prescribed ones. */
+    Vector
+    diagonal() const;
+
+    LevelVector<Number>
+    make_vector() const
+    {
+      return levels.products(level).make_vector(field);
+    }
+
+    types::global_dof_index
+    m() const
+    {
+      return levels.spaces(level).dof_handler(field).n_dofs();
+    }
+
+    /** Asked for by deal.II where there is no diagonal; here there is one. */
+    Number
+    el(const types::global_dof_index, const types::global_dof_index) const
+    {
+      Assert(false, ExcNotImplemented());
+      return 0.;
+    }
+
+    /** Takes over springs and held nodes of this level. */
+    void
+    set_contact(const ContactRows &rows);
+
+    /** Zero for all prescribed degrees of freedom. */
+    template <typename AnyNumber>
+    void
+    zero_prescribed(LevelVector<AnyNumber> &vector) const
+    {
+      for (const unsigned int entry : prescribed)
+        vector.local_element(entry) = 0.;
+    }
+
+  private:
+    const MultigridLevels<dim, Number> &levels;
+    const unsigned int                  level;
+    const Field::Block                  field;
+    const double                        mass;      ///< factor of $M$, $M_u$
+    const double                        stiffness; ///< of $K+kB$, $S$
+    const double                        scale;
+    std::vector<unsigned int>           prescribed; ///< local entries
+
+    /** Local entries with the stiffness of their springs, over the scale. */
+    std::vector<std::pair<unsigned int, Number>> springs;
+  };
+} // namespace ThermoContact
+
+#endif

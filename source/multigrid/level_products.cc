@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/multigrid/lanes.h>
+#include <thermocontact/multigrid/level_products.h>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Values of the nodes of a batch, components behind each other. */
+    template <int n_components, typename Number>
+    inline void
+    gather(const Number       *x,
+           const unsigned int *positions,
+           const unsigned int *strides,
+           const unsigned int  n_nodes,
+           Lanes<Number>      *values)
+    {
+      constexpr unsigned int n_lanes = Lanes<Number>::n_lanes;
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        for (unsigned int c = 0; c < n_components; ++c)
+          {
+            Lanes<Number> value{};
+            for (unsigned int lane = 0; lane < n_lanes; ++lane)
+              value.data[lane] =
+                x[positions[i * n_lanes + lane] + c * strides[i]];
+            values[c * n_nodes + i] = value;
+          }
+    }
+
+
+
+    /** Adds those of the first @p n_cells lanes. */
+    template <int n_components, typename Number>
+    inline void
+    scatter(const Lanes<Number> *values,
+            const unsigned int  *positions,
+            const unsigned int  *strides,
+            const unsigned int   n_nodes,
+            const unsigned int   n_cells,
+            Number              *y)
+    {
+      constexpr unsigned int n_lanes = Lanes<Number>::n_lanes;
+      const auto add = [&](const unsigned int i, const unsigned int lane) {
+        for (unsigned int c = 0; c < n_components; ++c)
+          y[positions[i * n_lanes + lane] + c * strides[i]] +=
+            values[c * n_nodes + i].data[lane];
+      };
+      if (n_cells == n_lanes)
+        for (unsigned int i = 0; i < n_nodes; ++i)
+          for (unsigned int lane = 0; lane < n_lanes; ++lane)
+            add(i, lane);
+      else
+        for (unsigned int i = 0; i < n_nodes; ++i)
+          for (unsigned int lane = 0; lane < n_cells; ++lane)
+            add(i, lane);
+    }
+
+
+
+    /** Names for parts of a scratch array, one array of a cell each. */
+    template <int dim, typename Number>
+    std::array<std::array<Lanes<Number> *, dim>, dim>
+    gradients_in(Lanes<Number> *scratch, const unsigned int n_nodes)
+    {
+      std::array<std::array<Lanes<Number> *, dim>, dim> gradients;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          gradients[c][d] = scratch + (c * dim + d) * n_nodes;
+      return gradients;
+    }
+
+
+
+    /** What a point contributes to the momentum, with its factors. */
+    template <typename Number>
+    struct MomentumPoint
+    {
+      Lanes<Number> mass[3];
+      Lanes<Number> mu;
+      Lanes<Number> lambda;
+      Lanes<Number> hoop; ///< strain per displacement along y
+    };
+
+
+
+    /**
+     * Replaces displacement and gradient at a quadrature point by what the test
+     * functions and their derivatives are multiplied by.
+     */
+    template <int dim, bool is_radial, typename Number>
+    inline __attribute__((always_inline)) void
+    momentum_at_point(
+      const MomentumPoint<Number>                             &point,
+      const Lanes<Number>                                     *inverse_size,
+      const std::array<Lanes<Number> *, dim>                  &u,
+      const std::array<std::array<Lanes<Number> *, dim>, dim> &gradient,
+      const unsigned int                                       q)
+    {
+      Lanes<Number> e[dim][dim];
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          e[c][d] = gradient[c][d][q] * inverse_size[d];
+      Lanes<Number> dilatation = e[0][0] + e[1][1];
+      if constexpr (dim == 3)
+        dilatation += e[2][2];
+      const Lanes<Number> strain =
+        is_radial ? point.hoop * u[1][q] : Lanes<Number>{};
+      if constexpr (is_radial)
+        dilatation += strain;
+      const Lanes<Number> pressure = point.lambda * dilatation;
+      for (unsigned int c = 0; c < dim; ++c)
+        u[c][q] *= point.mass[c];
+      if constexpr (is_radial)
+        u[1][q] += point.hoop * (point.mu * (strain + strain) + pressure);
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          gradient[c][c][q] =
+            (point.mu * (e[c][c] + e[c][c]) + pressure) * inverse_size[c];
+          for (unsigned int d = c + 1; d < dim; ++d)
+            {
+              const Lanes<Number> shear = point.mu * (e[c][d] + e[d][c]);
+              gradient[c][d][q]         = shear * inverse_size[d];
+              gradient[d][c][q]         = shear * inverse_size[c];
+            }
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim, typename Number>
+  template <int n_static>
+  void
+  LevelProducts<dim, Number>::heat_on_cells(const double         mass,
+                                            const double         conduction,
+                                            LevelVector<Number> &y,
+                                            const LevelVector<Number> &x) const
+  {
+    using Batched              = Lanes<Number>;
+    const int          n_line  = n_static > 0 ? n_static : int(n);
+    const unsigned int n_point = power_of(n_line, dim);
+    const FieldCells  &cells   = fields[Field::temperature];
+    Batched           *theta   = reinterpret_cast<Batched *>(scratch.begin());
+    const std::array<Batched *, dim> gradient =
+      gradients_in<dim>(theta + n_point, n_point)[0];
+    const Batched *points    = Batched::in(weights.begin());
+    const Number   mass_part = has_lumped_mass ? 0. : mass;
+    const Number   flow_part = conduction;
+    for (unsigned int b = 0; b < batches.size(); ++b)
+      {
+        const Batch        &batch = batches[b];
+        const unsigned int *positions =
+          cells.positions.data() + b * n_point * n_lanes;
+        gather<1>(x.begin(), positions, strides.data(), n_point, theta);
+        apply_along_all<dim, n_static>(Batched::in(values.begin()),
+                                       theta,
+                                       n_line);
+        differentiate<dim, n_static>(Batched::in(derivatives.begin()),
+                                     theta,
+                                     gradient,
+                                     n_line);
+        const Batched  volume = *Batched::in(batch.volume.data());
+        const Batched *radii  = Batched::in(radial.begin()) + 2 * b * n_line;
+        Batched        factor[dim];
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            factor[d] = *Batched::in(batch.inverse_size[d].data());
+            factor[d] *= factor[d] * flow_part;
+          }
+        for (unsigned int q = 0; q < n_point; ++q)
+          {
+            Batched weight = points[q] * volume;
+            if (!radial.empty())
+              weight *= radii[2 * (q / n_line)];
+            theta[q] *= weight * mass_part;
+            for (unsigned int d = 0; d < dim; ++d)
+              gradient[d][q] *= weight * factor[d];
+          }
+        add_transposed<dim, n_static>(
+          Batched::in(derivatives_transposed.begin()), gradient, theta, n_line);
+        apply_along_all<dim, n_static>(Batched::in(values_transposed.begin()),
+                                       theta,
+                                       n_line);
+        scatter<1>(
+          theta, positions, strides.data(), n_point, batch.n_cells, y.begin());
+      }
+  }
+
+
+
+  template <int dim, typename Number>
+  template <int n_static, bool is_radial>
+  void
+  LevelProducts<dim, Number>::momentum_on_cells(
+    const double               mass,
+    const double               stiffness,
+    LevelVector<Number>       &y,
+    const LevelVector<Number> &x) const
+  {
+    using Batched                = Lanes<Number>;
+    const int          n_line    = n_static > 0 ? n_static : int(n);
+    const unsigned int n_point   = power_of(n_line, dim);
+    const FieldCells  &cells     = fields[Field::displacement];
+    Batched           *values_at = reinterpret_cast<Batched *>(scratch.begin());
+    std::array<Batched *, dim> u;
+    for (unsigned int c = 0; c < dim; ++c)
+      u[c] = values_at + c * n_point;
+    const auto     gradient  = gradients_in<dim>(u[0] + dim * n_point, n_point);
+    const Batched *points    = Batched::in(weights.begin());
+    const Number   mass_part = has_lumped_mass ? 0. : mass;
+    const Number   mu        = 0.5 * stiffness * material.two_mu;
+    const Number   lambda    = stiffness * material.lambda;
+    for (unsigned int b = 0; b < batches.size(); ++b)
+      {
+        const Batch        &batch = batches[b];
+        const unsigned int *positions =
+          cells.positions.data() + b * n_point * n_lanes;
+        gather<dim>(x.begin(), positions, strides.data(), n_point, values_at);
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            apply_along_all<dim, n_static>(Batched::in(values.begin()),
+                                           u[c],
+                                           n_line);
+            differentiate<dim, n_static>(Batched::in(derivatives.begin()),
+                                         u[c],
+                                         gradient[c],
+                                         n_line);
+          }
+        const Batched  volume = *Batched::in(batch.volume.data());
+        const Batched *radii  = Batched::in(radial.begin()) + 2 * b * n_line;
+        Batched        inverse_size[dim];
+        for (unsigned int d = 0; d < dim; ++d)
+          inverse_size[d] = *Batched::in(batch.inverse_size[d].data());
+        for (unsigned int q = 0; q < n_point; ++q)
+          {
+            Batched weight = points[q] * volume;
+            if constexpr (is_radial)
+              weight *= radii[2 * (q / n_line)];
+            MomentumPoint<Number> point;
+            point.mass[0] = weight * (batch.has_axial_mass ? mass_part : 0);
+            point.mass[1] = point.mass[2] = weight * mass_part;
+            point.mu                      = weight * mu;
+            point.lambda                  = weight * lambda;
+            if constexpr (is_radial)
+              point.hoop = radii[2 * (q / n_line) + 1];
+            momentum_at_point<dim, is_radial>(
+              point, inverse_size, u, gradient, q);
+          }
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            add_transposed<dim, n_static>(Batched::in(
+                                            derivatives_transposed.begin()),
+                                          gradient[c],
+                                          u[c],
+                                          n_line);
+            apply_along_all<dim, n_static>(
+              Batched::in(values_transposed.begin()), u[c], n_line);
+          }
+        scatter<dim>(values_at,
+                     positions,
+                     strides.data(),
+                     n_point,
+                     batch.n_cells,
+                     y.begin());
+      }
+  }
+
+
+
+  template <int dim, typename Number>
+  template <int n_static>
+  void
+  LevelProducts<dim, Number>::add_cells(const Field::Block         field,
+                                        const double               mass,
+                                        const double               stiffness,
+                                        LevelVector<Number>       &y,
+                                        const LevelVector<Number> &x) const
+  {
+    if (field == Field::temperature)
+      heat_on_cells<n_static>(mass, stiffness, y, x);
+    else if (dim == 2 && !radial.empty())
+      momentum_on_cells<n_static, dim == 2>(mass, stiffness, y, x);
+    else
+      momentum_on_cells<n_static, false>(mass, stiffness, y, x);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  LevelProducts<dim, Number>::vmult(const Field::Block         field,
+                                    const double               mass,
+                                    const double               stiffness,
+                                    LevelVector<Number>       &y,
+                                    const LevelVector<Number> &x) const
+  {
+    const FieldCells &cells = fields[field];
+    y                       = Number();
+    x.update_ghost_values();
+    if (n == 2)
+      add_cells<2>(field, mass, stiffness, y, x);
+    else if (n == 3)
+      add_cells<3>(field, mass, stiffness, y, x);
+    else if (n == 5)
+      add_cells<5>(field, mass, stiffness, y, x);
+    else
+      add_cells<0>(field, mass, stiffness, y, x);
+    const Number factor = field == Field::temperature ? stiffness : mass;
+    for (const Entry &entry : cells.at_end)
+      y.begin()[entry.row] += factor * entry.value * x.begin()[entry.column];
+    x.zero_out_ghost_values();
+    y.compress(VectorOperation::add);
+    if (cells.lumped_mass.size() > 0)
+      for (unsigned int i = 0; i < y.locally_owned_size(); ++i)
+        y.local_element(i) += Number(mass) *
+                              cells.lumped_mass.local_element(i) *
+                              x.local_element(i);
+  }
+
+
+
+  template class LevelProducts<2, float>;
+  template class LevelProducts<2, double>;
+  template class LevelProducts<3, float>;
+  template class LevelProducts<3, double>;
+} // namespace ThermoContact

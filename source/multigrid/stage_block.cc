@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/multigrid/stage_block.h>
+
+namespace ThermoContact
+{
+  template <int dim, typename Number>
+  StageBlock<dim, Number>::StageBlock(
+    const MultigridLevels<dim, Number> &levels,
+    const unsigned int                  level,
+    const Field::Block                  field,
+    const double                        tau,
+    const double                        scale)
+    : levels(levels)
+    , level(level)
+    , field(field)
+    , mass(
+        (field == Field::temperature ? 1. : levels.scene().material.inertia) /
+        scale)
+    , stiffness(tau *
+                (field == Field::temperature ?
+                   1. :
+                   tau + levels.scene().material.viscosity) /
+                scale)
+    , scale(scale)
+    , prescribed(levels.discretization(level).constrained_entries(field))
+  {}
+
+
+
+  template <int dim, typename Number>
+  void
+  StageBlock<dim, Number>::vmult(LevelVector<Number>       &y,
+                                 const LevelVector<Number> &x) const
+  {
+    levels.products(level).vmult(field, mass, stiffness, y, x);
+    for (const auto &[entry, spring] : springs)
+      y.local_element(entry) += spring * x.local_element(entry);
+    zero_prescribed(y);
+  }
+
+
+
+  template <int dim, typename Number>
+  Vector
+  StageBlock<dim, Number>::diagonal() const
+  {
+    const LevelField<dim, Number> &parts = levels.field(level, field);
+    Vector                         result(parts.mass);
+    result.sadd(mass, stiffness, parts.stiffness);
+    for (const auto &[entry, spring] : springs)
+      result.local_element(entry) += spring;
+    for (const unsigned int entry : prescribed)
+      result.local_element(entry) = 1.;
+    return result;
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  StageBlock<dim, Number>::set_contact(const ContactRows &rows)
+  {
+    prescribed = levels.discretization(level).constrained_entries(field);
+    springs.clear();
+    for (unsigned int i = 0; i < rows.springs.locally_owned_size(); ++i)
+      if (rows.springs.local_element(i) > 0.)
+        springs.emplace_back(i, rows.springs.local_element(i) / scale);
+    for (unsigned int i = 0; i < rows.held.locally_owned_size(); ++i)
+      if (rows.held.local_element(i) > 0.)
+        prescribed.push_back(i);
+  }
+
+
+
+  template class StageBlock<2, float>;
+  template class StageBlock<2, double>;
+  template class StageBlock<3, float>;
+  template class StageBlock<3, double>;
+} // namespace ThermoContact
