@@ -6,9 +6,11 @@
 #include <thermocontact/scene/contact_checks.h>
 #include <thermocontact/scene/drive_checks.h>
 #include <thermocontact/scene/mass_checks.h>
+#include <thermocontact/scene/refusal.h>
 #include <thermocontact/scene/scales_checks.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
+#include <thermocontact/scene/time_checks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,59 +20,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /**
-     * Throws for an entry whose value a pattern accepts but the program does
-     * not.
-     */
-    template <typename Value>
-    [[noreturn]] void
-    refuse(const std::string &path,
-           const Value       &value,
-           const std::string &allowed,
-           const std::string &remedy)
-    {
-      std::ostringstream message;
-      message << path << " = " << value << "\n  allowed: " << allowed
-              << "\n  remedy:  " << remedy;
-      throw InputError(message.str());
-    }
-
-
-
-    void
-    check_start(const Scene &scene)
-    {
-      const Parameters     &parameters = scene.parameters;
-      const TimeParameters &time       = parameters.time;
-      const bool            is_paper   = time.start == "paper";
-      if (is_paper && !scene.scheme.is_of_paper)
-        refuse("Time/Start",
-               time.start,
-               "consistent or automatic, since Time/Scheme = " + time.scheme,
-               "the prescribed first step of the paper is of order 1");
-      if (is_paper && !scene.material.has_inertia())
-        refuse("Time/Start",
-               time.start,
-               "consistent or automatic, since Model/Inertia = 0",
-               "Time/Start = automatic: a body without inertia has no velocity "
-               "to start with");
-      if (is_paper && !scene.heat.exchange->is_constant())
-        refuse("Time/Start",
-               time.start,
-               "consistent or automatic, since Boundary/Heat exchange is an "
-               "expression",
-               "Time/Start = automatic: the heat equation alone does not know "
-               "the pressure");
-      if (is_paper && parameters.contact.massless_nodes == "on")
-        refuse("Time/Start",
-               time.start,
-               "consistent or automatic, since Contact/Massless nodes = on",
-               "Contact/Massless nodes = automatic, which leaves the paper's "
-               "start its mass");
-    }
-
-
-
     void
     check_scheme(const Scene &scene)
     {
@@ -171,55 +120,6 @@ namespace ThermoContact
                "false or automatic, since Solver/Step solver = fixed point",
                "Solver/Step solver = monolithic, which can hold a contact "
                "state fixed");
-    }
-
-
-
-    void
-    check_error_control(const Scene &scene)
-    {
-      const TimeParameters &time = scene.parameters.time;
-      if (!scene.scheme.has_error_estimate)
-        refuse("Time/Step size",
-               "automatic",
-               "a number, since Time/Scheme = " + time.scheme +
-                 " has no error estimate",
-               "Time/Step size = 0.001, or Time/Scheme = " +
-                 default_scheme().name);
-      if (time.first_step_size && !(*time.first_step_size > 0.))
-        refuse("Time/First step size",
-               *time.first_step_size,
-               "dt > 0",
-               "Time/First step size = automatic");
-      if (time.first_step_size &&
-          *time.first_step_size < time.minimum_step_size)
-        refuse("Time/First step size",
-               *time.first_step_size,
-               "not below Time/Minimum step size",
-               "Time/First step size = automatic");
-      if (!(time.maximum_step_size > 0.) ||
-          time.maximum_step_size < time.minimum_step_size)
-        refuse("Time/Maximum step size",
-               time.maximum_step_size,
-               "positive and not below Time/Minimum step size",
-               "Time/Maximum step size = infinity");
-    }
-
-
-
-    void
-    check_fixed_steps(const TimeParameters &time)
-    {
-      if (!(*time.step_size > 0.))
-        refuse("Time/Step size",
-               *time.step_size,
-               "dt > 0, or automatic",
-               "the paper uses 0.001");
-      if (time.end_time / *time.step_size > 1e9)
-        refuse("Time/Step size",
-               *time.step_size,
-               "at most 1e9 steps up to Time/End time",
-               "enlarge the step or shorten the run");
     }
 
 
@@ -369,10 +269,7 @@ namespace ThermoContact
     parse_probe_positions(parameters.output.probes,
                           parameters.dimension,
                           parameters.mesh.width);
-    if (parameters.time.has_error_control())
-      check_error_control(scene);
-    else
-      check_fixed_steps(parameters.time);
+    check_step_sizes(scene);
     check_start(scene);
     check_exchange(scene);
     check_drives(scene);
