@@ -171,6 +171,9 @@ namespace ThermoContact
   {
     if (dim > 1 && body.law().is_active())
       contact_face.emplace(directory, "contact", units.of("time"));
+    if constexpr (dim == 1)
+      if (RodSnapshot::is_for(body) && !units.is_si())
+        rod_snapshot.emplace(body);
   }
 
 
@@ -195,6 +198,34 @@ namespace ThermoContact
   template <int dim>
   void
   FieldOutput<dim>::write(const State &state)
+  {
+    DataOutBase::VtkFlags flags;
+    flags.time  = units.of("time")(state.time);
+    flags.cycle = times().size();
+    flags.physical_units =
+      units_of_arrays({"temperature", "displacement", "velocity", "stress"},
+                      "fields/fields-*.vtu",
+                      units);
+    flags.print_date_and_time = false;
+    flags.compression_level   = DataOutBase::VtkFlags::best_speed;
+
+    std::string fault =
+      rod_snapshot ?
+        write_parts_atomically(fields.next_path(),
+                               {rod_snapshot->file(state, flags.cycle)},
+                               discretization.communicator()) :
+        write_patches(state, flags);
+    if (fault.empty())
+      fault = write_others(state, flags);
+    throw_everywhere<ComputationError>(fault, discretization.communicator());
+  }
+
+
+
+  template <int dim>
+  std::string
+  FieldOutput<dim>::write_patches(const State                 &state,
+                                  const DataOutBase::VtkFlags &flags)
   {
     std::vector<std::string>    names;
     std::vector<Interpretation> interpretation;
@@ -234,21 +265,8 @@ namespace ThermoContact
         data_out.add_data_vector(strain, stress_postprocessor);
       }
 
-    DataOutBase::VtkFlags flags;
-    flags.time  = units.of("time")(state.time);
-    flags.cycle = times().size();
-    flags.physical_units =
-      units_of_arrays({"temperature", "displacement", "velocity", "stress"},
-                      "fields/fields-*.vtu",
-                      units);
-    flags.print_date_and_time = false;
-    flags.compression_level   = DataOutBase::VtkFlags::best_speed;
-
-    std::string fault =
-      write_fields(data_out.vtu_pieces(discretization, flags, units), flags);
-    if (fault.empty())
-      fault = write_others(state, flags);
-    throw_everywhere<ComputationError>(fault, discretization.communicator());
+    return write_fields(data_out.vtu_pieces(discretization, flags, units),
+                        flags);
   }
 
 

@@ -5,7 +5,6 @@
 #include <thermocontact/output/snapshot_series.h>
 
 #include <cstdio>
-#include <sstream>
 
 namespace ThermoContact
 {
@@ -27,20 +26,26 @@ namespace ThermoContact
 
 
 
+  void
+  SnapshotSeries::add(const double time)
+  {
+    entries += "    <DataSet timestep=\"";
+    append_number(entries, time_unit(time), all_digits);
+    entries +=
+      "\" group=\"\" part=\"0\" file=\"" + file_name(times_.size()) + "\"/>\n";
+    times_.push_back(time);
+  }
+
+
+
   std::string
   SnapshotSeries::write_pvd() const
   {
-    std::ostringstream text;
-    text << "<?xml version=\"1.0\"?>\n"
-            "<VTKFile type=\"Collection\" version=\"0.1\">\n"
-            "  <Collection>\n";
-    for (unsigned int i = 0; i < times_.size(); ++i)
-      text << "    <DataSet timestep=\""
-           << significant(time_unit(times_[i]), all_digits)
-           << "\" group=\"\" part=\"0\" file=\"" << file_name(i) << "\"/>\n";
-    text << "  </Collection>\n</VTKFile>\n";
-
-    return write_atomically(directory + "/" + name + ".pvd", text.str());
+    return write_atomically(directory + "/" + name + ".pvd",
+                            "<?xml version=\"1.0\"?>\n"
+                            "<VTKFile type=\"Collection\" version=\"0.1\">\n"
+                            "  <Collection>\n" +
+                              entries + "  </Collection>\n</VTKFile>\n");
   }
 
 
@@ -48,7 +53,10 @@ namespace ThermoContact
   void
   SnapshotSeries::restore(const std::vector<double> &times)
   {
-    times_   = times;
+    times_.clear();
+    entries.clear();
+    for (const double time : times)
+      add(time);
     n_synced = times.size(); // before the checkpoint was written
   }
 

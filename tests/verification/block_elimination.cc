@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Blocks along the rod against sparse factors (KLU), two independent solutions
-// of the same equations: Solver/Linear solver = automatic, direct. Of all
-// columns of contact.csv, at the same number of step ends, the largest
+// Blocks along the rod against sparse factors (KLU) with a correction, two
+// independent solutions of the same systems, whose right-hand sides are the
+// same products (tests/unit/rod.cc): Solver/Linear solver = automatic, direct.
+// Of all columns of contact.csv, at the same number of step ends, the largest
 // difference is at most 1e-11 of the largest value of the column (of the
 // energy's terms, for the balances), whatever the scheme, the fields, the
 // degree, the mesh, the law, the mass. A coupling of 1e5 makes blocks grow by

@@ -4,6 +4,7 @@
 #define thermocontact_output_field_output_h
 
 #include <thermocontact/output/output_units.h>
+#include <thermocontact/output/rod_snapshot.h>
 #include <thermocontact/output/snapshot_series.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
@@ -75,6 +76,7 @@ namespace ThermoContact
     const OutputUnits             units;
     SnapshotSeries                fields;
     std::optional<SnapshotSeries> contact_face; ///< if there is one
+    std::optional<RodSnapshot>    rod_snapshot; ///< of a rod of few cells
 
     /** Both, as far as they are there. */
     std::vector<SnapshotSeries *>
@@ -86,6 +88,11 @@ namespace ThermoContact
      */
     BlockVector
     joined(const Vector &temperature, const Vector &displacement) const;
+
+    /** Writes the fields by DataOut; returns what is wrong, as the next. */
+    std::string
+    write_patches(const State                         &state,
+                  const dealii::DataOutBase::VtkFlags &flags);
 
     /**
      * Writes the fields from this rank's pieces; returns what is wrong, on all

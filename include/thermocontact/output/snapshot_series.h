@@ -41,10 +41,7 @@ namespace ThermoContact
 
     /** That snapshot is there, of a state at @p time. */
     void
-    add(const double time)
-    {
-      times_.push_back(time);
-    }
+    add(const double time);
 
     /** Writes the PVD file; returns what is wrong, or nothing. On one rank. */
     std::string
@@ -73,6 +70,7 @@ namespace ThermoContact
     const std::string   name;
     const Conversion    time_unit;
     std::vector<double> times_;
+    std::string         entries;      ///< of the PVD file
     unsigned int        n_synced = 0; ///< snapshots
 
     /** File of snapshot @p i, from the output directory. */
