@@ -2,8 +2,11 @@
 
 #include <thermocontact/multigrid/chebyshev_smoother.h>
 
-#include <deal.II/lac/diagonal_matrix.h>
-#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/tridiagonal_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -13,6 +16,32 @@ namespace ThermoContact
     constexpr double smoothing_range = 15.;
 
     constexpr unsigned int n_estimate_iterations = 12;
+
+    /** Of an estimate, which is from below. */
+    constexpr double safety = 1.2;
+
+    /** Where squares of residuals in single precision are rounding. */
+    constexpr double rounding_of_squares = 1e-10;
+
+
+
+    /** Of a symmetric tridiagonal matrix; 1 if it is empty. */
+    double
+    largest_eigenvalue(const std::vector<double> &diagonal,
+                       const std::vector<double> &off_diagonal)
+    {
+      if (diagonal.empty())
+        return 1.;
+      TridiagonalMatrix<double> matrix(diagonal.size(), true);
+      for (unsigned int i = 0; i < diagonal.size(); ++i)
+        {
+          matrix(i, i) = diagonal[i];
+          if (i + 1 < diagonal.size())
+            matrix(i, i + 1) = off_diagonal[i];
+        }
+      matrix.compute_eigenvalues();
+      return matrix.eigenvalue(diagonal.size() - 1);
+    }
   } // namespace
 
 
@@ -46,21 +75,37 @@ namespace ThermoContact
   void
   ChebyshevSmoother<dim, Number>::estimate_eigenvalue()
   {
-    using Diagonal = DiagonalMatrix<LevelVector<Number>>;
-    using Estimate = PreconditionChebyshev<StageBlock<dim, Number>,
-                                           LevelVector<Number>,
-                                           Diagonal>;
-    typename Estimate::AdditionalData data;
-    data.smoothing_range              = smoothing_range;
-    data.eig_cg_n_iterations          = n_estimate_iterations;
-    data.preconditioner               = std::make_shared<Diagonal>();
-    data.preconditioner->get_vector() = inverse_diagonal;
-    Estimate estimate;
-    estimate.initialize(block, data);
-    const double largest =
-      estimate.estimate_eigenvalues(inverse_diagonal).max_eigenvalue_estimate;
-    theta = 0.5 * (largest + largest / smoothing_range);
-    delta = 0.5 * (largest - largest / smoothing_range);
+    // conjugate gradients, which find the ends of the spectrum first; they end
+    // at the rounding of Number, where a block is next to its diagonal
+    LevelVector<Number> r(block.make_vector()), z(r), p(r), product(r);
+    const auto          first = r.get_partitioner()->local_range().first;
+    for (unsigned int i = 0; i < r.locally_owned_size(); ++i)
+      r.local_element(i) = Number((first + i) % 11) - 5;
+    block.zero_prescribed(r);
+    z = r;
+    z.scale(inverse_diagonal);
+    p                            = z;
+    double              rz       = r * z;
+    const double        smallest = rounding_of_squares * rz;
+    std::vector<double> diagonal, off_diagonal;
+    double              beta_over_alpha = 0.;
+    while (diagonal.size() < n_estimate_iterations && rz > smallest)
+      {
+        block.vmult(product, p);
+        const double alpha = rz / (p * product);
+        r.add(-alpha, product);
+        z = r;
+        z.scale(inverse_diagonal);
+        const double next = r * z, beta = next / rz;
+        diagonal.push_back(1. / alpha + beta_over_alpha);
+        off_diagonal.push_back(std::sqrt(std::max(beta, 0.)) / alpha);
+        beta_over_alpha = beta / alpha;
+        rz              = next;
+        p.sadd(beta, z);
+      }
+    const double largest = safety * largest_eigenvalue(diagonal, off_diagonal);
+    theta                = 0.5 * (largest + largest / smoothing_range);
+    delta                = 0.5 * (largest - largest / smoothing_range);
   }
 
 

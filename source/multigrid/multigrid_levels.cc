@@ -160,14 +160,18 @@ namespace ThermoContact
     if (body.scene.fields.has_temperature)
       {
         LevelField<dim, Number> &heat = level.fields[Field::temperature];
-        heat.mass                     = products.heat_diagonal({1., 0.});
-        heat.stiffness                = products.heat_diagonal({0., 1.});
+        heat.mass                     = heat.stiffness =
+          level.products->make_vector(Field::temperature);
+        copy_values(heat.mass, products.heat_diagonal({1., 0.}));
+        copy_values(heat.stiffness, products.heat_diagonal({0., 1.}));
       }
     if (body.scene.fields.has_displacement)
       {
         LevelField<dim, Number> &momentum = level.fields[Field::displacement];
-        momentum.mass      = products.momentum_diagonal({1., 0.});
-        momentum.stiffness = products.momentum_diagonal({0., 1.});
+        momentum.mass                     = momentum.stiffness =
+          level.products->make_vector(Field::displacement);
+        copy_values(momentum.mass, products.momentum_diagonal({1., 0.}));
+        copy_values(momentum.stiffness, products.momentum_diagonal({0., 1.}));
       }
   }
 

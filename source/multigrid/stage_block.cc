@@ -46,8 +46,10 @@ namespace ThermoContact
   StageBlock<dim, Number>::diagonal() const
   {
     const LevelField<dim, Number> &parts = levels.field(level, field);
-    Vector                         result(parts.mass);
-    result.sadd(mass, stiffness, parts.stiffness);
+    Vector result(levels.spaces(level).make_vector(field));
+    for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
+      result.local_element(i) = mass * parts.mass.local_element(i) +
+                                stiffness * parts.stiffness.local_element(i);
     for (const auto &[entry, spring] : springs)
       result.local_element(entry) += spring;
     for (const unsigned int entry : prescribed)

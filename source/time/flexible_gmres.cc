@@ -13,11 +13,10 @@ namespace ThermoContact
 
 
   void
-  FlexibleGmres::set_basis(const unsigned int j, const double norm)
+  FlexibleGmres::extend_basis()
   {
-    if (basis.size() <= j)
-      basis.emplace_back(residual);
-    basis[j].equ(norm > 0. ? 1. / norm : 0., residual);
+    basis.push_back(residual);
+    basis.back() *= residual_norm > 0. ? 1. / residual_norm : 0.;
   }
 
 
@@ -25,27 +24,24 @@ namespace ThermoContact
   void
   FlexibleGmres::start(const double norm)
   {
+    basis.clear();
+    directions.clear();
     columns.clear();
     rotations.clear();
     projected.assign(1, norm);
-    set_basis(0, norm);
+    residual_norm = norm;
   }
 
 
 
   void
-  FlexibleGmres::keep_direction(const unsigned int j)
+  FlexibleGmres::keep_direction()
   {
-    if (directions.size() <= j)
-      {
-        Direction kept;
-        kept.values.reinit(direction.n_blocks());
-        for (unsigned int i = 0; i < direction.n_blocks(); ++i)
-          kept.values.block(i).reinit(direction.block(i).get_partitioner());
-        kept.values.collect_sizes();
-        directions.push_back(std::move(kept));
-      }
-    Direction &kept = directions[j];
+    Direction kept;
+    kept.values.reinit(direction.n_blocks());
+    for (unsigned int i = 0; i < direction.n_blocks(); ++i)
+      kept.values.block(i).reinit(direction.block(i).get_partitioner());
+    kept.values.collect_sizes();
     for (unsigned int i = 0; i < direction.n_blocks(); ++i)
       {
         Vector      &values  = direction.block(i);
@@ -59,6 +55,7 @@ namespace ThermoContact
               kept.scales[i] * double(rounded.local_element(k));
           }
       }
+    directions.push_back(std::move(kept));
   }
 
 
@@ -72,8 +69,7 @@ namespace ThermoContact
       column[i] = residual.add_and_dot(-column[i - 1], basis[i - 1], basis[i]);
     column[j + 1] =
       std::sqrt(residual.add_and_dot(-column[j], basis[j], residual));
-    if (j + 1 < max_directions)
-      set_basis(j + 1, column[j + 1]);
+    residual_norm = column[j + 1];
     columns.push_back(std::move(column));
   }
 

@@ -54,10 +54,11 @@ namespace ThermoContact
   class IterativeStage<dim>::Preconditioner
   {
   public:
-    explicit Preconditioner(const IterativeStage &stage)
+    /** @param scratch of the layout of the unknowns; both are borrowed */
+    Preconditioner(const IterativeStage &stage, BlockVector &scratch)
       : stage(stage)
-      , rhs(stage.rhs.block(Field::displacement))
-      , heat_rhs(stage.rhs.block(Field::temperature))
+      , rhs(scratch.block(Field::displacement))
+      , heat_rhs(scratch.block(Field::temperature))
     {}
 
     void
@@ -92,8 +93,8 @@ namespace ThermoContact
 
   private:
     const IterativeStage &stage;
-    mutable Vector        rhs;
-    mutable Vector        heat_rhs;
+    Vector               &rhs;
+    Vector               &heat_rhs;
   };
 
 
@@ -102,16 +103,17 @@ namespace ThermoContact
   unsigned int
   IterativeStage<dim>::add_correction(const double tolerance)
   {
-    const FlexibleGmres::Result result = krylov.solve(Matrix(*this),
-                                                      Preconditioner(*this),
-                                                      tolerance,
-                                                      max_iterations,
-                                                      scaled_residual,
-                                                      correction);
+    has_residual = false; // its place is used
+    const FlexibleGmres::Result result =
+      krylov.solve(Matrix(*this),
+                   Preconditioner(*this, residual),
+                   tolerance,
+                   max_iterations,
+                   scaled_residual,
+                   correction);
     if (!(result.residual <= tolerance))
       give_up(result.residual, tolerance, result.n_iterations);
     solution += correction;
-    has_residual = false;
     return result.n_iterations;
   }
 

@@ -29,6 +29,15 @@ namespace ThermoContact
 
 
     void
+    scale_by(const LevelVector<float> &factors, Vector &vector)
+    {
+      for (unsigned int i = 0; i < vector.locally_owned_size(); ++i)
+        vector.local_element(i) *= factors.local_element(i);
+    }
+
+
+
+    void
     raise_to(std::array<double, 2>       &sizes,
              const std::array<double, 2> &others,
              const double                 factor = 1.)
@@ -78,8 +87,9 @@ namespace ThermoContact
         body.equations.conduction().vmult(flow, known.temperature);
         size = std::max(size, tau * norm(flow));
         flow.copy_locally_owned_data_from(known.temperature);
-        flow.scale(
-          levels.field(levels.n_levels() - 1, Field::temperature).stiffness);
+        scale_by(
+          levels.field(levels.n_levels() - 1, Field::temperature).stiffness,
+          flow);
         size = std::max(size,
                         tau * epsilon / body.scene.linear_solver.tolerance *
                           norm(flow));
@@ -154,7 +164,7 @@ namespace ThermoContact
     raise_to(sizes, {{0., momentum_sizes(rows)[1]}});
     // Nothing is solved for that is rounding of the right-hand side.
     rows.copy_locally_owned_data_from(known.displacement);
-    rows.scale(levels.field(finest, Field::displacement).stiffness);
+    scale_by(levels.field(finest, Field::displacement).stiffness, rows);
     raise_to(sizes,
              momentum_sizes(rows),
              tau * epsilon / body.scene.linear_solver.tolerance);

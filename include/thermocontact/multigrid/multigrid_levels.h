@@ -23,8 +23,8 @@ namespace ThermoContact
     MGTwoLevelTransfer<dim, LevelVector<Number>> transfer;
 
     /** Diagonals of mass and stiffness (conduction). */
-    Vector mass;
-    Vector stiffness;
+    LevelVector<Number> mass;
+    LevelVector<Number> stiffness;
 
     /** What a V-cycle works with, of all stage lengths in turn. */
     mutable LevelVector<Number> right;

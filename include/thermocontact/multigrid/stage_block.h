@@ -6,8 +6,6 @@
 #include <thermocontact/multigrid/coarse_solver.h>
 #include <thermocontact/multigrid/multigrid_levels.h>
 
-#include <deal.II/base/subscriptor.h>
-
 #include <utility>
 #include <vector>
 
@@ -20,7 +18,7 @@ namespace ThermoContact
    * vectors are zero there, and so are products.
    */
   template <int dim, typename Number>
-  class StageBlock : public Subscriptor
+  class StageBlock
   {
   public:
     /** @param levels borrowed */
@@ -41,20 +39,6 @@ namespace ThermoContact
     make_vector() const
     {
       return levels.products(level).make_vector(field);
-    }
-
-    types::global_dof_index
-    m() const
-    {
-      return levels.spaces(level).dof_handler(field).n_dofs();
-    }
-
-    /** Asked for by deal.II where there is no diagonal; here there is one. */
-    Number
-    el(const types::global_dof_index, const types::global_dof_index) const
-    {
-      Assert(false, ExcNotImplemented());
-      return 0.;
     }
 
     /** Takes over springs and held nodes of this level. */

@@ -64,6 +64,7 @@ namespace ThermoContact
     std::vector<BlockVector> basis;
     std::vector<Direction>   directions;
     BlockVector              residual, direction; ///< to work with
+    double                   residual_norm = 0.;
 
     /** Rotated columns of the Hessenberg matrix, and the rotations. */
     std::vector<std::vector<double>>   columns;
@@ -72,9 +73,9 @@ namespace ThermoContact
 
     /** Rounds the present direction and keeps it. */
     void
-    keep_direction(const unsigned int j);
+    keep_direction();
 
-    /** Makes what the matrix has made of it the next one of the basis. */
+    /** Makes what the matrix has made of it orthogonal to the basis. */
     void
     orthogonalize(const unsigned int j);
 
@@ -86,13 +87,13 @@ namespace ThermoContact
     void
     add_solution(const unsigned int n, BlockVector &x) const;
 
-    /** The first vector of the basis, from the residual of that norm. */
+    /** Begins with the residual of that norm. */
     void
     start(const double norm);
 
-    /** Makes room for a vector of the basis. */
+    /** The residual over its norm is the next vector of the basis. */
     void
-    set_basis(const unsigned int j, const double norm);
+    extend_basis();
   };
 
 
@@ -118,8 +119,9 @@ namespace ThermoContact
                result.n_iterations < max_iterations;
              ++n, ++result.n_iterations)
           {
+            extend_basis();
             preconditioner.vmult(direction, basis[n]);
-            keep_direction(n);
+            keep_direction();
             matrix.vmult(residual, direction);
             orthogonalize(n);
             result.residual = rotate(n);
@@ -135,6 +137,8 @@ namespace ThermoContact
     // they would add to what is there while a step is written
     basis.clear();
     directions.clear();
+    residual  = BlockVector();
+    direction = BlockVector();
     return result;
   }
 } // namespace ThermoContact
