@@ -12,9 +12,9 @@ namespace ThermoContact
   namespace
   {
     [[noreturn]] void
-    refuse(const Scene       &scene,
-           const std::string &reason,
-           const std::string &remedy)
+    refuse_mass(const Scene       &scene,
+                const std::string &reason,
+                const std::string &remedy)
     {
       throw InputError(text("Mesh/Mass matrix = ",
                             scene.parameters.mesh.mass_matrix,
@@ -35,37 +35,40 @@ namespace ThermoContact
       };
       const std::string consistent = "Mesh/Mass matrix = consistent";
       if (parameters.dimension > 1)
-        refuse(scene,
-               since(text("Dimension = ", parameters.dimension)),
-               consistent + ": the rule is for waves along a rod");
+        refuse_mass(scene,
+                    since(text("Dimension = ", parameters.dimension)),
+                    consistent + ": the rule is for waves along a rod");
       if (!scene.fields.has_displacement)
-        refuse(scene,
-               since("Model/Fields = " + parameters.model.fields),
-               consistent + ": the rule is for waves");
+        refuse_mass(scene,
+                    since("Model/Fields = " + parameters.model.fields),
+                    consistent + ": the rule is for waves");
       if (!scene.scheme.has_midpoint_rule)
-        refuse(scene,
-               since("Time/Scheme = " + parameters.time.scheme),
-               "Time/Scheme = energy conserving, whose rule in time is that of "
-               "the mass in space");
+        refuse_mass(
+          scene,
+          since("Time/Scheme = " + parameters.time.scheme),
+          "Time/Scheme = energy conserving, whose rule in time is that of "
+          "the mass in space");
       if (parameters.mesh.degree != 1)
-        refuse(scene,
-               since(text("Mesh/Degree = ", parameters.mesh.degree)),
-               "Mesh/Degree = 1: one point to a cell sees no more");
+        refuse_mass(scene,
+                    since(text("Mesh/Degree = ", parameters.mesh.degree)),
+                    "Mesh/Degree = 1: one point to a cell sees no more");
       if (parameters.mesh.grading != 1.)
-        refuse(scene,
-               since(text("Mesh/Grading = ", parameters.mesh.grading)),
-               "Mesh/Grading = 1: a wave passes all cells in the same time");
+        refuse_mass(
+          scene,
+          since(text("Mesh/Grading = ", parameters.mesh.grading)),
+          "Mesh/Grading = 1: a wave passes all cells in the same time");
       if (scene.material.has_viscosity())
-        refuse(
+        refuse_mass(
           scene,
           since(text("Model/Viscosity = ", parameters.model.viscosity)),
           "Model/Viscosity = 0: no step is free of dispersion in a viscous "
           "rod");
       if (parameters.contact.massless_nodes == "on")
-        refuse(scene,
-               since("Contact/Massless nodes = on"),
-               "Contact/Massless nodes = automatic: the contact node keeps its "
-               "mass");
+        refuse_mass(
+          scene,
+          since("Contact/Massless nodes = on"),
+          "Contact/Massless nodes = automatic: the contact node keeps its "
+          "mass");
     }
 
 
@@ -86,10 +89,11 @@ namespace ThermoContact
   {
     const Parameters &parameters = scene.parameters;
     if (scene.has_lumped_mass && !scene.geometry->has_uniform_weight())
-      refuse(scene,
-             ", since Mesh/Geometry = " + parameters.mesh.geometry,
-             "Mesh/Mass matrix = consistent: lumped nodes on the axis would "
-             "have no mass");
+      refuse_mass(
+        scene,
+        ", since Mesh/Geometry = " + parameters.mesh.geometry,
+        "Mesh/Mass matrix = consistent: lumped nodes on the axis would "
+        "have no mass");
     if (scene.has_midpoint_mass)
       check_midpoint_mass(scene);
   }
