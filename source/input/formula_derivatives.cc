@@ -144,7 +144,7 @@ namespace ThermoContact
       {
         const Jet result = choice();
         if (skip_blanks() != '\0')
-          refuse(std::string("'") + *next + "'");
+          cannot_read(std::string("'") + *next + "'");
         return result;
       }
 
@@ -155,7 +155,7 @@ namespace ThermoContact
 
 
       [[noreturn]] static void
-      refuse(const std::string &what)
+      cannot_read(const std::string &what)
       {
         throw std::invalid_argument(what);
       }
@@ -188,7 +188,7 @@ namespace ThermoContact
       need(const std::string &sign)
       {
         if (!takes(sign))
-          refuse("what should be '" + sign + "'");
+          cannot_read("what should be '" + sign + "'");
       }
 
 
@@ -322,7 +322,7 @@ namespace ThermoContact
             char        *end    = nullptr;
             const double number = std::strtod(next, &end);
             if (end == next)
-              refuse("'.'");
+              cannot_read("'.'");
             next = end;
             return Jet(number);
           }
@@ -338,7 +338,7 @@ namespace ThermoContact
           return Jet(dealii::numbers::PI);
         if (name == "_e")
           return Jet(dealii::numbers::E);
-        refuse("'" + name + "'");
+        cannot_read("'" + name + "'");
       }
 
 
@@ -373,7 +373,7 @@ namespace ThermoContact
           return result;
         if (name == "avg")
           return result / static_cast<double>(x.size());
-        refuse("the function " + name + "()");
+        cannot_read("the function " + name + "()");
       }
     };
   } // namespace

@@ -99,10 +99,14 @@ namespace ThermoContact
         const double time = end_time * i / n_times;
         if (std::abs(differentiate(expression.text, time).value - value(time)) >
             1e-9 * largest)
-          refuse_formula(expression,
-                         ThermoContact::text("the value at t = ",
-                                             time,
-                                             " is not that of its formula"));
+          throw ComputationError(ThermoContact::text(
+            expression.path,
+            " = ",
+            quote(expression.text),
+            ": at t = ",
+            time,
+            " the formula that is differentiated has another value"
+            "\n  remedy:  parentheses, or other functions"));
       }
   }
 } // namespace ThermoContact

@@ -105,6 +105,15 @@ namespace ThermoContact
                          });
       return is_near(distance(*nearest), path) ? nearest->path : "";
     }
+
+
+
+    /** Sections that files with a rod in units have alone. */
+    bool
+    is_section_of_units(const std::string &section)
+    {
+      return section == "Rod" || section == "Obstacle";
+    }
   } // namespace
 
 
@@ -136,7 +145,7 @@ namespace ThermoContact
         if (section.rfind(known + "/", 0) == 0)
           remedy = "close section " + known + " with 'end' first; ";
       }
-    if (section == "Rod" || section == "Obstacle")
+    if (is_section_of_units(section))
       remedy = "a rod in units is read by --units; ";
     throw InputError(place + ": there is no section " + quote(section, 60) +
                      "\n  remedy:  " + remedy + "sections are " + all);
@@ -149,7 +158,9 @@ namespace ThermoContact
                const std::vector<DeclaredEntry> &entries)
   {
     const std::string section = section_of(assignment.path);
-    const std::string near    = suggest_path(assignment.path, entries);
+    const std::string near    = is_section_of_units(section) ?
+                                  "" :
+                                  suggest_path(assignment.path, entries);
     const std::string all     = list_entries(section, entries);
     if (near.empty())
       check_section(assignment.place, section, entries);

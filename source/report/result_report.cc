@@ -32,13 +32,13 @@ namespace ThermoContact
       if (!durations.empty() && durations.size() <= few)
         for (const std::string &duration : durations)
           line += (line.empty() ? ", for " : ", ") + duration;
-      return line +
-             (events.size() > 1 && (durations.size() > 1 || record.in_contact) ?
-                text(", in contact altogether ",
-                     units.text("time",
-                                contact_duration(
-                                  events, record.in_contact, record.time))) :
-                "");
+      return line + (durations.size() > 1 || record.in_contact ?
+                       text(", in contact altogether ",
+                            units.text("time",
+                                       contact_duration(events,
+                                                        record.in_contact,
+                                                        record.time))) :
+                       "");
     }
 
 

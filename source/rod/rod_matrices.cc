@@ -30,6 +30,22 @@ namespace ThermoContact
         }
       return true;
     }
+
+
+
+    /** Whether the sum of all entries is what rounding leaves of zero. */
+    bool
+    add_up_to_zero(const double *entries, const unsigned int n_entries)
+    {
+      double sum = 0., largest = 0.;
+      for (unsigned int i = 0; i < n_entries; ++i)
+        {
+          sum += entries[i];
+          largest = std::max(largest, std::abs(entries[i]));
+        }
+      return std::abs(sum) <=
+             n_entries * std::numeric_limits<double>::epsilon() * largest;
+    }
   } // namespace
 
 
@@ -57,7 +73,11 @@ namespace ThermoContact
             ++runs_.back().end;
             continue;
           }
-        runs_.push_back({cell, cell + 1, entries_.size()});
+        runs_.push_back(
+          {cell,
+           cell + 1,
+           entries_.size(),
+           add_up_to_zero(of_cell.data() + conduction * n * n, n * n)});
         entries_.insert(entries_.end(), of_cell.begin(), of_cell.end());
       }
   }
@@ -68,7 +88,7 @@ namespace ThermoContact
   RodMatrices::is_of_differences(const Run &run, const Matrix matrix) const
   {
     if (matrix == conduction)
-      return run.end < layout_.n_cells || run.end > run.begin + 1;
+      return run.loses_no_heat;
     return matrix == divergence || matrix == stiffness ||
            matrix == viscous_stiffness;
   }

@@ -161,16 +161,7 @@ namespace ThermoContact
                    "Study/Keep files"},
                   "Study/Vary = (empty)");
     unused.add_if(!parameters.scales.is_given(),
-                  {"Output/SI",
-                   "Scales/Length",
-                   "Scales/Time",
-                   "Scales/Displacement",
-                   "Scales/Stress",
-                   "Scales/Area",
-                   "Scales/Temperature",
-                   "Scales/Reference temperature",
-                   "Scales/Time unit",
-                   "Scales/Temperature unit"},
+                  {"Output/SI", "Scales/Time unit", "Scales/Temperature unit"},
                   "Scales/Length = none");
     unused.add_if(!scene.is_fixed_point,
                   {"Solver/Fixed point tolerance",

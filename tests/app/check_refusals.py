@@ -28,6 +28,9 @@ EXCHANGE = ("Boundary/Heat exchange=1+gap",)
 MIDPOINT = CONSERVING + ("Mesh/Mass matrix=midpoint",)
 WAVES = ("Mesh/Degree=1", "Model/Viscosity=0")
 
+SCALES = tuple(f"Scales/{name}=2" for name in (
+    "Length", "Time", "Stress", "Area", "Temperature", "Reference temperature"))
+
 # entry at fault, what the scenes share, what is refused, its accepted neighbours
 SCENES = [
     ("Model/Poisson ratio", PLANE, "Model/Poisson ratio=-1",
@@ -96,6 +99,10 @@ SCENES = [
      "Boundary/Fixed end displacement=t^2",
      ("Boundary/Fixed end displacement=t^2", "Time/Start=automatic"),
      "Boundary/Fixed end temperature=t^2"),
+    # units of results
+    ("Scales/Time", (), "Scales/Length=2", SCALES),
+    ("Scales/Temperature", (), SCALES[:-2], SCALES[:-2] + ("Model/Fields=displacement",)),
+    ("Scales/Area", SCALES, "Scales/Area=0", "Scales/Area=1e-9"),
     # times of steps
     ("Time/Break points", (), "Time/Break points=0.5;-1", "Time/Break points=0.5;1"),
     ("Time/Break points", (), "Time/Break points=0.5,1", "Time/Break points=0.5",

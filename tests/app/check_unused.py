@@ -32,6 +32,7 @@ VALUES = {
     "Time/Locate contact events": "true", "Solver/Fixed point tolerance": "1e-9",
     "Solver/Fixed point iterations": "50", "Solver/Linear tolerance": "1e-8",
     "Output/Land on output times": "true",
+    "Output/SI": "false", "Scales/Time unit": "ms", "Scales/Temperature unit": "C",
     "Study/Reference": "Time/Tolerance = 1e-9", "Study/Repetitions": "2",
     "Study/Target error": "1e-3", "Study/Keep files": "true",
 }
@@ -40,6 +41,8 @@ QUIET = ("Output/Fields interval=0",)
 STEPS = "Time/Step size=0.01"
 STUDY = ("Study/Vary=Mesh/Cells = 4 | 8", "Study/Reference=Time/Tolerance = 1e-9")
 PLANE = "Dimension=2"
+SCALES = tuple(f"Scales/{name}=2" for name in (
+    "Length", "Time", "Stress", "Area", "Temperature", "Reference temperature"))
 MECHANICAL = """Model/Inertia; Model/Viscosity; Model/Coupling;
      Model/Thermoelastic heating; Model/Poisson ratio;
      Boundary/Lateral support; Boundary/Fixed end support;
@@ -86,6 +89,8 @@ SCENES = [
      ("Output/Fields interval=1",), QUIET + ("Output/Space-time interval=1",)),
     ("Study/Vary = (empty)", """Study/Reference; Study/Repetitions; Study/Target error;
      Study/Keep files""", (), STUDY),
+    ("Scales/Length = none", "Output/SI; Scales/Time unit; Scales/Temperature unit", (),
+     SCALES),
     ("Solver/Step solver = monolithic",
      "Solver/Fixed point tolerance; Solver/Fixed point iterations", (),
      ("Solver/Step solver=fixed point", "Time/Scheme=backward euler", STEPS)),

@@ -64,7 +64,7 @@ def arguments(text):
     result = []
     for part in parts:
         joined = re.sub(r'"\s*"', "", part)  # of lines that follow each other
-        words = [word.encode().decode("unicode_escape")
+        words = [word.encode("latin-1", "backslashreplace").decode("unicode_escape")
                  for word in re.findall(r'"((?:\\.|[^"\\])*)"', joined)]
         code = re.sub(r'"(?:\\.|[^"\\])*"', "", part)
         result.append((words, "?" in code))

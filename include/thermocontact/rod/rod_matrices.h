@@ -129,7 +129,8 @@ namespace ThermoContact
     {
       unsigned int begin;
       unsigned int end;
-      std::size_t  first_entry; ///< of the first matrix
+      std::size_t  first_entry;   ///< of the first matrix
+      bool         loses_no_heat; ///< neither by its sides nor to an obstacle
     };
 
     const std::vector<Run> &
@@ -142,8 +143,8 @@ namespace ThermoContact
      * True if the product with a constant is zero in exact arithmetic, as that
      * of a stiffness: products of cells of higher degree are then those with
      * the differences to the left vertex, and entries whose sums are rounding
-     * leave no force on a rod that does not strain. Not in the last cell, where
-     * conduction has the heat exchange.
+     * leave no force on a rod that does not strain. Conduction is not one where
+     * it has a heat exchange, with the obstacle or along the rod.
      */
     bool
     is_of_differences(const Run &run, const Matrix matrix) const;
