@@ -196,15 +196,18 @@ namespace ThermoContact
                progress.observe(s);
              },
              [&](const Simulation<dim> &s) { checkpointer.observe(s); }});
+          output.finish();
           if (simulation.parameters().output.has_error_bars)
             {
+              // what there is if the repeats come to nothing
+              finish_times();
+              write_summary(summary, "done", simulation, times);
               const StopWatch watch(times.repeats);
               errors = error_bars<dim>(
                 simulation,
                 [&]() { checkpointer.observe_signal(simulation); },
                 log);
             }
-          output.finish();
         }
       catch (const ComputationError &error)
         {

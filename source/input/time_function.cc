@@ -79,6 +79,16 @@ namespace ThermoContact
 
 
 
+  bool
+  TimeFunction::starts_with_unbounded_rate(const double end_time) const
+  {
+    const double near = std::abs(derivatives(1e-14 * end_time).first);
+    const double far  = std::abs(derivatives(1e-10 * end_time).first);
+    return !(near <= 2. * far) && near > 0.;
+  }
+
+
+
   double
   TimeFunction::largest_value(const double end_time) const
   {

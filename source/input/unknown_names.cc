@@ -158,10 +158,10 @@ namespace ThermoContact
                const std::vector<DeclaredEntry> &entries)
   {
     const std::string section = section_of(assignment.path);
-    const std::string near    = is_section_of_units(section) ?
+    const std::string all     = list_entries(section, entries);
+    const std::string near    = all.empty() && is_section_of_units(section) ?
                                   "" :
                                   suggest_path(assignment.path, entries);
-    const std::string all     = list_entries(section, entries);
     if (near.empty())
       check_section(assignment.place, section, entries);
     const std::string fault =

@@ -2,6 +2,8 @@
 
 #include <thermocontact/multigrid/stage_block.h>
 
+#include <algorithm>
+
 namespace ThermoContact
 {
   template <int dim, typename Number>
@@ -59,6 +61,11 @@ namespace ThermoContact
 
 
 
+  // Beyond it a node is held, and single precision ends at 3e38.
+  constexpr double stiffest_spring = 1e30;
+
+
+
   template <int dim, typename Number>
   void
   StageBlock<dim, Number>::set_contact(const ContactRows &rows)
@@ -67,7 +74,9 @@ namespace ThermoContact
     springs.clear();
     for (unsigned int i = 0; i < rows.springs.locally_owned_size(); ++i)
       if (rows.springs.local_element(i) > 0.)
-        springs.emplace_back(i, rows.springs.local_element(i) / scale);
+        springs.emplace_back(i,
+                             std::min(rows.springs.local_element(i) / scale,
+                                      stiffest_spring));
     for (unsigned int i = 0; i < rows.held.locally_owned_size(); ++i)
       if (rows.held.local_element(i) > 0.)
         prescribed.push_back(i);

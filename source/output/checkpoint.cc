@@ -28,7 +28,8 @@ namespace ThermoContact
                                               "Output/Fields interval",
                                               "Output/Contact interval",
                                               "Output/Space-time interval",
-                                              "Output/Checkpoint interval"};
+                                              "Output/Checkpoint interval",
+                                              "Output/Error bars"};
 
 
 

@@ -161,11 +161,13 @@ namespace ThermoContact
                        "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
                        "byte_order=\"";
     file += byte_order();
-    file += text("\">\n<UnstructuredGrid>\n<FieldData>\n"
-                 "<DataArray type=\"Float32\" Name=\"CYCLE\" "
-                 "NumberOfTuples=\"1\" format=\"ascii\">",
-                 cycle,
-                 "</DataArray>\n<DataArray type=\"Float32\" Name=\"TIME\" "
+    file += "\">\n<UnstructuredGrid>\n<FieldData>\n";
+    if (cycle > 0) // as DataOut
+      file += text("<DataArray type=\"Float32\" Name=\"CYCLE\" "
+                   "NumberOfTuples=\"1\" format=\"ascii\">",
+                   cycle,
+                   "</DataArray>\n");
+    file += text("<DataArray type=\"Float32\" Name=\"TIME\" "
                  "NumberOfTuples=\"1\" format=\"ascii\">",
                  state.time,
                  "</DataArray>\n</FieldData>\n");

@@ -108,24 +108,27 @@ namespace ThermoContact
                             record.energy - record.dissipation -
                             record.contact_dissipation -
                             record.numerical_dissipation;
-      return text(in(initial_energy),
-                  " at first + work ",
-                  in(record.work),
-                  " = ",
-                  in(record.energy),
-                  " + dissipated ",
-                  in(record.dissipation),
-                  record.contact_dissipation == 0. ?
-                    "" :
-                    text(" + taken by the obstacle ",
-                         in(record.contact_dissipation)),
-                  " + lost to the scheme ",
-                  in(record.numerical_dissipation),
-                  record.algebraic == 0. ?
-                    "" :
-                    text("; brought in by residuals ", in(record.algebraic, 2)),
-                  "; defect ",
-                  in(defect, 2));
+      return text(
+        in(initial_energy),
+        " at first + work ",
+        in(record.work),
+        " = ",
+        in(record.energy),
+        " + dissipated ",
+        in(record.dissipation),
+        record.lateral_dissipation == 0. ?
+          "" :
+          text(" (", in(record.lateral_dissipation), " to the surroundings)"),
+        record.contact_dissipation == 0. ?
+          "" :
+          text(" + taken by the obstacle ", in(record.contact_dissipation)),
+        " + lost to the scheme ",
+        in(record.numerical_dissipation),
+        record.algebraic == 0. ?
+          "" :
+          text("; brought in by residuals ", in(record.algebraic, 2)),
+        "; defect ",
+        in(defect, 2));
     }
 
 

@@ -28,6 +28,7 @@ namespace ThermoContact
       time.maximum_step_size *= factor;
       if (time.first_step_size)
         *time.first_step_size *= factor;
+      parameters.output.period *= factor;
       if (parameters.output.land_on_times)
         for (double *const interval : {&parameters.output.fields_interval,
                                        &parameters.output.contact_interval,

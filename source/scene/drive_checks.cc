@@ -40,6 +40,10 @@ namespace ThermoContact
                     text("zero at t = 0, where it is ", start),
                     "subtract that: displacements are relative to where the "
                     "end is at the start");
+    if (motion.starts_with_unbounded_rate(time.end_time))
+      refuse_motion(motion,
+                    "a velocity that stays finite at t = 0",
+                    "a motion that begins like t or t^2");
     if (!scene.scheme.needs_resting_end.empty())
       refuse_motion(motion,
                     "0, since Time/Scheme = " + scene.scheme.name,

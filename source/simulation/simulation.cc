@@ -212,7 +212,8 @@ namespace ThermoContact
       {
         result.failure = error.what();
       }
-    if (result.failure.empty() && !std::isfinite(result.energy.sum()))
+    if (result.failure.empty() &&
+        !std::isfinite(result.energy.sum() + result.work + result.dissipation))
       result.failure = "the solution is not finite\n  remedy:  smaller initial "
                        "values and sources, or a smaller Time/Step size";
     result.state.jump_time = start.jump_time; // no stage moves it at once

@@ -193,6 +193,15 @@ namespace ThermoContact
                    time.break_points.begin(),
                    time.break_points.end());
       const ScannedLoad scanned = scan_load(load.sample, time.end_time, named);
+      if (!load.no_jump.empty() && scanned.is_infinite)
+        throw InputError(text(load.path,
+                              " = ",
+                              quote(load.expression),
+                              ": is not finite at t = ",
+                              scanned.time,
+                              "\n  allowed: functions that are continuous"
+                              "\n  remedy:  a function that is finite up to "
+                              "Time/End time"));
       if (!load.no_jump.empty())
         for (const LoadBreak &at : scanned.history.breaks)
           if (at.is_jump)

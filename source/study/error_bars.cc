@@ -66,13 +66,13 @@ namespace ThermoContact
           {
             throw;
           }
-        catch (const std::runtime_error &error)
+        catch (const std::bad_alloc &)
           {
-            const std::string reason = error.what();
-            errors.remarks.push_back(text("error bars: the repeat with ",
-                                          scene.words,
-                                          " fails: ",
-                                          reason.substr(0, reason.find('\n'))));
+            add_failure(scene, "there is not enough memory");
+          }
+        catch (const std::exception &error)
+          {
+            add_failure(scene, error.what());
           }
         return {};
       }
@@ -83,6 +83,15 @@ namespace ThermoContact
       Log                         &log;
       KeyErrors                   &errors;
       const KeyValues              values;
+
+      void
+      add_failure(const CoarserScene &scene, const std::string &reason)
+      {
+        errors.remarks.push_back(text("error bars: the repeat with ",
+                                      scene.words,
+                                      " fails: ",
+                                      reason.substr(0, reason.find('\n'))));
+      }
     };
 
 

@@ -230,10 +230,12 @@ namespace
     record.time         = 0.1;
     record.energy       = std::nan("");
     const auto add_rows = [&]() {
+      const CsvColumns<StepRecord> columns =
+        contact_columns(Scene(Parameters()));
       const unsigned long before = n_allocations;
       for (unsigned int i = 0; i < 100; ++i)
         {
-          add_row(contact_columns(1), record, file);
+          add_row(columns, record, file);
           add_row(event_columns(), EventRow(), file);
           add_row(attempt_columns(), StepAttempt(), file);
         }

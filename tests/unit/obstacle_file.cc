@@ -48,7 +48,7 @@ main(int argc, char **argv)
   const Scene          scene(parameters);
   const Body<2>        body(scene, MPI_COMM_SELF);
   const ContactEnd<2> &end  = body.contact_end();
-  const std::string    file = obstacle_file(end);
+  const std::string    file = obstacle_file(end, OutputUnits(parameters));
 
   const std::vector<double> gaps   = numbers_of(file, "\"gap\"");
   const std::vector<double> points = numbers_of(file, "NumberOfComponents");
