@@ -10,6 +10,7 @@
 #include <thermocontact/output/checkpointer.h>
 #include <thermocontact/output/output.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/report/progress.h>
 #include <thermocontact/report/result_report.h>
 #include <thermocontact/report/scene_report.h>
@@ -22,7 +23,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 namespace ThermoContact
@@ -51,12 +51,14 @@ namespace ThermoContact
 
     /** Says where a run goes on. */
     void
-    report_resumption(const Checkpoint &checkpoint, Log &log)
+    report_resumption(const Checkpoint &checkpoint,
+                      const Parameters &parameters,
+                      Log              &log)
     {
-      std::ostringstream line;
-      line << "  resumed   at t = " << checkpoint.time << ", step "
-           << checkpoint.step;
-      log.line(line.str());
+      log.line(text("  resumed   at t = ",
+                    OutputUnits(parameters).text("time", checkpoint.time),
+                    ", step ",
+                    checkpoint.step));
       if (!checkpoint.warning.empty())
         log.line("  warning:  " + checkpoint.warning);
       if (checkpoint.version != version())
@@ -300,7 +302,7 @@ namespace ThermoContact
                                        communicator);
     report_program(Utilities::MPI::n_mpi_processes(communicator), log);
     if (checkpoint)
-      report_resumption(*checkpoint, log);
+      report_resumption(*checkpoint, parameters, log);
     report_scene(simulation, log);
     try
       {

@@ -17,10 +17,8 @@ namespace ThermoContact
 
     // Beyond 1e15 a coefficient leaves nothing of the others in a sum.
     const Double coefficient(0., 1e15);
-    const Double signed_coefficient(-1e15, 1e15);
-    const Double duration(0., 1e15);
-    const Double any_number(-std::numeric_limits<double>::max(),
-                            std::numeric_limits<double>::max());
+    const Double signed_coefficient(-1e15, 1e15),
+      duration(0., 1e15), any_number;
 
 
 

@@ -3,6 +3,7 @@
 #include <thermocontact/base/version.h>
 #include <thermocontact/output/checkpoint.h>
 #include <thermocontact/output/checkpointer.h>
+#include <thermocontact/output/output_units.h>
 
 #include <sstream>
 #include <utility>
@@ -70,9 +71,11 @@ namespace ThermoContact
     if (signal != 0)
       {
         std::ostringstream message;
-        message << name_of_signal(signal)
-                << " at t = " << simulation.record().time << ", step "
-                << simulation.record().step << "; the checkpoint is written";
+        message << name_of_signal(signal) << " at t = "
+                << OutputUnits(simulation.parameters())
+                     .text("time", simulation.record().time)
+                << ", step " << simulation.record().step
+                << "; the checkpoint is written";
         throw Interruption(message.str());
       }
   }

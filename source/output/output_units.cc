@@ -40,10 +40,8 @@ namespace ThermoContact
                                              reference - degree.zero_in_kelvin,
                                              degree.symbol};
     conversions["temperature difference"] = {scale, 0., "K"};
-    conversions["heat flux"] = {stress * displacement / length * length *
-                                  reference / (scale * seconds),
-                                0.,
-                                "W/m^2"};
+    conversions["heat flux"]              = {
+                   stress * displacement * reference / (scale * seconds), 0., "W/m^2"};
   }
 
 
