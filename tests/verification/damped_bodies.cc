@@ -30,47 +30,12 @@
 #include <utility>
 #include <vector>
 
-#include "../tests.h"
-
-#include "../overrides.h"
+#include "../recorded_run.h"
 
 using namespace ThermoContact;
 
 namespace
 {
-  std::string
-  number(const double value)
-  {
-    std::ostringstream text;
-    text.precision(17);
-    text << value;
-    return text.str();
-  }
-
-
-
-  struct Run
-  {
-    std::vector<StepRecord>   rows;
-    std::vector<ContactEvent> events;
-  };
-
-
-
-  template <int dim>
-  Run
-  run(const std::string &file, const Overrides &overrides)
-  {
-    Run             result;
-    Simulation<dim> simulation(read_parameters(file, overrides), MPI_COMM_SELF);
-    simulation.run(
-      {[&](const Simulation<dim> &s) { result.rows.push_back(s.record()); }});
-    result.events = simulation.events();
-    return result;
-  }
-
-
-
   Overrides
   law(const double m, const double c)
   {
@@ -88,7 +53,7 @@ namespace
 
 
   void
-  check_audit(const std::string &title, const Run &result)
+  check_audit(const std::string &title, const RecordedRun &result)
   {
     const std::vector<StepRecord> &rows = result.rows;
     double largest = 0., defect = 0., increase = 0., created = 0., given = 0.;
@@ -129,7 +94,7 @@ namespace
 
   /** Largest difference of columns, each in parts of its largest value. */
   double
-  difference(const Run &one, const Run &other)
+  difference(const RecordedRun &one, const RecordedRun &other)
   {
     if (one.rows.size() != other.rows.size())
       return 1.;
@@ -167,8 +132,8 @@ namespace
   void
   check_bodies()
   {
-    const Overrides scene = coarse + law(1.5, 0.3) + euler;
-    const Run       rod   = run<1>("", scene);
+    const Overrides   scene = coarse + law(1.5, 0.3) + euler;
+    const RecordedRun rod   = run<1>("", scene);
     deallog << "contact " << (rod.rows.back().contact_impulse > 0.)
             << ", strip equals rod to 1e-9 "
             << (difference(rod, run<2>("", scene + strip)) < 1e-9) << ", block "
@@ -188,15 +153,16 @@ namespace
   void
   check_start_in_contact()
   {
-    const Run         result = run<1>("",
-                              one_cell + law(1., 2.) +
-                                Overrides{"Model/Inertia=0",
-                                          "Model/Viscosity=0.5",
-                                          "Contact/Gap=-0.3",
-                                          "Contact/Compliance=0.4",
-                                          "Initial values/Displacement=-x/10",
-                                          "Time/End time=0.01"});
-    const StepRecord &first  = result.rows.front();
+    const RecordedRun result =
+      run<1>("",
+             one_cell + law(1., 2.) +
+               Overrides{"Model/Inertia=0",
+                         "Model/Viscosity=0.5",
+                         "Contact/Gap=-0.3",
+                         "Contact/Compliance=0.4",
+                         "Initial values/Displacement=-x/10",
+                         "Time/End time=0.01"});
+    const StepRecord &first = result.rows.front();
     deallog << "start in contact: velocity over -4/15 and force over 7/30, to "
             << "1e-12 "
             << (std::abs(first.velocity_end * -15. / 4. - 1.) < 1e-12) << ' '

@@ -27,50 +27,15 @@
 #include <utility>
 #include <vector>
 
-#include "../tests.h"
-
-#include "../overrides.h"
+#include "../recorded_run.h"
 
 using namespace ThermoContact;
 
 namespace
 {
-  std::string
-  number(const double value)
-  {
-    std::ostringstream text;
-    text.precision(17);
-    text << value;
-    return text.str();
-  }
-
-
-
-  struct Run
-  {
-    std::vector<StepRecord>   rows;
-    std::vector<ContactEvent> events;
-  };
-
-
-
-  template <int dim>
-  Run
-  run(const std::string &file, const Overrides &overrides)
-  {
-    Run             result;
-    Simulation<dim> simulation(read_parameters(file, overrides), MPI_COMM_SELF);
-    simulation.run(
-      {[&](const Simulation<dim> &s) { result.rows.push_back(s.record()); }});
-    result.events = simulation.events();
-    return result;
-  }
-
-
-
   /** The row of that time, which the run has. */
   const StepRecord &
-  row_at(const Run &result, const double time)
+  row_at(const RecordedRun &result, const double time)
   {
     return *std::min_element(result.rows.begin(),
                              result.rows.end(),
@@ -171,7 +136,7 @@ namespace
 
 
   double
-  value_of(const Run &result, const Reference &reference)
+  value_of(const RecordedRun &result, const Reference &reference)
   {
     const auto event = [&](const unsigned int i) {
       return i < result.events.size() ? result.events[i] : ContactEvent{-1.};
@@ -202,7 +167,7 @@ namespace
     for (const auto &[key, references] : read_references())
       {
         const auto &[name, m, c] = key;
-        const Run result         = run<1>("", scene_of(name) + law(m, c));
+        const RecordedRun result = run<1>("", scene_of(name) + law(m, c));
         std::map<std::string, double> largest;
         for (const Reference &reference : references)
           raise(largest[reference.quantity], std::abs(reference.value));

@@ -38,47 +38,12 @@
 #include <string>
 #include <vector>
 
-#include "../tests.h"
-
-#include "../overrides.h"
+#include "../recorded_run.h"
 
 using namespace ThermoContact;
 
 namespace
 {
-  std::string
-  number(const double value)
-  {
-    std::ostringstream text;
-    text.precision(17);
-    text << value;
-    return text.str();
-  }
-
-
-
-  struct Run
-  {
-    std::vector<StepRecord>   rows;
-    std::vector<ContactEvent> events;
-  };
-
-
-
-  template <int dim>
-  Run
-  run(const std::string &file, const Overrides &overrides)
-  {
-    Run             result;
-    Simulation<dim> simulation(read_parameters(file, overrides), MPI_COMM_SELF);
-    simulation.run(
-      {[&](const Simulation<dim> &s) { result.rows.push_back(s.record()); }});
-    result.events = simulation.events();
-    return result;
-  }
-
-
-
   const Overrides power{"Contact/Condition=power law"};
 
 
@@ -106,9 +71,10 @@ namespace
   {
     const std::string file = "paper/experiment-1.prm";
     const Overrides   end{"Time/End time=2"};
-    const Run         linear = run<1>(file, end);
-    const Run one = run<1>(file, end + power + Overrides{"Contact/Exponent=1"});
-    bool      is_same = linear.rows.size() == one.rows.size();
+    const RecordedRun linear = run<1>(file, end);
+    const RecordedRun one =
+      run<1>(file, end + power + Overrides{"Contact/Exponent=1"});
+    bool is_same = linear.rows.size() == one.rows.size();
     for (unsigned int i = 0; is_same && i < one.rows.size(); ++i)
       is_same = all_columns(linear.rows[i]) == all_columns(one.rows[i]);
     deallog << "m = 1: the same to the last bit " << is_same << ", contact "
@@ -221,7 +187,7 @@ namespace
 
   void
   check_audit(const std::string &title,
-              const Run         &result,
+              const RecordedRun &result,
               const bool         is_backward_euler)
   {
     const std::vector<StepRecord> &rows = result.rows;
@@ -272,9 +238,9 @@ namespace
     const Overrides scene =
       law(0.05, 1.5, 0.1) + euler +
       Overrides{"Mesh/Cells=4", "Mesh/Degree=2", "Time/End time=1"};
-    const Run rod   = run<1>("", scene);
-    const Run body  = run<2>("", scene + strip);
-    double    error = rod.rows.size() == body.rows.size() ? 0. : 1.;
+    const RecordedRun rod   = run<1>("", scene);
+    const RecordedRun body  = run<2>("", scene + strip);
+    double            error = rod.rows.size() == body.rows.size() ? 0. : 1.;
     for (unsigned int column = 0; column < 18; ++column)
       {
         double change = 0., largest = 1e-3;
@@ -295,18 +261,19 @@ namespace
   double
   end_of_preload(const std::string &scheme, const double step)
   {
-    const Run result = run<1>("",
-                              law(std::cbrt(0.1), 1.5, -0.2) +
-                                Overrides{"Model/Fields=displacement",
-                                          "Initial values/Displacement=-x/10",
-                                          "Initial values/Velocity=0",
-                                          "Sources/End traction=t^4/2",
-                                          "Time/Scheme=" + scheme,
-                                          "Time/Step size=" + number(step),
-                                          "Time/Start=consistent",
-                                          "Mesh/Cells=1",
-                                          "Mesh/Degree=2",
-                                          "Time/End time=1"});
+    const RecordedRun result =
+      run<1>("",
+             law(std::cbrt(0.1), 1.5, -0.2) +
+               Overrides{"Model/Fields=displacement",
+                         "Initial values/Displacement=-x/10",
+                         "Initial values/Velocity=0",
+                         "Sources/End traction=t^4/2",
+                         "Time/Scheme=" + scheme,
+                         "Time/Step size=" + number(step),
+                         "Time/Start=consistent",
+                         "Mesh/Cells=1",
+                         "Mesh/Degree=2",
+                         "Time/End time=1"});
     return result.rows.back().displacement_end;
   }
 
@@ -354,7 +321,7 @@ main(int argc, char **argv)
               true);
   check_strip();
   check_orders();
-  const Run elastic =
+  const RecordedRun elastic =
     run<1>("",
            law(0.05, 1.5, 0.1) + Overrides{"Model/Fields=displacement",
                                            "Model/Viscosity=0",

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_tests_recorded_run_h
+#define thermocontact_tests_recorded_run_h
+
+#include <thermocontact/simulation/simulation.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "overrides.h"
+#include "tests.h"
+
+namespace ThermoContact
+{
+  /** @p value as an override that is read back without loss. */
+  inline std::string
+  number(const double value)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << value;
+    return text.str();
+  }
+
+
+
+  /** What a run has shown: the record of each step, and its events. */
+  struct RecordedRun
+  {
+    std::vector<StepRecord>   rows;
+    std::vector<ContactEvent> events;
+  };
+
+
+
+  /** Runs a scene of prm, or the defaults if @p file is empty. */
+  template <int dim>
+  RecordedRun
+  run(const std::string &file, const Overrides &overrides)
+  {
+    RecordedRun     result;
+    Simulation<dim> simulation(read_parameters(file, overrides), MPI_COMM_SELF);
+    simulation.run(
+      {[&](const Simulation<dim> &s) { result.rows.push_back(s.record()); }});
+    result.events = simulation.events();
+    return result;
+  }
+} // namespace ThermoContact
+
+#endif
