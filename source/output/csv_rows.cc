@@ -74,7 +74,7 @@ namespace ThermoContact
 
 
   const CsvColumns<ContactEvent> &
-  event_columns()
+  event_columns(const bool has_sides)
   {
     static const CsvColumns<ContactEvent> columns = {
       {"time", &ContactEvent::time},
@@ -83,7 +83,14 @@ namespace ThermoContact
          return event.kind == ContactEvent::begin ? "begin" : "end";
        }},
       {"velocity", &ContactEvent::velocity}};
-    return columns;
+    static const CsvColumns<ContactEvent> with_sides = [] {
+      CsvColumns<ContactEvent> all = columns;
+      all.emplace_back("side", [](const ContactEvent &event) {
+        return event.side > 0 ? "front" : "rear";
+      });
+      return all;
+    }();
+    return has_sides ? with_sides : columns;
   }
 
 

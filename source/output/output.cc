@@ -31,6 +31,8 @@ namespace ThermoContact
     , columns(contact_columns(dim,
                               simulation.scene().linear_solver.is_iterative,
                               simulation.scene().contact.law->damping() > 0.))
+    , event_table(
+        event_columns(simulation.scene().contact.rear_gap.has_value()))
     , field_output(directory, simulation.body())
     , has_attempts(simulation.parameters().time.has_error_control() ||
                    simulation.parameters().time.locates_contact_events())
@@ -44,7 +46,7 @@ namespace ThermoContact
     const std::string   &title = simulation.parameters().title;
     const OutputProgress sizes = progress ? *progress : OutputProgress();
     open(columns, contact_file, "contact.csv", title, sizes.contact_size);
-    open(event_columns(), events_file, "events.csv", title, sizes.events_size);
+    open(event_table, events_file, "events.csv", title, sizes.events_size);
     if (has_attempts)
       open(attempt_columns(), steps_file, "steps.csv", title, sizes.steps_size);
     if (is_writer && parameters.fields_interval > 0.)
@@ -204,7 +206,7 @@ namespace ThermoContact
   Output<dim>::write_events(const std::vector<ContactEvent> &events)
   {
     for (; n_written_events < events.size(); ++n_written_events)
-      add_row(event_columns(), events[n_written_events], events_file);
+      add_row(event_table, events[n_written_events], events_file);
   }
 
 

@@ -40,7 +40,7 @@ namespace ThermoContact
          {"contact_force",
           "force",
           "pressure that the obstacle exerts, not negative; its mean over the "
-          "face"},
+          "face; that of a rear stop is negative"},
          {"contact_impulse",
           "force × time",
           "sum of force times step size, and of impacts on a rigid obstacle"},
@@ -103,7 +103,10 @@ namespace ThermoContact
          {"velocity",
           "velocity",
           "axial, of the contact end, before an impact, after a release; "
-          "positive towards the obstacle"}}};
+          "positive towards the obstacle"},
+         {"side",
+          "",
+          "two stops: `front`, or `rear` with `Contact/Rear gap`"}}};
     }
 
 

@@ -350,6 +350,7 @@ namespace ThermoContact
              "for a rigid obstacle set Contact/Condition = rigid");
     check_mass_matrix(scene);
     check_damping(scene);
+    check_rear_gap(scene);
     check_number_of_unknowns(parameters.mesh, parameters.dimension);
     parse_probe_positions(parameters.output.probes,
                           parameters.dimension,

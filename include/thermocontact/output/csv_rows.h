@@ -20,9 +20,9 @@ namespace ThermoContact
                   const bool         is_iterative = false,
                   const bool         is_damped    = false);
 
-  /** The columns of events.csv. */
+  /** The columns of events.csv; with two stops one more. */
   const CsvColumns<ContactEvent> &
-  event_columns();
+  event_columns(const bool has_sides = false);
 
   /** The columns of steps.csv. */
   const CsvColumns<StepAttempt> &

@@ -104,14 +104,16 @@ namespace ThermoContact
     const MPI_Comm                communicator;
     const bool                    is_writer;
     const CsvColumns<StepRecord> &columns; ///< of contact.csv
-    FieldOutput<dim>              field_output;
-    Timer                         field_timer;
-    Timer                         since_flush;
-    TableFile                     contact_file;
-    TableFile                     events_file;
-    TableFile                     steps_file;
-    const bool                    has_attempts; ///< steps that can be rejected
-    unsigned int                  n_written_events;
+
+    const CsvColumns<ContactEvent> &event_table; ///< of events.csv
+    FieldOutput<dim>                field_output;
+    Timer                           field_timer;
+    Timer                           since_flush;
+    TableFile                       contact_file;
+    TableFile                       events_file;
+    TableFile                       steps_file;
+    const bool   has_attempts; ///< steps that can be rejected
+    unsigned int n_written_events;
 
     /** Of columns that an earlier part of the run has left, for a later one. */
     std::uint64_t unused_space_time_size = 0;

@@ -7,6 +7,8 @@
 #include <thermocontact/space/loads.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
+#include <optional>
+
 namespace ThermoContact
 {
   /** The energy (M.8) term by term, per unit cross-section. */
@@ -144,6 +146,7 @@ namespace ThermoContact
     const Material                        &material;
     const SceneHeat                       &heat;
     const bool                             has_work_;
+    const std::optional<double>            rear_gap;
     Vector                                 steady_profile_;
     Vector                                 steady_stress; ///< $D^T\theta_s$
     mutable Vector                         heat_scratch;
@@ -156,6 +159,7 @@ namespace ThermoContact
     mutable std::vector<double>            end_temperature;
     mutable std::vector<double>            end_pressure;
     mutable std::vector<double>            old_end_pressure;
+    mutable std::vector<double>            rear_penetration;
 
     /** The terms of rank 0, on all ranks. */
     EnergyTerms
