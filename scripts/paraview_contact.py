@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy
 from paraview import servermanager
 from paraview.simple import XMLUnstructuredGridReader
-from plot_common import new_figure, save
+from plot_common import in_unit, new_figure, save
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-FIELDS = {"contact_pressure": ("contact pressure  $p$", "viridis"),
-          "gap": ("gap  $g - u$", "viridis_r")}
+FIELDS = {"contact_pressure": ("contact pressure  $p$", "viridis", "stress_end"),
+          "gap": ("gap  $g - u$", "viridis_r", "gap")}  # has the unit of that column
 
 
 def triangles_of(grid, n_points):
@@ -21,7 +21,7 @@ def triangles_of(grid, n_points):
                                                   middle], axis=1) for i in range(4)])
 
 
-def draw_face(figure, axes, points, cells, values, label, colours):
+def draw_face(figure, axes, points, cells, values, label, colours, unit):
     """A map of the face of a block, y to the right and z upwards."""
     quads, triangles = cells
     y, z, shown = (numpy.concatenate([v, v[quads].mean(axis=1)])
@@ -30,35 +30,42 @@ def draw_face(figure, axes, points, cells, values, label, colours):
     shown = axes.tripcolor(y, z, triangles, shown, cmap=colours, vmin=values.min(),
                            vmax=high, shading="gouraud", rasterized=True)
     axes.set_aspect("equal")
-    axes.set_xlabel("$y$")
-    axes.set_ylabel("$z$")
+    axes.set_xlabel(in_unit("$y$", unit))
+    axes.set_ylabel(in_unit("$z$", unit))
     axes.grid(False)
     figure.colorbar(shown, ax=axes, label=label, shrink=0.85)
 
 
-def draw_line(axes, y, values, label):
+def draw_line(axes, y, values, label, unit):
     """A curve over the end of a strip or the radius of a round rod."""
     order = numpy.argsort(y, kind="stable")
     axes.plot(y[order], values[order], label=label)
     axes.set_xlim(y.min(), y.max())
-    axes.set_xlabel("$y$")
+    axes.set_xlabel(in_unit("$y$", unit))
     axes.set_ylabel(label)
 
 
-def draw(path, time, picture, width):
-    """A panel for the pressure and one for the gap. In pixels."""
+def draw(path, time, picture, width, units=None):
+    """A panel for the pressure and one for the gap. In pixels.
+
+    units: of the columns of contact.csv, by name
+    """
+    units = units or {}
+    unit = units.get("displacement_end")
     reader = XMLUnstructuredGridReader(FileName=[path])
     reader.UpdatePipeline()
     grid = servermanager.Fetch(reader)
     points = vtk_to_numpy(grid.GetPoints().GetData())
     is_line = numpy.ptp(points[:, 2]) == 0
     figure = new_figure(7.6, 2.8 if is_line else 3.2)
-    for axes, (name, (label, colours)) in zip(figure.subplots(1, 2), FIELDS.items()):
+    for axes, (name, (label, colours, column)) in zip(figure.subplots(1, 2),
+                                                      FIELDS.items()):
+        label = in_unit(label, units.get(column))
         values = vtk_to_numpy(grid.GetPointData().GetArray(name))
         if is_line:
-            draw_line(axes, points[:, 1], values, label)
+            draw_line(axes, points[:, 1], values, label, unit)
         else:
             draw_face(figure, axes, points, triangles_of(grid, len(points)), values, label,
-                      colours)
-    figure.suptitle(f"contact end, t = {time:.3g}", fontsize="medium")
+                      colours, unit)
+    figure.suptitle(f"contact end, t = {time:.3g} {units.get('time', '')}".strip(), fontsize="medium")
     save(figure, Path(picture), width / figure.get_figwidth())

@@ -36,8 +36,11 @@ class Ranges:
     """What is to be known of all snapshots before one is drawn."""
 
     def __init__(self):
+        self.length = 1.  # of the body
         self.motion, self.reach, self.compression = 0., 0., 0.
         self.low, self.high = math.inf, -math.inf
+        # least and largest y and z, and of the displacement along them
+        self.sides, self.sideways = numpy.zeros((2, 2)), numpy.zeros((2, 2))
 
     def add(self, points, values, displacement):
         """
@@ -47,19 +50,28 @@ class Ranges:
         values = axial(values)
         self.low = min(self.low, values.min())
         self.high = max(self.high, values.max())
+        x = points[:, 0]
+        self.length = length = x.max()
+        self.sides = numpy.array([points[:, 1:3].min(0), points[:, 1:3].max(0)])
         if displacement is None:
             return
-        u, x = axial(displacement), points[:, 0]
-        places, of = numpy.unique(numpy.round(x, 6), return_inverse=True)
+        u = axial(displacement)
+        if displacement.ndim > 1:
+            across = displacement[:, 1:3]
+            self.sideways = numpy.array([
+                numpy.minimum(self.sideways[0], across.min(0)),
+                numpy.maximum(self.sideways[1], across.max(0))])
+        places, of = numpy.unique(numpy.round(x / length, 6), return_inverse=True)
+        places = places * length
         means = numpy.bincount(of, u) / numpy.bincount(of)
         strains = numpy.diff(means) / numpy.diff(places)
         self.motion = max(self.motion, abs(u).max())
-        self.reach = max(self.reach, u[x > 1 - 1e-6].max())
+        self.reach = max(self.reach, u[x > (1 - 1e-6) * length].max())
         self.compression = max(self.compression, -strains.min())
 
     def scale(self):
         """A third of the length; lengths shrink to a quarter at most."""
-        scale = 0.33 / self.motion if self.motion > 0 else 1.
+        scale = 0.33 * self.length / self.motion if self.motion > 0 else 1.
         if self.compression > 0:
             scale = min(scale, 0.75 / self.compression)
         power = 10. ** math.floor(math.log10(scale))
@@ -76,9 +88,15 @@ class Ranges:
 
         The obstacle is as thick as the end comes.
         """
-        begin = 1 + scale * gap if gap is not None else math.inf
-        back = 1 + scale * self.reach
-        return (begin, max(begin, back) + 0.03) if begin <= 2 else (None, back)
+        begin = self.length + scale * gap if gap is not None else math.inf
+        back = self.length + scale * self.reach
+        return (begin, max(begin, back) + 0.03 * self.length) if begin <= \
+            2 * self.length else (None, back)
+
+    def box_across(self, scale):
+        """Least and largest y and z of the moved body at all times, at least of
+        the body at rest."""
+        return self.sides + scale * self.sideways
 
 
 def nearest(times, time):
@@ -93,13 +111,22 @@ def times_of_pictures(times, marks, n_frames):
     return pictures, times[::stride] if n_frames else []
 
 
+def same_snapshots(pictures):
+    """What is to be said of the first contact and the peak, by their times: they
+    may be one snapshot."""
+    marks = [pictures.get(name) for name in ("first-contact", "peak")]
+    return f"first-contact and peak are one snapshot, t = {marks[0]:g}: a shorter " \
+        "Output/Fields interval tells them apart" if marks[0] is not None and \
+        marks[0] == marks[1] else ""
+
+
 def scale_label(scale):
     return f"displacement \u00d7 {scale:g}"
 
 
-def time_labels(times):
+def time_labels(times, unit=""):
     """By time; two decimals, or as many as tell the times apart."""
     spacing = (times[-1] - times[0]) / max(1, len(times) - 1)
     n = next((n for n in range(2, 16) if all(
         abs(float(f"{t:.{n}f}") - t) <= 0.1 * spacing for t in times)), 16)
-    return {t: f"t = {t:.{n}f}" for t in times}
+    return {t: f"t = {t:.{n}f}{' ' * bool(unit)}{unit}" for t in times}

@@ -17,7 +17,8 @@ from paraview_numbers import (Ranges, field_of, scale_label, time_labels,
                               times_of_pictures)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-RADIUS = 0.05  # of the rod
+RADIUS = 0.05  # of the rod, in its lengths
+BAR = 0.24  # width of what stands beside the scene, in widths of the picture
 
 
 def fail(problem):
@@ -90,7 +91,7 @@ def body_of(snapshots, scale):
         body = WarpByVector(Input=body, Vectors=["POINTS", "displacement"],
                             ScaleFactor=scale)
     if snapshots.dim == 1:
-        body = Tube(Input=ExtractSurface(Input=body), Radius=RADIUS,
+        body = Tube(Input=ExtractSurface(Input=body), Radius=RADIUS * snapshots.ranges.length,
                     NumberofSides=32)
         body.Scalars = ["POINTS", ""]
         body.Vectors = ["POINTS", ""]
@@ -116,16 +117,17 @@ def show_body(view, snapshots, scale):
     return shown
 
 
-def show_colours(view, shown, snapshots, size):
+def show_colours(view, shown, snapshots, size, unit):
     table = GetColorTransferFunction(snapshots.colour)
     table.ApplyPreset("Viridis (matplotlib)", True)
     table.RescaleTransferFunction(*snapshots.ranges.colours())
     bar = GetScalarBar(table, view)
-    bar.Orientation = "Horizontal"
+    bar.Orientation = "Vertical"
     bar.WindowLocation = "Any Location"
-    bar.Position, bar.ScalarBarLength = [0.3, 0.07], 0.4
+    bar.Position, bar.ScalarBarLength = [1 - 0.8 * BAR, 0.2], 0.6
     bar.Title = snapshots.colour
-    bar.ComponentTitle = ""
+    bar.ComponentTitle = f"[{unit}]" if unit else ""
+    bar.HorizontalTitle = 1
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
     bar.TitleFontSize = bar.LabelFontSize = size
     bar.ScalarBarThickness = size
@@ -134,14 +136,19 @@ def show_colours(view, shown, snapshots, size):
     shown.SetScalarBarVisibility(view, True)
 
 
-def make_view(snapshots, right, width):
-    """Looks at the plane of x and y; at a block obliquely, from above."""
-    low, high = snapshots.bounds[2::2], snapshots.bounds[3::2]
-    across = max(2 * RADIUS, high[0] - low[0])
+def make_view(snapshots, right, box, width):
+    """Looks at the plane of x and y; at a block obliquely, from above. The scene
+    is on the left, so that beside it there is room for the colour bar.
+
+    box: least and largest y and z of what is shown
+    """
+    low, high = box
+    unit = snapshots.ranges.length
+    across = max(2 * RADIUS * unit, high[0] - low[0])
     if snapshots.dim == 3:
-        across *= 1.8
-    length = right + 0.14
-    pixels = int(width * min(1., max(0.25, across / length + 0.2)))
+        across = 1.4 * (across + 0.35 * (high[1] - low[1]))
+    length = (right + 0.14 * unit) / (1 - BAR)
+    pixels = int(width * min(1., max(0.3, 1.25 * across / length + 0.1)))
     view = CreateView("RenderView")
     view.ViewSize = [width, pixels]
     view.UseColorPaletteForBackground = 0
@@ -149,12 +156,13 @@ def make_view(snapshots, right, width):
     view.OrientationAxesVisibility = 0
     Render(view)  # the first time it moves the camera
     view.CameraParallelProjection = 1
-    view.CameraParallelScale = length * pixels / width / 2
-    # the body is above the middle: below it is the colour bar
-    focus = [right / 2, (low[0] + high[0]) / 2 - 0.03, (low[1] + high[1]) / 2]
+    # as wide as the picture, or as high if that is more
+    view.CameraParallelScale = max(length * pixels / width, 1.3 * across) / 2
+    focus = [right / 2 + BAR * length / 2, (low[0] + high[0]) / 2,
+             (low[1] + high[1]) / 2]
     away = [-0.35, 0.45, 1.5] if snapshots.dim == 3 else [0, 0, 3]
     view.CameraFocalPoint = focus
-    view.CameraPosition = [f + a for f, a in zip(focus, away)]
+    view.CameraPosition = [f + unit * a for f, a in zip(focus, away)]
     view.CameraViewUp = [0, 1, 0]
     return view
 
@@ -175,14 +183,18 @@ def render(settings):
     plate, right = snapshots.ranges.plate(
         scale, settings["gap"] if snapshots.moves else None)
     depth = depth_of(settings["shape"]) if settings["shape"] else 0
-    view = make_view(snapshots, right + scale * depth, settings["width"])
-    size = max(10, settings["width"] // 55)
-    show_colours(view, show_body(view, snapshots, scale), snapshots, size)
-    low, high = ([-RADIUS] * 2, [RADIUS] * 2) if snapshots.dim == 1 else (
-        list(snapshots.bounds[2::2]), list(snapshots.bounds[3::2]))
-    more = 0.04
+    unit, units = snapshots.ranges.length, settings.get("units", {})
+    radius = RADIUS * unit
+    low, high = ([-radius] * 2, [radius] * 2) if snapshots.dim == 1 else (
+        snapshots.ranges.box_across(scale).tolist())
+    more = 0.04 * unit
     low, high = [v - more for v in low], [v + more for v in high]
-    show_box(view, [-0.03, *low], [0, *high], [0.45] * 3)
+    view = make_view(snapshots, right + scale * depth, (low, high),
+                     settings["width"])
+    size = max(10, settings["width"] // 55)
+    show_colours(view, show_body(view, snapshots, scale), snapshots, size,
+                 units.get(f"{snapshots.colour}_end"))
+    show_box(view, [-0.03 * unit, *low], [0, *high], [0.45] * 3)
     if plate is not None and settings["shape"]:
         show_shape(view, settings["shape"], scale, right - plate,
                    [0.84, 0.37, 0], 0.55)
@@ -191,7 +203,7 @@ def render(settings):
     time_text = show_text(view, size, "Upper Left Corner")
     if snapshots.moves:
         show_text(view, size, "Upper Right Corner").Text = scale_label(scale)
-    labels = time_labels(snapshots.times)
+    labels = time_labels(snapshots.times, units.get("time", ""))
 
     def draw(time, path):
         view.ViewTime = time
@@ -212,12 +224,12 @@ def main():
     if "space_time" in settings:
         paraview_space_time.draw(settings["space_time"],
                                  settings["output"] + "/space-time.png",
-                                 settings["width"])
+                                 settings["width"], settings.get("units"))
     if "contact_face" in settings:
         time, path = settings["contact_face"]
         paraview_contact.draw(path, time,
                               settings["output"] + "/contact-face.png",
-                              settings["width"])
+                              settings["width"], settings.get("units"))
     if "snapshots" in settings:
         render(settings)
     print("\ndone", flush=True)

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy
 from paraview import servermanager
 from paraview.simple import XMLUnstructuredGridReader
-from plot_common import new_figure, save
+from plot_common import in_unit, new_figure, save
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 FIELDS = {"temperature": (r"temperature  $\theta$", "viridis"),
@@ -33,8 +33,12 @@ def limits_of(values, colours):
                        (False, True): "max", (True, True): "both"}[beyond]
 
 
-def draw(path, picture, width):
-    """A panel for each field; space to the right, time upwards. In pixels."""
+def draw(path, picture, width, units=None):
+    """A panel for each field; space to the right, time upwards. In pixels.
+
+    units: of the columns of contact.csv, by name
+    """
+    units = units or {}
     reader = XMLUnstructuredGridReader(FileName=[path])
     reader.UpdatePipeline()
     grid = servermanager.Fetch(reader)
@@ -50,12 +54,16 @@ def draw(path, picture, width):
         low, high, extend = limits_of(values, colours)
         mesh = axes.tripcolor(x, t, triangles, values, cmap=colours, vmin=low,
                               vmax=high, shading="gouraud", rasterized=True)
-        axes.set_xlabel("$x$")
-        axes.set_xlim(0, 1)
-        axes.set_xticks([0, 0.5, 1], ["0", "1/2", "1"])
+        axes.set_xlabel(in_unit("$x$", units.get("displacement_end")))
+        axes.set_xlim(0, x.max())
+        if units:
+            axes.set_xticks([0, x.max() / 2, x.max()])
+        else:
+            axes.set_xticks([0, 0.5, 1], ["0", "1/2", "1"])
         axes.set_ylim(t.min(), t.max())
         axes.grid(False)
-        figure.colorbar(mesh, ax=axes, orientation="horizontal", label=label,
+        figure.colorbar(mesh, ax=axes, orientation="horizontal",
+                        label=in_unit(label, units.get(f"{name}_end")),
                         extend=extend, pad=0.02)
-    panels[0].set_ylabel("time  $t$")
+    panels[0].set_ylabel(in_unit("time  $t$", units.get("time")))
     save(figure, Path(picture), width / figure.get_figwidth())

@@ -77,9 +77,22 @@ def read_table(path, columns):
     return comments, convert(path, header, rows, columns)
 
 
+def units_of(comments, header):
+    """Units of the columns that have one, by name."""
+    line = next((text[6:].strip(" ") for text in comments
+                 if text.startswith("units:")), "")
+    return {name: unit for name, unit in zip(header, next(csv.reader([line]), ()))
+            if unit}
+
+
+def in_unit(label, unit):
+    """A label of an axis with its unit, if there is one."""
+    return f"{label} [{unit}]" if unit else label
+
+
 def title_of(comments):
-    """The first comment that is no version of a program."""
-    version = re.compile(r"(?i)(thermocontact|deal\.?ii|version)\b.*\d")
+    """The first comment that is neither a version of a program nor the units."""
+    version = re.compile(r"(?i)((thermocontact|deal\.?ii|version)\b.*\d|units:)")
     titles = [text for text in comments if text and not version.match(text)]
     return re.sub(r"(?i)^title\s*[:=]\s*", "", titles[0]) if titles else ""
 

@@ -4,7 +4,7 @@ import argparse
 import math
 import textwrap
 
-from plot_common import looks, new_figure, plain
+from plot_common import fail, in_unit, looks, new_figure, plain
 from plot_probes import draw_probes, handles_of, histories_of
 
 FIGURE = {"displacement_end": r"displacement  $u(1, t)$",
@@ -28,12 +28,17 @@ ENERGY = {"energy": r"energy  $\hat{E}$", "work": "work",
 LOADS = ["stress_end", "work"]  # 0 all the time if nothing acts on the rod
 LOG_ENERGY = r"$\ln\,(\hat{E} + 0.01)$"
 PLAIN_ENERGY = "energy  $\\hat{E}$\n(no ln: $\\hat{E} + 0.01 \\leq 0$ occurs)"
+TIME = "time  $t$"
 OBSTACLE = {"color": "0.25", "linewidth": 0.8, "linestyle": (0, (4, 2))}
 LEGEND_LINE = 0.245  # inches
 
 
 def prepare(runs):
     """Looks and labels of the runs; energy or its logarithm for all alike."""
+    for run in runs:
+        if run.units != runs[0].units:
+            fail(run.directory, f"in other units than {runs[0].directory}",
+                 "run both with the same Scales and Output/SI")
     titles = [run.title for run in runs]
     for i, run in enumerate(runs):
         run.looks = looks(i)
@@ -41,13 +46,16 @@ def prepare(runs):
             run.title += f" ({run.directory})"
         run.title = plain(run.title, 80) + run.ended
         run.data["energy_drawn"] = run.data["energy"]
-    has_log = not any(e + 0.01 <= 0 for run in runs for e in run.data["energy"])
+    unit = runs[0].units.get("energy")
+    has_log = not unit and not any(
+        e + 0.01 <= 0 for run in runs for e in run.data["energy"])
     if has_log:
         for run in runs:
             run.data["energy_drawn"] = [
                 math.log(e + 0.01) for e in run.data["energy"]]
     FIGURE["energy_drawn"] = HEAT["energy_drawn"] = \
-        LOG_ENERGY if has_log else PLAIN_ENERGY
+        LOG_ENERGY if has_log else in_unit(ENERGY["energy"], unit) if unit \
+        else PLAIN_ENERGY
 
 
 def has(runs, column):
@@ -59,6 +67,12 @@ def drawn(runs, labels):
     """The labels of what has numbers, and loads if anything acts."""
     return {name: label for name, label in labels.items() if has(runs, name)
             and (name not in LOADS or any(any(run.data[name]) for run in runs))}
+
+
+def label_of(runs, name, label):
+    """With the unit of the column."""
+    unit = runs[0].units.get(name)
+    return in_unit(label, unit)
 
 
 def draw_obstacle(axes, g):
@@ -110,8 +124,9 @@ def legend_of(runs, obstacle):
     values = sorted({run.obstacle for run in runs} - {math.nan})
     values = [g for g in values if math.isfinite(g)]
     if values and obstacle:
+        unit = runs[0].units.get("gap")
         handles.append(Line2D([], [], label="obstacle, $g$ = " + ", ".join(
-            f"{g:g}" for g in values), **OBSTACLE))
+            f"{g:g}" for g in values) + (f" {unit}" if unit else ""), **OBSTACLE))
     return handles + legend_of_contacts(runs, "bars at the top")
 
 
@@ -124,7 +139,7 @@ def legend_of_contacts(runs, bars, colour="0.88"):
         f" ({bars})" if len(runs) > 1 else ""))]
 
 
-def panels_of(names, columns, height, handles):
+def panels_of(runs, names, columns, height, handles):
     """Figure, its panels by name and, below them, the legend.
 
     The last panel is as wide as the figure if the others fill their rows.
@@ -151,7 +166,7 @@ def panels_of(names, columns, height, handles):
         if row + 1 < rows:
             axes.tick_params(labelbottom=False)
         else:
-            axes.set_xlabel("time  $t$")
+            axes.set_xlabel(label_of(runs, "time", TIME))
     axes = figure.add_subplot(grid[rows, :])
     axes.axis("off")
     legend = axes.legend(handles=handles, loc="upper center", ncol=ncol,
@@ -173,10 +188,10 @@ def finish(figure, panels, runs, colour=None):
 def draw_histories(runs, labels, columns, height):
     labels = drawn(runs, labels)
     runs = [run for run in runs if any(has([run], name) for name in labels)]
-    figure, panels = panels_of(labels, columns, height, legend_of(
+    figure, panels = panels_of(runs, labels, columns, height, legend_of(
         runs, obstacle="displacement_end" in labels or "gap" in labels))
     for name, axes in panels.items():
-        axes.set_ylabel(labels[name])
+        axes.set_ylabel(label_of(runs, name, labels[name]))
         draw_history(axes, name, runs)
     finish(figure, panels, runs)
     return figure
@@ -205,10 +220,10 @@ def draw_steps(runs):
     marks = [Line2D([], [], linestyle="", color=colour, label=label,
                     marker=marker, markersize=6)
              for reason, (marker, label) in kinds.items() if reason in reasons]
-    figure, panels = panels_of(labels, 1, 2.8, [
+    figure, panels = panels_of(runs, labels, 1, 2.8, [
         *legend_of(runs, obstacle=False), *marks])
     for name, axes in panels.items():
-        axes.set_ylabel(labels[name])
+        axes.set_ylabel(label_of(runs, name, labels[name]))
         axes.set_yscale("log")
         for run in runs:
             rows = [row for row in zip(*run.steps[1].values())]
@@ -237,7 +252,7 @@ def draw_decay(runs):
         axes.plot(run.data["time"], run.data["energy_drawn"], zorder=3,
                   **looks(0))
         axes.set_xlim(run.data["time"][0], run.data["time"][-1])
-        axes.set_xlabel("time  $t$")
+        axes.set_xlabel(label_of(runs, "time", TIME))
         title = textwrap.fill(run.title, int(80 / len(runs)))
         axes.set_title(f"({letter})  {title}", fontsize=11)
     grid[0].set_ylabel(FIGURE["energy_drawn"])
@@ -249,7 +264,7 @@ def draw_histories_at_probes(runs):
     runs = [run for run in runs if run.probes and histories_of([run])]
     histories = histories_of(runs)
     grey = "0.5" if len(runs) > 1 else "0.88"
-    figure, panels = panels_of(histories, 2, 2.3, [
+    figure, panels = panels_of(runs, histories, 2, 2.3, [
         *handles_of(runs, histories),
         *legend_of_contacts(runs, "bars at the top, runs downwards", grey)])
     draw_probes(runs, histories, panels)

@@ -3,12 +3,13 @@
 import math
 import re
 
-from plot_common import COLOURS, DASHES, fail
+from plot_common import COLOURS, DASHES, fail, in_unit
 from plot_run import PROBE
 
 LABELS = {"temperature": r"temperature  $\theta$",
           "displacement": r"displacement  $u$",
           "velocity": r"velocity  $u_t$", "stress": r"stress  $\sigma$"}
+UNITS_AT_END = {name: f"{name}_end" for name in LABELS}  # as in contact.csv
 POSITION = re.compile(r"probe (\d+):\s*(.*)")
 
 
@@ -76,7 +77,8 @@ def draw_probes(runs, histories, panels):
     """panels: axes by the name of the field"""
     check_looks(runs, histories)
     for name, axes in panels.items():
-        axes.set_ylabel(LABELS[name])
+        unit = runs[0].units.get(UNITS_AT_END[name])
+        axes.set_ylabel(in_unit(LABELS[name], unit))
         for run, probe, times, values in histories[name]:
             axes.plot(times, values, zorder=3, **looks_of(runs, run, probe))
         axes.ticklabel_format(axis="y", scilimits=(-3, 4))

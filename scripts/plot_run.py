@@ -5,7 +5,8 @@ import json
 import math
 import re
 
-from plot_common import convert, fail, read_rows, read_table, title_of
+from plot_common import (convert, fail, read_rows, read_table, title_of,
+                         units_of)
 
 COLUMNS = ["time", "displacement_end", "displacement_mid", "velocity_end",
            "stress_end", "gap", "contact_force", "contact_impulse",
@@ -70,31 +71,38 @@ def read_data(path, end_time):
             data["dissipation"], data["numerical_dissipation"],
             data.get("contact_dissipation", nothing))]
     data.setdefault("contact_dissipation", [math.nan] * count)
-    return comments, times[-1], data
+    return comments, times[-1], data, units_of(comments, header)
 
 
-def how_it_ended(directory, time):
+def how_it_ended(directory, time, unit):
     """Nothing if the run is done, else what a label says about it."""
     try:
         summary = json.loads((directory / "summary.json").read_text())
         status = summary["status"]
     except (OSError, ValueError, KeyError, TypeError):
         status = "unfinished"
-    return "" if status == "done" else f" ({status}, $t$ = {time:.4g})"
+    return "" if status == "done" else f" ({status}, $t$ = {time:.4g}{' ' * bool(unit)}{unit})"
+
+
+def rounded(end):
+    """A distance of (|u(1)|, g) without what rounding leaves of either."""
+    u, g = end
+    size = max(u, abs(g))
+    return round(g, 11 - math.floor(math.log10(size))) if size > 0 else 0.0
 
 
 def read_run(directory, end_time):
     path = directory / "contact.csv"
-    comments, last_time, data = read_data(path, end_time)
+    comments, last_time, data, units = read_data(path, end_time)
     # rounding, and bending in 2-D and 3-D, spoil g least where u(1) is smallest
     ends = [(abs(u), u + gap) for u, gap in zip(
         data["displacement_end"], data["gap"]) if math.isfinite(u + gap)]
     return argparse.Namespace(
-        directory=directory, data=data,
+        directory=directory, data=data, units=units,
         title=title_of(comments) or directory.resolve().name,
-        ended=how_it_ended(directory, last_time),
+        ended=how_it_ended(directory, last_time, units.get("time", "")),
         contacts=read_contacts(directory / "events.csv", data),
-        obstacle=round(min(ends)[1], 12) if ends else math.nan,
+        obstacle=rounded(min(ends)) if ends else math.nan,
         steps=read_optional(directory / "steps.csv", lambda _: STEPS, end_time),
         probes=read_optional(
             directory / "probes.csv", lambda header: ["time", *(

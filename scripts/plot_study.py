@@ -5,8 +5,8 @@ import collections
 import math
 import re
 
-from plot_common import (convert, fail, looks, new_figure, plain, read_rows,
-                         title_of)
+from plot_common import (convert, fail, in_unit, looks, new_figure, plain,
+                         read_rows, title_of, units_of)
 
 ERRORS = {"displacement_end": r"displacement  $u(1, t)$",
           "velocity_end": r"velocity  $u_t(1, t)$",
@@ -47,6 +47,7 @@ def read_study(path, error):
         run["why not"] = why_not(run)
     return argparse.Namespace(
         path=path, title=title_of(comments) or path.parent.resolve().name,
+        unit=units_of(comments, header).get(f"error_{error}"),
         varied=header[header.index("run") + 1:header.index("status")],
         runs=runs, drawn=[run for run in runs if not run["why not"]])
 
@@ -158,7 +159,7 @@ def draw(path, error, marks):
         draw_marks(axes, work, study, marks)
     set_scale(left.yaxis, left.set_ylim, [run["error"] for run in study.drawn])
     right.tick_params(which="both", labelleft=False)
-    left.set_ylabel(f"error of the {ERRORS[error]}")
+    left.set_ylabel(in_unit(f"error of the {ERRORS[error]}", study.unit))
     below = figure.add_subplot(grid[1, :])
     below.axis("off")
     if any(curves):

@@ -3,7 +3,8 @@
 import argparse
 import math
 
-from plot_common import fail, looks, new_figure, plain, read_rows, title_of
+from plot_common import (fail, in_unit, looks, new_figure, plain, read_rows,
+                         title_of, units_of)
 from plot_study import MARKERS, NO_WORD
 
 RESULTS = {"first_contact_time": "time of the first contact",
@@ -34,6 +35,7 @@ def read_sweep(path):
     done = [run for run in runs if run["status"] == "done"]
     return argparse.Namespace(
         path=path, title=title_of(comments) or path.parent.resolve().name,
+        units=units_of(comments, header),
         varied=header[header.index("run") + 1:header.index("status")],
         n_runs=len(runs), runs=done,
         results=[name for name in RESULTS if name in header and any(
@@ -99,7 +101,7 @@ def draw_curves(figure, sweep, results, axis):
                        marker=MARKERS[i % len(MARKERS)], **looks(i))
         panel.set_xscale(scale_of([number(run[axis]) for run in sweep.runs]))
         panel.set_xlabel(entry_label(axis))
-        panel.set_ylabel(RESULTS[name])
+        panel.set_ylabel(in_unit(RESULTS[name], sweep.units.get(name)))
     legend = figure.add_subplot(grid[rows, :])
     legend.axis("off")
     if below:
@@ -130,7 +132,8 @@ def draw_maps(figure, sweep, results, axes):
             ticks(shown, [words[i] for i in shown], rotation=90 * vertical)
         panel.set_xlabel(entry_label(axes[0]))
         panel.set_ylabel(entry_label(axes[1]))
-        figure.colorbar(cells, ax=panel, label=RESULTS[name])
+        figure.colorbar(cells, ax=panel, label=in_unit(
+            RESULTS[name], sweep.units.get(name)))
     for panel in list(panels)[len(results):]:
         panel.axis("off")
 

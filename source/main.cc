@@ -21,6 +21,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -47,28 +48,43 @@ namespace ThermoContact
 
 
 
-    /** What --units asks for. */
+    /** The entries of a file with a rod in units. */
     void
-    print_units(const std::vector<Assignment> &assignments,
-                const CommandLine             &command)
+    print_unit_parameters(const std::vector<Assignment> &assignments,
+                          const std::string             &format)
     {
       ParameterHandler prm;
       RodInUnits       rod;
       rod.add_parameters(prm);
-      if (!command.print_parameters.empty())
-        assign_entries(assignments, prm);
-      const std::string scene =
-        command.print_parameters.empty() ?
-          scene_from_units(command.file_name, assignments) :
-          "";
-      if (!scene.empty())
-        check_scene_text(scene, "scene of " + command.file_name);
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
-        return;
-      if (scene.empty())
-        print_parameters(prm, command.print_parameters);
-      else
-        std::cout << scene;
+      assign_entries(assignments, prm);
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        print_parameters(prm, format);
+    }
+
+
+
+    /** Prints the scene of a rod in units, unless it cannot be run. */
+    void
+    print_unit_scene(const UnitScene &scene)
+    {
+      check_assignments(scene.assignments);
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        std::cout << scene.text;
+    }
+
+
+
+    /** True if --units stands alone, without anything to do with the scene. */
+    bool
+    prints_units(const CommandLine &command)
+    {
+      return command.reads_units && !command.check_only &&
+             !command.is_resumed &&
+             std::none_of(command.overrides.begin(),
+                          command.overrides.end(),
+                          [](const Assignment &assignment) {
+                            return assignment.path == "Output/Directory";
+                          });
     }
 
 
@@ -192,12 +208,17 @@ namespace ThermoContact
         throw InputError("no parameter file is given\n  remedy:  thermocontact "
                          "FILE.prm, e.g. prm/paper/experiment-1.prm");
 
-      const std::vector<Assignment> assignments = all_assignments(command);
-      if (command.reads_units && command.check_only)
-        throw InputError("--check: not with --units\n  remedy:  check the "
-                         "scene that --units writes");
-      if (command.reads_units)
-        return print_units(assignments, command);
+      std::vector<Assignment> assignments = all_assignments(command);
+      if (command.reads_units || is_rod_in_units(assignments))
+        {
+          if (!command.print_parameters.empty())
+            return print_unit_parameters(assignments, command.print_parameters);
+          const UnitScene scene =
+            scene_from_units(command.file_name, assignments);
+          if (prints_units(command))
+            return print_unit_scene(scene);
+          assignments = scene.assignments;
+        }
 
       Parameters       parameters;
       ParameterHandler prm;

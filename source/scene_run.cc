@@ -17,6 +17,7 @@
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/scene_run.h>
 #include <thermocontact/simulation/simulation.h>
+#include <thermocontact/study/error_bars.h>
 
 #include <filesystem>
 #include <map>
@@ -179,10 +180,12 @@ namespace ThermoContact
       const auto finish_times = [&]() {
         times.output = output.output_seconds() + checkpointer.seconds();
         times.steps  = progress.step_seconds();
-        times.loop   = since_start.wall_time() - times.set_up - times.output;
-        times.wall   = since_start.wall_time();
+        times.loop =
+          since_start.wall_time() - times.set_up - times.output - times.repeats;
+        times.wall = since_start.wall_time();
       };
-      const std::string summary = directory + "/summary.json";
+      const std::string        summary = directory + "/summary.json";
+      std::optional<KeyErrors> errors;
       try
         {
           simulation.run(
@@ -193,6 +196,14 @@ namespace ThermoContact
                progress.observe(s);
              },
              [&](const Simulation<dim> &s) { checkpointer.observe(s); }});
+          if (simulation.parameters().output.has_error_bars)
+            {
+              const StopWatch watch(times.repeats);
+              errors = error_bars<dim>(
+                simulation,
+                [&]() { checkpointer.observe_signal(simulation); },
+                log);
+            }
           output.finish();
         }
       catch (const ComputationError &error)
@@ -203,7 +214,10 @@ namespace ThermoContact
         }
       finish_times();
       report_result(simulation, times, progress.initial_energy(), log);
-      write_summary(summary, "done", simulation, times);
+      if (errors)
+        report_errors(simulation, *errors, log);
+      write_summary(
+        summary, "done", simulation, times, errors ? &*errors : nullptr);
     }
   } // namespace
 

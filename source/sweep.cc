@@ -4,6 +4,7 @@
 #include <thermocontact/base/interruption.h>
 #include <thermocontact/base/rank_faults.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/scene/scales_checks.h>
 #include <thermocontact/scene_run.h>
 #include <thermocontact/study/study.h>
 #include <thermocontact/study/study_report.h>
@@ -109,10 +110,11 @@ namespace ThermoContact
             const CommandLine             &command,
             Log                           &log)
   {
-    const MPI_Comm    communicator = MPI_COMM_WORLD;
+    const MPI_Comm communicator = MPI_COMM_WORLD;
+    check_scales(parameters);
     const StudyPlan   plan(assignments, parameters.study);
     const std::string directory = output_directory(parameters, command);
-    StudyTable        table(plan, directory + "/study.csv", parameters.title);
+    StudyTable        table(plan, directory + "/study.csv", parameters);
     if (command.check_only)
       {
         if (command.is_resumed)

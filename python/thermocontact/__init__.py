@@ -8,8 +8,9 @@
 
 Entries are named "Section/Entry" as in doc/parameters.md; values are numbers, truths
 or texts. A study is a run with "Study/Vary". numpy is needed, pandas and meshio are
-used where they are asked for. Numbers are those of the files, nondimensional, but for
-those of Units, which turns a rod in SI units into a scene and results back.
+used where they are asked for. Numbers are those of the files: in SI units if the scene
+has Scales, as a rod in SI units has (base="rod.prm" runs it), and table.units tells them;
+else nondimensional. Units turns a rod in SI units into a scene and results back.
 """
 
 from .errors import ComputationError, Error, InputError

@@ -10,6 +10,9 @@ import numpy
 from .errors import Error
 
 
+UNITS = "units:"
+
+
 def as_array(words):
     """Numbers where all words are numbers ("nan" is one), else texts."""
     try:
@@ -18,16 +21,27 @@ def as_array(words):
         return numpy.array(words)
 
 
+def _units_of(comments, names):
+    """From the comment "units: ...", whose fields are those of a row."""
+    line = next((c[len(UNITS):] for c in comments if c.startswith(UNITS)), None)
+    if line is None:
+        return {}
+    units = next(csv.reader([line.strip(" ")]))
+    return {name: unit for name, unit in zip(names, units) if unit}
+
+
 class Table(Mapping):
     """Columns by name, one-dimensional arrays of the same length.
 
     comments: the lines with "#" above the names, the first one is the title.
+    units: of the columns that have one, by name; empty if numbers are nondimensional.
     n_rows: the number of rows.
     """
 
     def __init__(self, columns, comments=()):
         self._columns = columns
         self.comments = list(comments)
+        self.units = _units_of(self.comments, columns)
         self.n_rows = len(next(iter(columns.values()), ()))
 
     def __getitem__(self, name):

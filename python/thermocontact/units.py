@@ -13,6 +13,12 @@ _FACTOR = re.compile(r"# +(?P<names>[a-z_*][a-z_*, ]*?)(, then add (?P<offset>\S
                      r" {2,}(?P<factor>[-+.\deE]+) +(?P<unit>.*)")
 
 
+# factor and offset of the units that tables of results may have
+_SI = {**dict.fromkeys(["m", "m/s", "Pa", "N", "N s", "N m", "J", "W/m^2", "s", "K"],
+                       (1, 0)),
+       "us": (1e-6, 0), "ms": (1e-3, 0), "min": (60, 0), "h": (3600, 0), "\u00b0C": (1, 273.15)}
+
+
 class Units:
     """What `thermocontact --units FILE` prints.
 
@@ -44,8 +50,12 @@ class Units:
         return self._find(column)[0]
 
     def in_si(self, table, column):
-        """A column of contact.csv in SI units; temperatures in kelvin."""
+        """A column of contact.csv in SI units; times in seconds, temperatures in kelvin,
+        whatever the units of the table are."""
         factor, _, offset = self._find(column)
+        unit = getattr(table, "units", {}).get(column)
+        if unit:
+            factor, offset = _SI[unit]
         return factor * table[column] + offset
 
     def write(self, path):

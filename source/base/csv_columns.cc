@@ -34,6 +34,23 @@ namespace ThermoContact
 
 
 
+  std::string
+  csv_units(const Conversions &conversions)
+  {
+    if (conversions.empty())
+      return "";
+    std::string line = "# units: ";
+    for (const Conversion &conversion : conversions)
+      {
+        append_field(line, conversion.unit);
+        line += ',';
+      }
+    line.back() = '\n';
+    return line;
+  }
+
+
+
   std::vector<std::string>
   split_row(const std::string_view row)
   {

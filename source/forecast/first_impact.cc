@@ -173,13 +173,15 @@ namespace ThermoContact
     impact.penetration = law.penetration(impact.force);
 
     // The series keeps the initial temperature. By the time of the impact,
-    // heat has made the part 1 - exp(-pi^2/4 t) of its way at least.
+    // heat has made the part 1 - exp(-(pi^2/4 + m) t) of its way at least.
     const double heat_shift =
       !material.has_thermal_stress() ?
         0. :
         std::abs(free_expansion(scene, scene.heat.steady_drop()) -
                  motion.initial_expansion()) *
-          -std::expm1(-0.25 * numbers::PI * numbers::PI * impact.time);
+          -std::expm1(
+            -(0.25 * numbers::PI * numbers::PI + scene.heat.lateral_exchange) *
+            impact.time);
     if (!(impact.velocity > 0.) || !(stroke > 2. * heat_shift))
       return {};
     return impact;

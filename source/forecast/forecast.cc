@@ -78,6 +78,8 @@ namespace ThermoContact
     const double wave = std::sqrt(material.inertia);
     if (scene.fields.has_temperature)
       scales.emplace_back("heat", 1.);
+    if (scene.fields.has_temperature && scene.heat.has_lateral_exchange())
+      scales.emplace_back("lateral", 1. / scene.heat.lateral_exchange);
     if (!scene.fields.has_displacement)
       return scales;
     if (material.has_inertia())
@@ -139,7 +141,8 @@ namespace ThermoContact
     else
       {
         cost.steps    = time.n_steps();
-        cost.is_exact = !output.land_on_times && time.break_points.empty() &&
+        cost.is_exact = !output.land_on_times && output.period == 0. &&
+                        time.break_points.empty() &&
                         !scene.contact.locates_events;
         for (const double point : time.break_points)
           cost.steps += point > 0. && point < T;
@@ -150,6 +153,8 @@ namespace ThermoContact
                                     output.space_time_interval})
         if (interval > 0.)
           cost.steps += T / interval;
+    if (output.period > 0.)
+      cost.steps += T / output.period;
 
     const bool has_heat = scene.fields.has_temperature;
     const bool moves    = scene.fields.has_displacement;

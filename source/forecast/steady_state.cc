@@ -20,6 +20,9 @@ namespace ThermoContact
     {
       if (scene.sources.any())
         return "no closed form with sources";
+      if (scene.parameters.dimension > 1 && scene.heat.has_lateral_exchange())
+        return "no closed form with a lateral heat exchange in more than one "
+               "dimension";
       if (!scene.fields.has_displacement)
         return "";
       const Material &material = scene.material;
@@ -44,8 +47,7 @@ namespace ThermoContact
     SteadyState
     state_of_drop(const Scene &scene, const double drop)
     {
-      const SceneHeat &heat = scene.heat;
-      SteadyState      state{nan, nan, nan, false};
+      SteadyState state{nan, nan, nan, false};
       if (scene.fields.has_displacement)
         {
           const double expansion = free_expansion(scene, drop);
@@ -61,8 +63,7 @@ namespace ThermoContact
         }
       if (scene.fields.has_temperature)
         state.temperature_end =
-          heat.fixed_end_temperature -
-          drop * (heat.fixed_end_temperature - heat.obstacle_temperature);
+          RestProfile(scene.heat.surroundings(), drop).end();
       return state;
     }
 
@@ -115,11 +116,8 @@ namespace ThermoContact
   double
   free_expansion(const Scene &scene, const double drop)
   {
-    const SceneHeat &heat = scene.heat;
     return scene.material.thermal_stress *
-           (heat.fixed_end_temperature -
-            0.5 * drop *
-              (heat.fixed_end_temperature - heat.obstacle_temperature));
+           RestProfile(scene.heat.surroundings(), drop).mean();
   }
 
 

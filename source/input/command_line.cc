@@ -25,7 +25,9 @@ Dynamic contact of a thermoviscoelastic rod with an elastic or rigid obstacle.
   --resume                     go on from the newest checkpoint in the output
                                directory
   --units                      FILE.prm is a rod in SI units: print its scene, with
-                               the factors that turn results into SI units
+                               the factors that turn results into SI units; with
+                               --check, --output or --resume, and without
+                               --units, check it or run it
   --quiet                      print nothing but errors
   --help, --version
 

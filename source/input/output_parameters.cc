@@ -47,6 +47,12 @@ namespace ThermoContact
                       "at or after each multiple of this time, and at T, for "
                       "one picture over x and t (space-time.vtu); 0: none.",
                       non_negative_time);
+    prm.add_parameter("Period",
+                      period,
+                      "Period P of a drive: steps end at its multiples, and "
+                      "poincare.csv has a row of contact.csv for each of them; "
+                      "0: none.",
+                      non_negative_time);
     prm.add_parameter("Land on output times",
                       land_on_times,
                       "Steps are shortened to end on the multiples of the "
@@ -58,6 +64,17 @@ namespace ThermoContact
       "--resume goes on; also at the start and the end; 0: "
       "none, but for one when SIGTERM, SIGINT or SIGHUP ends the run.",
       Double(0., 1e9));
+    prm.add_parameter("SI",
+                      is_si,
+                      "Files and screen in SI units, by section Scales, if it "
+                      "is given; false: nondimensional.");
+    prm.add_parameter(
+      "Error bars",
+      has_error_bars,
+      "Repeats the run with larger steps and on coarser meshes, "
+      "without files, and says how far the key results may be "
+      "wrong by either (screen, summary.json); about three "
+      "times the time.");
     prm.leave_subsection();
   }
 

@@ -103,10 +103,22 @@ namespace ThermoContact
         obstacle_expression  = expression;
       },
       true);
+    prm.add_parameter("Lateral heat exchange",
+                      lateral_heat_exchange,
+                      "Heat m (theta - theta_inf) that the rod loses to its "
+                      "surroundings per volume, m >= 0; for Dimension > 1 "
+                      "through its lateral faces: -d theta/dn = m A/P (theta - "
+                      "theta_inf), A/P the area of the cross-section over its "
+                      "perimeter.",
+                      coefficient);
+    prm.add_parameter("Ambient temperature",
+                      ambient_temperature,
+                      "Temperature theta_inf of the surroundings.",
+                      any_number);
     prm.add_parameter("Lateral support",
                       lateral_support,
                       "Lateral faces, for Dimension > 1: rollers (no normal "
-                      "displacement) or free; adiabatic in both cases.",
+                      "displacement) or free.",
                       Selection("rollers|free"));
     prm.add_parameter("Fixed end support",
                       fixed_end_support,
@@ -380,6 +392,7 @@ namespace ThermoContact
     time.add_parameters(prm);
     solver.add_parameters(prm);
     output.add_parameters(prm);
+    scales.add_parameters(prm);
     study.add_parameters(prm);
   }
 } // namespace ThermoContact

@@ -32,6 +32,12 @@ namespace ThermoContact
       }
 
       double
+      area_over_perimeter() const override
+      {
+        return 0.5 * width;
+      }
+
+      double
       axis() const override
       {
         return 0.;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -24,6 +25,15 @@ namespace ThermoContact
   BodyGeometry::cross_section() const
   {
     return std::pow(width, dim - 1);
+  }
+
+
+
+  double
+  BodyGeometry::area_over_perimeter() const
+  {
+    return dim == 1 ? std::numeric_limits<double>::infinity() :
+                      width / (2. * (dim - 1.));
   }
 
 

@@ -134,6 +134,20 @@ namespace ThermoContact
 
 
 
+  double
+  EventLocator::change_of_velocity(const CubicHermite &s,
+                                   const double        from,
+                                   const double        to,
+                                   const double        size) const
+  {
+    if (nodes != ContactNodes::with_mass || is_margin_pressure())
+      return 0.;
+    const double change = (s.slope(to) - s.slope(from)) / size;
+    return mode_ == ContactMode::closed ? change : -change;
+  }
+
+
+
   bool
   EventLocator::is_near(const double      s,
                         const double      rate,
@@ -235,7 +249,13 @@ namespace ThermoContact
       }
 
     if (starts_near)
-      return {Finding::at_start, present.time + zero * size, all_start, node};
+      return {Finding::at_start,
+              present.time + zero * size,
+              all_start,
+              node,
+              zero < 1. ?
+                change_of_velocity(margin(from, next, node), 0., zero, size) :
+                0.};
     if (zero < infinity)
       {
         const bool is_last = is_aimed ? ends_near : ends_near && zero > 0.9;
@@ -271,7 +291,9 @@ namespace ThermoContact
 
 
   bool
-  EventLocator::switch_at_start(const double time, const int new_side)
+  EventLocator::switch_at_start(const double time,
+                                const double change_of_velocity,
+                                const int    new_side)
   {
     if (waiting)
       {
@@ -284,7 +306,8 @@ namespace ThermoContact
       turn_to(new_side);
     waiting = {time,
                begins ? ContactEvent::begin : ContactEvent::end,
-               side * present.velocity[foremost(present)],
+               side *
+                 (present.velocity[foremost(present)] + change_of_velocity),
                side};
     mode_   = begins ? ContactMode::closed : ContactMode::open;
     return true;
@@ -344,15 +367,13 @@ namespace ThermoContact
       accept_unilateral(next_values, events);
     else if (finding.kind == Finding::at_end)
       {
-        const ContactValues next     = seen_from(next_values, side);
-        const bool          begins   = mode_ == ContactMode::open;
-        const CubicHermite  s        = margin(present, next, finding.node);
-        const double        zero     = s.zero_near_end();
-        double              velocity = next.velocity[finding.node];
-        // the step may end so far from the event that the velocity shows it
-        if (nodes == ContactNodes::with_mass && !is_margin_pressure())
-          velocity += (begins ? -1. : 1.) * (s.slope(zero) - s.slope(1.)) /
-                      (next.time - present.time);
+        const ContactValues next   = seen_from(next_values, side);
+        const bool          begins = mode_ == ContactMode::open;
+        const CubicHermite  s      = margin(present, next, finding.node);
+        const double        zero   = s.zero_near_end();
+        const double        velocity =
+          next.velocity[finding.node] +
+          change_of_velocity(s, 1., zero, next.time - present.time);
         // contact begins with the first node and ends with the last
         if (begins || finding.is_of_all_nodes)
           add_event({present.time + zero * (next.time - present.time),

@@ -120,6 +120,7 @@ namespace ThermoContact
           std::make_pair("/events.csv", progress.events_size),
           std::make_pair("/steps.csv", progress.steps_size),
           std::make_pair("/probes.csv", progress.probes_size),
+          std::make_pair("/poincare.csv", progress.poincare_size),
           std::make_pair("/space-time.columns", progress.space_time_size)})
       {
         std::error_code     error;

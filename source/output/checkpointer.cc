@@ -81,6 +81,16 @@ namespace ThermoContact
 
   template <int dim>
   void
+  Checkpointer<dim>::observe_signal(const Simulation<dim> &simulation)
+  {
+    if (common_signal() != 0)
+      observe(simulation);
+  }
+
+
+
+  template <int dim>
+  void
   Checkpointer<dim>::write(const Simulation<dim> &simulation)
   {
     Checkpoint checkpoint;

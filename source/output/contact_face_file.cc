@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/output/contact_face_file.h>
+#include <thermocontact/output/patch_units.h>
 
 #include <sstream>
 
@@ -75,7 +76,8 @@ namespace ThermoContact
   std::string
   contact_face_file(const Body<dim>             &body,
                     const State                 &state,
-                    const DataOutBase::VtkFlags &flags)
+                    const DataOutBase::VtkFlags &flags,
+                    const OutputUnits           &units)
   {
     const std::vector<NamedValues> values = values_of(body, state);
     if (Utilities::MPI::this_mpi_process(body.discretization.communicator()) !=
@@ -106,8 +108,15 @@ namespace ThermoContact
     std::vector<std::string> names;
     for (const auto &[name, at_nodes] : values)
       names.push_back(name);
+    const std::string     file     = "fields/contact-*.vtu";
+    DataOutBase::VtkFlags in_flags = flags;
+    in_flags.physical_units        = units_of_arrays(names, file, units);
     std::ostringstream text;
-    DataOutBase::write_vtu(patches, names, {}, flags, text);
+    DataOutBase::write_vtu(in_units(std::move(patches), names, file, units),
+                           names,
+                           {},
+                           in_flags,
+                           text);
     return text.str();
   }
 
@@ -122,9 +131,11 @@ namespace ThermoContact
   template std::string
   contact_face_file(const Body<2> &,
                     const State &,
-                    const DataOutBase::VtkFlags &);
+                    const DataOutBase::VtkFlags &,
+                    const OutputUnits &);
   template std::string
   contact_face_file(const Body<3> &,
                     const State &,
-                    const DataOutBase::VtkFlags &);
+                    const DataOutBase::VtkFlags &,
+                    const OutputUnits &);
 } // namespace ThermoContact

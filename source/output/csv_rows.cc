@@ -2,89 +2,83 @@
 
 #include <thermocontact/output/csv_rows.h>
 
-#include <array>
+#include <limits>
 
 namespace ThermoContact
 {
-  namespace
+  CsvColumns<StepRecord>
+  contact_columns(const Scene &scene)
   {
-    CsvColumns<StepRecord>
-    make_contact_columns(const bool has_face,
-                         const bool is_iterative,
-                         const bool is_damped)
-    {
-      CsvColumns<StepRecord> columns = {
-        {"step", &StepRecord::step},
-        {"time", &StepRecord::time},
-        {"step_size", &StepRecord::step_size},
-        {"displacement_end", &StepRecord::displacement_end},
-        {"displacement_mid", &StepRecord::displacement_mid},
-        {"velocity_end", &StepRecord::velocity_end},
-        {"stress_end", &StepRecord::stress_end},
-        {"gap", &StepRecord::gap},
-        {"penetration", &StepRecord::penetration},
-        {"contact_force", &StepRecord::contact_force},
-        {"contact_impulse", &StepRecord::contact_impulse},
-        {"temperature_end", &StepRecord::temperature_end},
-        {"heat_flux_end", &StepRecord::heat_flux_end},
-        {"energy", &StepRecord::energy},
-        {"dissipation", &StepRecord::dissipation},
-        {"numerical_dissipation", &StepRecord::numerical_dissipation},
-        {"in_contact", &StepRecord::in_contact},
-        {"iterations", &StepRecord::iterations},
-        {"work", &StepRecord::work},
-        {"temperature_mean", &StepRecord::temperature_mean}};
-      if (has_face)
-        for (const auto &[name, member] :
-             {std::pair("contact_area", &FaceRecord::contact_area),
-              std::pair("max_pressure", &FaceRecord::max_pressure),
-              std::pair("min_gap", &FaceRecord::min_gap),
-              std::pair("moment_y", &FaceRecord::moment_y),
-              std::pair("moment_z", &FaceRecord::moment_z)})
-          columns.emplace_back(name,
-                               [member = member](const StepRecord &record) {
-                                 return record.face.*member;
-                               });
-      if (is_iterative)
-        columns.emplace_back("algebraic", &StepRecord::algebraic);
-      if (is_damped)
-        columns.emplace_back("contact_dissipation",
-                             &StepRecord::contact_dissipation);
-      return columns;
-    }
-  } // namespace
-
-
-
-  const CsvColumns<StepRecord> &
-  contact_columns(const unsigned int dim,
-                  const bool         is_iterative,
-                  const bool         is_damped)
-  {
-    static const auto tables = [] {
-      std::array<CsvColumns<StepRecord>, 8> all;
-      for (unsigned int i = 0; i < all.size(); ++i)
-        all[i] = make_contact_columns(i & 1, i & 2, i & 4);
-      return all;
-    }();
-    return tables[(dim > 1 ? 1 : 0) + (is_iterative ? 2 : 0) +
-                  (is_damped ? 4 : 0)];
+    CsvColumns<StepRecord> columns = {
+      {"step", &StepRecord::step},
+      {"time", &StepRecord::time},
+      {"step_size", &StepRecord::step_size},
+      {"displacement_end", &StepRecord::displacement_end},
+      {"displacement_mid", &StepRecord::displacement_mid},
+      {"velocity_end", &StepRecord::velocity_end},
+      {"stress_end", &StepRecord::stress_end},
+      {"gap", &StepRecord::gap},
+      {"penetration", &StepRecord::penetration},
+      {"contact_force", &StepRecord::contact_force},
+      {"contact_impulse", &StepRecord::contact_impulse},
+      {"temperature_end", &StepRecord::temperature_end},
+      {"heat_flux_end", &StepRecord::heat_flux_end},
+      {"energy", &StepRecord::energy},
+      {"dissipation", &StepRecord::dissipation},
+      {"numerical_dissipation", &StepRecord::numerical_dissipation},
+      {"in_contact", &StepRecord::in_contact},
+      {"iterations", &StepRecord::iterations},
+      {"work", &StepRecord::work},
+      {"temperature_mean", &StepRecord::temperature_mean}};
+    if (scene.parameters.dimension > 1)
+      for (const auto &[name, member] :
+           {std::pair("contact_area", &FaceRecord::contact_area),
+            std::pair("max_pressure", &FaceRecord::max_pressure),
+            std::pair("min_gap", &FaceRecord::min_gap),
+            std::pair("moment_y", &FaceRecord::moment_y),
+            std::pair("moment_z", &FaceRecord::moment_z)})
+        columns.emplace_back(name, [member = member](const StepRecord &record) {
+          return record.face.*member;
+        });
+    if (scene.linear_solver.is_iterative)
+      columns.emplace_back("algebraic", &StepRecord::algebraic);
+    if (scene.contact.law->damping() > 0.)
+      columns.emplace_back("contact_dissipation",
+                           &StepRecord::contact_dissipation);
+    if (scene.heat.has_lateral_exchange())
+      {
+        columns.emplace_back("lateral_heat_flux",
+                             &StepRecord::lateral_heat_flux);
+        columns.emplace_back("lateral_dissipation",
+                             &StepRecord::lateral_dissipation);
+      }
+    return columns;
   }
 
 
 
-  const CsvColumns<ContactEvent> &
+  EventRow::EventRow(const ContactEvent &event, const ContactEvent *const begin)
+    : ContactEvent(event)
+    , duration(event.kind == ContactEvent::end && begin != nullptr ?
+                 event.time - begin->time :
+                 std::numeric_limits<double>::quiet_NaN())
+  {}
+
+
+
+  const CsvColumns<EventRow> &
   event_columns(const bool has_sides)
   {
-    static const CsvColumns<ContactEvent> columns = {
+    static const CsvColumns<EventRow> columns = {
       {"time", &ContactEvent::time},
       {"kind",
        [](const ContactEvent &event) {
          return event.kind == ContactEvent::begin ? "begin" : "end";
        }},
-      {"velocity", &ContactEvent::velocity}};
-    static const CsvColumns<ContactEvent> with_sides = [] {
-      CsvColumns<ContactEvent> all = columns;
+      {"velocity", &ContactEvent::velocity},
+      {"duration", &EventRow::duration}};
+    static const CsvColumns<EventRow> with_sides = [] {
+      CsvColumns<EventRow> all = columns;
       all.emplace_back("side", [](const ContactEvent &event) {
         return event.side > 0 ? "front" : "rear";
       });

@@ -8,6 +8,7 @@
 #include <thermocontact/output/field_output.h>
 #include <thermocontact/output/obstacle_file.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/output/patch_units.h>
 #include <thermocontact/output/snapshot.h>
 
 #include <deal.II/numerics/data_postprocessor.h>
@@ -165,10 +166,11 @@ namespace ThermoContact
     , discretization(body.discretization)
     , is_writer(
         Utilities::MPI::this_mpi_process(discretization.communicator()) == 0)
-    , fields(directory, "fields")
+    , units(body.scene.parameters)
+    , fields(directory, "fields", units.of("time"))
   {
     if (dim > 1 && body.law().is_active())
-      contact_face.emplace(directory, "contact");
+      contact_face.emplace(directory, "contact", units.of("time"));
   }
 
 
@@ -233,13 +235,17 @@ namespace ThermoContact
       }
 
     DataOutBase::VtkFlags flags;
-    flags.time                = state.time;
-    flags.cycle               = times().size();
+    flags.time  = units.of("time")(state.time);
+    flags.cycle = times().size();
+    flags.physical_units =
+      units_of_arrays({"temperature", "displacement", "velocity", "stress"},
+                      "fields/fields-*.vtu",
+                      units);
     flags.print_date_and_time = false;
     flags.compression_level   = DataOutBase::VtkFlags::best_speed;
 
     std::string fault =
-      write_fields(data_out.vtu_pieces(discretization, flags), flags);
+      write_fields(data_out.vtu_pieces(discretization, flags, units), flags);
     if (fault.empty())
       fault = write_others(state, flags);
     throw_everywhere<ComputationError>(fault, discretization.communicator());
@@ -279,10 +285,12 @@ namespace ThermoContact
         fault = write_atomically(path, text);
     };
     if (fields.times().empty() && !body.scene.contact.has_uniform_gap())
-      write(directory + "/obstacle.vtu", obstacle_file(body.contact_end()));
+      write(directory + "/obstacle.vtu",
+            obstacle_file(body.contact_end(), units));
     if constexpr (dim > 1)
       if (contact_face)
-        write(contact_face->next_path(), contact_face_file(body, state, flags));
+        write(contact_face->next_path(),
+              contact_face_file(body, state, flags, units));
     for (SnapshotSeries *series : all_series())
       {
         series->add(state.time);

@@ -47,7 +47,7 @@ namespace ThermoContact
 
   template <int dim>
   std::string
-  obstacle_file(const ContactEnd<dim> &end)
+  obstacle_file(const ContactEnd<dim> &end, const OutputUnits &units)
   {
     const auto         nodes   = sorted_nodes(end);
     const auto         corners = contact_face_corners(nodes);
@@ -56,8 +56,11 @@ namespace ThermoContact
     const auto number          = [](const double value) {
       return significant(value, all_digits);
     };
-    const auto gap = [&](const unsigned int i) { return number(nodes[i].gap); };
-    const std::string vector = "NumberOfComponents=\"3\"";
+    const auto gap = [&](const unsigned int i) {
+      return number(units.of("obstacle.vtu", "gap")(nodes[i].gap));
+    };
+    const Conversion &position = units.of("position");
+    const std::string vector   = "NumberOfComponents=\"3\"";
     return "<?xml version=\"1.0\"?>\n"
            "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\">\n"
            "<UnstructuredGrid>\n" +
@@ -71,8 +74,9 @@ namespace ThermoContact
                  [&](const unsigned int i) {
                    std::string point;
                    for (unsigned int d = 0; d < 3; ++d)
-                     point += (d > 0 ? " " : "") +
-                              (d < dim ? number(nodes[i].position[d]) : "0");
+                     point +=
+                       (d > 0 ? " " : "") +
+                       (d < dim ? number(position(nodes[i].position[d])) : "0");
                    return point;
                  }) +
            "</Points>\n<Cells>\n" +
@@ -98,9 +102,9 @@ namespace ThermoContact
 
 
   template std::string
-  obstacle_file(const ContactEnd<1> &);
+  obstacle_file(const ContactEnd<1> &, const OutputUnits &);
   template std::string
-  obstacle_file(const ContactEnd<2> &);
+  obstacle_file(const ContactEnd<2> &, const OutputUnits &);
   template std::string
-  obstacle_file(const ContactEnd<3> &);
+  obstacle_file(const ContactEnd<3> &, const OutputUnits &);
 } // namespace ThermoContact

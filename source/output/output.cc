@@ -28,11 +28,13 @@ namespace ThermoContact
     , end_time(simulation.parameters().time.end_time)
     , communicator(simulation.discretization().communicator())
     , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
-    , columns(contact_columns(dim,
-                              simulation.scene().linear_solver.is_iterative,
-                              simulation.scene().contact.law->damping() > 0.))
+    , units(simulation.parameters())
+    , columns(contact_columns(simulation.scene()))
+    , contact_units(units.of_columns("contact.csv", columns))
     , event_table(
         event_columns(simulation.scene().contact.rear_gap.has_value()))
+    , event_units(units.of_columns("events.csv", event_table))
+    , attempt_units(units.of_columns("steps.csv", attempt_columns()))
     , field_output(directory, simulation.body())
     , has_attempts(simulation.parameters().time.has_error_control() ||
                    simulation.parameters().time.locates_contact_events())
@@ -41,14 +43,24 @@ namespace ThermoContact
     , next_fields(0.)
     , next_contact(0.)
     , next_space_time(0.)
+    , next_period(0.)
   {
     field_timer.reset();
-    const std::string   &title = simulation.parameters().title;
     const OutputProgress sizes = progress ? *progress : OutputProgress();
-    open(columns, contact_file, "contact.csv", title, sizes.contact_size);
-    open(event_table, events_file, "events.csv", title, sizes.events_size);
+    const std::string    head  = csv_comments(simulation.parameters().title);
+    open(contact_file,
+         "contact.csv",
+         head + csv_head(columns, contact_units),
+         sizes.contact_size);
+    open(events_file,
+         "events.csv",
+         head + csv_head(event_table, event_units),
+         sizes.events_size);
     if (has_attempts)
-      open(attempt_columns(), steps_file, "steps.csv", title, sizes.steps_size);
+      open(steps_file,
+           "steps.csv",
+           head + csv_head(attempt_columns(), attempt_units),
+           sizes.steps_size);
     if (is_writer && parameters.fields_interval > 0.)
       {
         std::error_code error; // a fault shows when the first file is opened
@@ -63,20 +75,18 @@ namespace ThermoContact
 
 
   template <int dim>
-  template <typename Record>
   void
-  Output<dim>::open(const CsvColumns<Record> &columns,
-                    TableFile                &file,
-                    const std::string        &name,
-                    const std::string        &title,
-                    const std::uint64_t       size)
+  Output<dim>::open(TableFile          &file,
+                    const std::string  &name,
+                    const std::string  &head,
+                    const std::uint64_t size)
   {
     if (!is_writer)
       return;
     if (size > 0)
       return file.reopen(directory + "/" + name, size);
     file.open(directory + "/" + name);
-    file.write_row(csv_comments(title) + csv_head(columns));
+    file.write_row(head);
   }
 
 
@@ -101,6 +111,14 @@ namespace ThermoContact
       }
     else
       unused_space_time_size = sizes.space_time_size;
+    if (parameters.period > 0.)
+      open(poincare_file,
+           "poincare.csv",
+           csv_comments(simulation.parameters().title) +
+             csv_head(columns, contact_units),
+           sizes.poincare_size);
+    else
+      unused_poincare_size = sizes.poincare_size;
   }
 
 
@@ -109,7 +127,10 @@ namespace ThermoContact
   std::vector<TableFile *>
   Output<dim>::tables()
   {
-    std::vector<TableFile *> files = {&contact_file, &events_file, &steps_file};
+    std::vector<TableFile *> files = {&contact_file,
+                                      &events_file,
+                                      &steps_file,
+                                      &poincare_file};
     if (probe_output)
       files.push_back(&probe_output->file());
     if (space_time_output)
@@ -136,7 +157,8 @@ namespace ThermoContact
     for (auto [interval, next] :
          {std::make_pair(parameters.fields_interval, &next_fields),
           std::make_pair(parameters.contact_interval, &next_contact),
-          std::make_pair(parameters.space_time_interval, &next_space_time)})
+          std::make_pair(parameters.space_time_interval, &next_space_time),
+          std::make_pair(parameters.period, &next_period)})
       if (interval > 0.)
         *next = whole_intervals(interval, time) + 1.;
     field_output.restore(progress.snapshot_times);
@@ -168,10 +190,11 @@ namespace ThermoContact
         is_due(parameters.contact_interval, record.time, next_contact))
       {
         if (is_writer)
-          add_row(columns, record, contact_file);
+          add_row(columns, record, contact_file, contact_units);
         if (probe_output)
           probe_output->write(simulation.state());
       }
+    write_period(record);
     write_events(simulation.events());
     write_attempts(simulation.history().attempts);
     if (space_time_output &&
@@ -206,7 +229,28 @@ namespace ThermoContact
   Output<dim>::write_events(const std::vector<ContactEvent> &events)
   {
     for (; n_written_events < events.size(); ++n_written_events)
-      add_row(event_table, events[n_written_events], events_file);
+      add_row(event_table,
+              EventRow(events[n_written_events],
+                       n_written_events > 0 ? &events[n_written_events - 1] :
+                                              nullptr),
+              events_file,
+              event_units);
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::write_period(const StepRecord &record)
+  {
+    if (parameters.period == 0.)
+      return;
+    const double count = whole_intervals(parameters.period, record.time);
+    if (count < next_period)
+      return;
+    next_period = count + 1.; // steps end there: none is missed
+    if (is_writer)
+      add_row(columns, record, poincare_file, contact_units);
   }
 
 
@@ -218,7 +262,7 @@ namespace ThermoContact
     if (!is_writer || !has_attempts)
       return; // do not format what goes nowhere
     for (const StepAttempt &attempt : attempts)
-      add_row(attempt_columns(), attempt, steps_file);
+      add_row(attempt_columns(), attempt, steps_file, attempt_units);
   }
 
 
@@ -282,7 +326,9 @@ namespace ThermoContact
         progress.space_time_size = space_time_output ?
                                      space_time_output->file().size() :
                                      unused_space_time_size;
-        progress.snapshot_times  = field_output.times();
+        progress.poincare_size =
+          parameters.period > 0. ? poincare_file.size() : unused_poincare_size;
+        progress.snapshot_times = field_output.times();
       }
     throw_everywhere<ComputationError>(fault, communicator);
     return progress;

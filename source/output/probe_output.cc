@@ -35,7 +35,9 @@ namespace ThermoContact
                   body.discretization.communicator()) == 0)
     , places(places_of<dim>(body.scene.parameters))
     , point_values(body.scene, body.discretization, places)
+    , units(body.scene.parameters)
     , columns(make_columns(places.size()))
+    , conversions(units.of_columns("probes.csv", columns))
   {}
 
 
@@ -79,11 +81,11 @@ namespace ThermoContact
           {
             if (d > 0)
               head += d == 1 ? ", y = " : ", z = ";
-            append_number(head, places[i].position[d]);
+            head += units.text("position", places[i].position[d], all_digits);
           }
         head += '\n';
       }
-    table_file.write_row(head + csv_head(columns));
+    table_file.write_row(head + csv_head(columns, conversions));
   }
 
 
@@ -93,8 +95,9 @@ namespace ThermoContact
   ProbeOutput<dim>::write(const State &state)
   {
     const Record record{state.time, point_values.evaluate(state)};
-    table_file.append_row(
-      [&](std::string &rows) { append_csv_row(columns, record, rows); });
+    table_file.append_row([&](std::string &rows) {
+      append_csv_row(columns, record, rows, conversions);
+    });
   }
 
 

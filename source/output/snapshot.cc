@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/output/patch_units.h>
 #include <thermocontact/output/snapshot.h>
 
 #include <algorithm>
@@ -11,7 +12,8 @@ namespace ThermoContact
   template <int dim>
   std::vector<std::string>
   Snapshot<dim>::vtu_pieces(const Discretization<dim>   &discretization,
-                            const DataOutBase::VtkFlags &flags)
+                            const DataOutBase::VtkFlags &flags,
+                            const OutputUnits           &units)
   {
     constexpr double   max_points = 50000.;
     const unsigned int degree     = discretization.degree();
@@ -29,7 +31,7 @@ namespace ThermoContact
                    cell->active_cell_index() - begin < n_at_once;
           });
         this->build_patches(discretization.mapping(), degree);
-        pieces.push_back(vtu_piece(flags));
+        pieces.push_back(vtu_piece(flags, units));
       }
     return pieces;
   }
@@ -38,7 +40,8 @@ namespace ThermoContact
 
   template <int dim>
   std::string
-  Snapshot<dim>::vtu_piece(const DataOutBase::VtkFlags &flags) const
+  Snapshot<dim>::vtu_piece(const DataOutBase::VtkFlags &flags,
+                           const OutputUnits           &units) const
   {
     if (this->get_patches().empty())
       return "";
@@ -55,8 +58,16 @@ namespace ThermoContact
           DataComponentInterpretation::component_is_part_of_tensor);
       }
     std::ostringstream text;
-    DataOutBase::write_vtu_main(
-      this->get_patches(), names, ranges, flags, text);
+    if (units.is_si())
+      DataOutBase::write_vtu_main(
+        in_units(this->get_patches(), names, "fields/fields-*.vtu", units),
+        names,
+        ranges,
+        flags,
+        text);
+    else
+      DataOutBase::write_vtu_main(
+        this->get_patches(), names, ranges, flags, text);
     return text.str();
   }
 

@@ -10,9 +10,11 @@
 namespace ThermoContact
 {
   SnapshotSeries::SnapshotSeries(const std::string &directory,
-                                 const std::string &name)
+                                 const std::string &name,
+                                 const Conversion  &time_unit)
     : directory(directory)
     , name(name)
+    , time_unit(time_unit)
   {}
 
 
@@ -33,7 +35,8 @@ namespace ThermoContact
             "<VTKFile type=\"Collection\" version=\"0.1\">\n"
             "  <Collection>\n";
     for (unsigned int i = 0; i < times_.size(); ++i)
-      text << "    <DataSet timestep=\"" << significant(times_[i], all_digits)
+      text << "    <DataSet timestep=\""
+           << significant(time_unit(times_[i]), all_digits)
            << "\" group=\"\" part=\"0\" file=\"" << file_name(i) << "\"/>\n";
     text << "  </Collection>\n</VTKFile>\n";
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/atomic_file.h>
+#include <thermocontact/output/patch_units.h>
 #include <thermocontact/output/space_time_file.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -80,11 +81,18 @@ namespace ThermoContact
     class PieceWriter
     {
     public:
-      PieceWriter(const SpaceTimeLayout &layout, std::ostream &file)
+      PieceWriter(const SpaceTimeLayout &layout,
+                  const OutputUnits     &units,
+                  std::ostream          &file)
         : layout(layout)
         , names(layout.field_names())
+        , position(units.of("position"))
+        , time(units.of("time"))
         , file(file)
       {
+        for (const std::string &name : names)
+          conversions.push_back(units.of("space-time.vtu", name));
+        flags.physical_units = units_of_arrays(names, "space-time.vtu", units);
         flags.print_date_and_time = false;
         flags.compression_level   = DataOutBase::VtkFlags::best_speed;
       }
@@ -109,10 +117,11 @@ namespace ThermoContact
                   const bool         is_upper = corner >= 2;
                   const unsigned int i        = place + corner % 2;
                   patch.vertices[corner] =
-                    Point<2>(layout.x[i], is_upper ? upper_time : lower_time);
+                    Point<2>(position(layout.x[i]),
+                             time(is_upper ? upper_time : lower_time));
                   for (unsigned int field = 0; field < names.size(); ++field)
-                    patch.data(field, corner) =
-                      (is_upper ? upper : lower)[field * layout.x.size() + i];
+                    patch.data(field, corner) = conversions[field](
+                      (is_upper ? upper : lower)[field * layout.x.size() + i]);
                 }
               patches.push_back(patch);
             }
@@ -135,6 +144,9 @@ namespace ThermoContact
     private:
       const SpaceTimeLayout                &layout;
       const std::vector<std::string>        names;
+      const Conversion                      position;
+      const Conversion                      time;
+      Conversions                           conversions; ///< of the fields
       std::ostream                         &file;
       DataOutBase::VtkFlags                 flags;
       std::vector<DataOutBase::Patch<2, 2>> patches;
@@ -198,7 +210,8 @@ namespace ThermoContact
 
   std::string
   write_space_time_vtu(const std::string &columns_path,
-                       const std::string &vtu_path)
+                       const std::string &vtu_path,
+                       const OutputUnits &units)
   {
     namespace fs = std::filesystem;
     ColumnReader columns(columns_path);
@@ -207,7 +220,7 @@ namespace ThermoContact
 
     const std::string part_path = vtu_path + part_suffix;
     std::ofstream     file(part_path);
-    PieceWriter       writer(columns.layout, file);
+    PieceWriter       writer(columns.layout, units, file);
     try
       {
         write_slabs(columns, writer);

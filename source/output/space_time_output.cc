@@ -13,6 +13,7 @@ namespace ThermoContact
     , columns_path(directory + "/space-time.columns")
     , is_writer(Utilities::MPI::this_mpi_process(
                   body.discretization.communicator()) == 0)
+    , units(body.scene.parameters)
     , places(places_on_axis(body.discretization))
     , point_values(body.scene, body.discretization, places)
   {
@@ -78,7 +79,7 @@ namespace ThermoContact
     if (const std::string fault = columns_file.flush(); !fault.empty())
       return fault;
     const std::string fault =
-      write_space_time_vtu(columns_path, directory + "/space-time.vtu");
+      write_space_time_vtu(columns_path, directory + "/space-time.vtu", units);
     std::error_code error;
     if (is_done && fault.empty() &&
         !std::filesystem::exists(directory + "/checkpoint.bin", error))

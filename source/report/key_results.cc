@@ -86,8 +86,7 @@ namespace ThermoContact
       largest = std::max(largest, std::abs(any.displacement_end));
     return is_near(end.temperature_end,
                    state.temperature_end,
-                   std::abs(scene.heat.fixed_end_temperature -
-                            scene.heat.obstacle_temperature)) &&
+                   scene.heat.temperature_range()) &&
                is_near(end.displacement_end, state.displacement_end, largest) ?
              nearest + 1 :
              0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/output/output_tables.h>
 #include <thermocontact/report/output_reference.h>
 
 namespace ThermoContact
@@ -34,7 +35,7 @@ table = pandas.read_csv("contact.csv", comment="#")
                 table.kind + " | unit | meaning |\n|---|---|---|\n";
         for (const OutputTerm &term : table.terms)
           page +=
-            "| `" + term.name + "` | " + term.unit + " | " + term.text + " |\n";
+            "| `" + term.name + "` | " + term.kind + " | " + term.text + " |\n";
       }
     return page;
   }

@@ -30,6 +30,7 @@ namespace ThermoContact
   template <int dim>
   Progress<dim>::Progress(const Simulation<dim> &simulation, Log &log)
     : log(log)
+    , units(simulation.parameters())
     , start(Clock::now())
     , start_time(simulation.record().time)
     , initial_energy_(energy_at_first(simulation.record()))
@@ -70,20 +71,22 @@ namespace ThermoContact
     std::string line = text("  ",
                             align_right(text(10 * tenths(record.time)), 3),
                             " %   t = ",
-                            align_left(text(record.time), 10));
-    const auto  add  = [&line](const char *name, const double value) {
-      line += text("  ", name, " = ", align_left(text(value), 12));
+                            align_left(units.text("time", record.time), 10));
+    const auto  add  = [&](const char  *name,
+                         const char  *kind,
+                         const double value) {
+      line += text("  ", name, " = ", align_left(units.text(kind, value), 12));
     };
     const Scene &scene = simulation.scene();
     if (scene.fields.has_displacement)
-      add("u(1)", record.displacement_end);
+      add("u(1)", "length", record.displacement_end);
     if (scene.contact.law->is_active())
       {
-        add("gap", record.gap);
-        add("force", record.contact_force);
+        add("gap", "length", record.gap);
+        add("force", "force", record.contact_force);
       }
     if (scene.fields.has_temperature)
-      add("theta(1)", record.temperature_end);
+      add("theta(1)", "temperature", record.temperature_end);
     line.erase(line.find_last_not_of(' ') + 1);
     if (log.has_live_line())
       log.file_line(line);
@@ -113,20 +116,23 @@ namespace ThermoContact
     const double done = record.time - start_time;
     const double left =
       seconds_between(start, now) * (end_time - record.time) / done;
-    const auto field = [](const char *name, const double value) {
-      return text("  ", name, ' ', align_left(text(value), 12));
-    };
+    const auto field =
+      [this](const char *name, const char *kind, const double value) {
+        return text("  ", name, ' ', align_left(units.text(kind, value), 12));
+      };
     const auto percent =
       static_cast<unsigned int>(100. * record.time / end_time + 1e-9);
     std::string line = text("  ", align_right(text(percent), 3), " %") +
-                       field(" t", record.time) + field("dt", record.step_size);
+                       field(" t", "time", record.time) +
+                       field("dt", "time", record.step_size);
     if (scene.contact.law->is_active())
-      line += record.in_contact ? field("force", record.contact_force) :
-                                  field("gap  ", record.gap);
+      line += record.in_contact ?
+                field("force", "force", record.contact_force) :
+                field("gap  ", "length", record.gap);
     else if (scene.fields.has_displacement)
-      line += field("u(1)", record.displacement_end);
+      line += field("u(1)", "length", record.displacement_end);
     else
-      line += field("theta(1)", record.temperature_end);
+      line += field("theta(1)", "temperature", record.temperature_end);
     const std::string speed = steps_per_second < 10. ?
                                 significant(steps_per_second, 2) :
                                 fixed_point(steps_per_second, 0);

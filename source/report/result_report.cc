@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/report/key_results.h>
 #include <thermocontact/report/result_report.h>
 #include <thermocontact/report/scene_report.h>
@@ -14,18 +15,49 @@ namespace ThermoContact
 {
   namespace
   {
+    /** Each of a few contacts that have ended, or the sum of all. */
+    std::string
+    describe_durations(const std::vector<ContactEvent> &events,
+                       const StepRecord                &record,
+                       const OutputUnits               &units)
+    {
+      constexpr unsigned int   few = 5;
+      std::vector<std::string> durations;
+      for (unsigned int i = 1; i < events.size(); ++i)
+        if (events[i].kind == ContactEvent::end)
+          durations.push_back(
+            units.text("time", events[i].time - events[i - 1].time));
+      std::string line;
+      if (!durations.empty() && durations.size() <= few)
+        for (const std::string &duration : durations)
+          line += (line.empty() ? ", for " : ", ") + duration;
+      return line +
+             (events.size() > 1 && (durations.size() > 1 || record.in_contact) ?
+                text(", in contact altogether ",
+                     units.text("time",
+                                contact_duration(
+                                  events, record.in_contact, record.time))) :
+                "");
+    }
+
+
+
     template <int dim>
     std::string
     join_events(const Simulation<dim> &simulation)
     {
-      const auto &events = simulation.events();
-      std::string line   = text(n_contact_begins(events), " times");
+      const OutputUnits units(simulation.parameters());
+      const auto       &events = simulation.events();
+      std::string       line   = text(n_contact_begins(events), " times");
       if (!events.empty())
-        line += text(", first at t = ", events.front().time);
-      return line + text(", peak force ",
-                         simulation.history().max_contact_force,
-                         ", peak penetration ",
-                         simulation.history().max_penetration);
+        line += ", first at t = " + units.text("time", events.front().time) +
+                describe_durations(events, simulation.record(), units);
+      return line + ", peak force " +
+             units.text("force", simulation.history().max_contact_force) +
+             ", peak penetration " +
+             units.text("length", simulation.history().max_penetration) +
+             ", impulse " +
+             units.text("force × time", simulation.record().contact_impulse);
     }
 
 
@@ -36,19 +68,26 @@ namespace ThermoContact
                       const StepRecord  &record,
                       const Scene       &scene)
     {
-      std::string line = describe_steady_state(rest, scene) + "; differs";
-      const auto  add =
-        [&line](const char *name, const double value, const double predicted) {
-          if (std::isfinite(predicted))
-            line += text(line.back() == 's' ? " in " : ", ",
-                         name,
-                         " by ",
-                         significant(value - predicted, 2));
-        };
-      add("u(1)", record.displacement_end, rest.displacement_end);
-      add("theta(1)", record.temperature_end, rest.temperature_end);
+      std::string       line = describe_steady_state(rest, scene) + "; differs";
+      const OutputUnits units(scene.parameters);
+      const char       *comma = " in ";
+      const auto        add   = [&](const char  *name,
+                           const char  *kind,
+                           const double value,
+                           const double predicted) {
+        if (!std::isfinite(predicted))
+          return;
+        line +=
+          text(comma, name, " by ", units.text(kind, value - predicted, 2));
+        comma = ", ";
+      };
+      add("u(1)", "length", record.displacement_end, rest.displacement_end);
+      add("theta(1)",
+          "temperature difference",
+          record.temperature_end,
+          rest.temperature_end);
       if (scene.contact.law->is_active())
-        add("force", record.contact_force, rest.contact_force);
+        add("force", "force", record.contact_force, rest.contact_force);
       return line;
     }
 
@@ -56,30 +95,32 @@ namespace ThermoContact
 
     /** The audit (M.22) of the whole run. */
     std::string
-    describe_energy(const StepRecord &record, const double initial_energy)
+    describe_energy(const StepRecord  &record,
+                    const double       initial_energy,
+                    const OutputUnits &units)
     {
+      const auto in = [&units](const double       energy,
+                               const unsigned int digits = few_digits) {
+        return units.text("energy", energy, digits);
+      };
       const double defect = initial_energy + record.work + record.algebraic -
                             record.energy - record.dissipation -
                             record.contact_dissipation -
                             record.numerical_dissipation;
-      return text(
-        initial_energy,
-        " at first + work ",
-        record.work,
-        " = ",
-        record.energy,
-        " + dissipated ",
-        record.dissipation,
-        record.contact_dissipation == 0. ?
-          "" :
-          text(" + taken by the obstacle ", record.contact_dissipation),
-        " + lost to the scheme ",
-        record.numerical_dissipation,
-        record.algebraic == 0. ?
-          "" :
-          text("; brought in by residuals ", significant(record.algebraic, 2)),
-        "; defect ",
-        significant(defect, 2));
+      return text(in(initial_energy),
+                  " at first + work ",
+                  in(record.work),
+                  " = ",
+                  in(record.energy),
+                  " + dissipated ",
+                  in(record.dissipation),
+                  " + lost to the scheme ",
+                  in(record.numerical_dissipation),
+                  record.algebraic == 0. ?
+                    "" :
+                    text("; brought in by residuals ", in(record.algebraic, 2)),
+                  "; defect ",
+                  in(defect, 2));
     }
 
 
@@ -101,10 +142,13 @@ namespace ThermoContact
         {"steps: energy, errors, rest", steps_rest},
         {"rows and screen", times.loop - times.steps},
         {"fields and checkpoints", times.output},
+        {"repeats for error bars", times.repeats},
         {"whole run", times.wall}};
       const char *title = "time";
       for (const auto &[name, seconds] : sections)
         {
+          if (seconds == 0. && std::string(name) == "repeats for error bars")
+            continue;
           const double share = 100. * std::max(0., seconds) / times.wall;
           log.line(text("  ",
                         align_left(title, 10),
@@ -131,8 +175,7 @@ namespace ThermoContact
     const StepRecord    &record   = simulation.record();
     const SolverCounters counters = simulation.counters();
     if (scene.contact.law->is_active())
-      log.line("  contact   " + join_events(simulation) +
-               text(", impulse ", record.contact_impulse));
+      log.line("  contact   " + join_events(simulation));
     log.line("  final     " +
              describe_steady_state(final_state(record), scene));
     const auto rest = steady_state(scene).states;
@@ -141,7 +184,9 @@ namespace ThermoContact
                compare_with_rest(rest[nearest_state(rest, final_state(record))],
                                  record,
                                  scene));
-    log.line("  energy    " + describe_energy(record, initial_energy));
+    log.line("  energy    " + describe_energy(record,
+                                              initial_energy,
+                                              OutputUnits(scene.parameters)));
     log.line(text(
       "  cost      ",
       record.step,
@@ -167,10 +212,41 @@ namespace ThermoContact
 
 
 
+  template <int dim>
+  void
+  report_errors(const Simulation<dim> &simulation,
+                const KeyErrors       &errors,
+                Log                   &log)
+  {
+    const KeyValues values = key_values(simulation);
+    const auto      bar    = [](const double error) {
+      return std::isnan(error) ? "unknown" : significant(error, 2);
+    };
+    for (const std::string &remark : errors.remarks)
+      log.line("  warning:  " + remark);
+    log.line(text("  errors    by ",
+                  errors.n_repeats,
+                  " repeats: value, +- in time, +- in space"));
+    for (unsigned int k = 0; k < n_key_errors; ++k)
+      if (!std::isnan(values[k]))
+        log.line(text("            ",
+                      align_left(key_error_names[k], 24),
+                      align_left(text(values[k]), 12),
+                      "  +- ",
+                      align_left(bar(errors.time[k]), 8),
+                      "  +- ",
+                      bar(errors.space[k])));
+  }
+
+
+
 #define INSTANTIATE(dim)                                    \
   template void report_result<dim>(const Simulation<dim> &, \
                                    const RunTimes &,        \
                                    const double,            \
+                                   Log &);                  \
+  template void report_errors<dim>(const Simulation<dim> &, \
+                                   const KeyErrors &,       \
                                    Log &)
 
   INSTANTIATE(1);

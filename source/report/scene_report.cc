@@ -4,6 +4,7 @@
 #include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/report/scene_report.h>
 #include <thermocontact/scene/scene_terms.h>
 
@@ -85,6 +86,7 @@ namespace ThermoContact
     describe_contact(const Simulation<dim> &simulation)
     {
       const SceneContact &contact = simulation.scene().contact;
+      const OutputUnits   units(simulation.parameters());
       if (!contact.law->is_active())
         return contact.law->description();
       const auto [smallest, largest] =
@@ -95,12 +97,12 @@ namespace ThermoContact
                     "",
                   ", g = ",
                   contact.has_uniform_gap() ?
-                    text(contact.gap) :
+                    units.text("length", contact.gap) :
                     text(simulation.parameters().contact.gap_expression,
                          " (",
-                         smallest,
+                         units.text("length", smallest),
                          " to ",
-                         largest,
+                         units.text("length", largest),
                          " at the contact nodes)"),
                   contact.has_massless_nodes ? ", massless contact nodes" : "");
     }
@@ -111,15 +113,20 @@ namespace ThermoContact
     describe_time(const Scene &scene)
     {
       const TimeParameters &time = scene.parameters.time;
+      const OutputUnits     units(scene.parameters);
       const std::string     steps =
         time.has_error_control() ?
               text("error-controlled steps, tolerance ", time.tolerance) :
-              text("dt = ", *time.step_size, ", ", time.n_steps(), " steps");
+              text("dt = ",
+               units.text("time", *time.step_size),
+               ", ",
+               time.n_steps(),
+               " steps");
       return text(time.scheme,
                   ", ",
                   steps,
                   ", T = ",
-                  time.end_time,
+                  units.text("time", time.end_time),
                   scene.contact.locates_events ? ", contact events located" :
                                                  "",
                   ", ",
@@ -134,7 +141,7 @@ namespace ThermoContact
 
     /** What steps follow of the loads. */
     std::string
-    describe_loads(const LoadHistory &loads)
+    describe_loads(const LoadHistory &loads, const OutputUnits &units)
     {
       unsigned int n_jumps = 0;
       for (const LoadBreak &at : loads.breaks)
@@ -150,7 +157,9 @@ namespace ThermoContact
         smallest =
           std::min(smallest, loads.largest_step(stretch.begin, smallest));
       if (loads.stretches.size() > loads.breaks.size() + 1)
-        line += text(", and are at most ", smallest, " where loads change");
+        line += text(", and are at most ",
+                     units.text("time", smallest),
+                     " where loads change");
       return line;
     }
 
@@ -160,8 +169,9 @@ namespace ThermoContact
     describe_scales(const Scene &scene)
     {
       std::vector<std::string> words;
+      const OutputUnits        units(scene.parameters);
       for (const auto &[name, value] : time_scales(scene))
-        words.push_back(text(name, ' ', value));
+        words.push_back(text(name, ' ', units.text("time", value)));
       return join_words(words);
     }
 
@@ -196,13 +206,17 @@ namespace ThermoContact
 
 
     std::string
-    describe_impact(const FirstImpact &impact)
+    describe_impact(const FirstImpact &impact, const OutputUnits &units)
     {
-      std::string line = "about t = " + about(impact.time) + ", velocity " +
-                         about(impact.velocity);
+      const auto about_in = [&units](const char *kind, const double value) {
+        const Conversion &unit = units.of(kind);
+        return about(unit(value)) + (unit.unit.empty() ? "" : " " + unit.unit);
+      };
+      std::string line = "about t = " + about_in("time", impact.time) +
+                         ", velocity " + about_in("velocity", impact.velocity);
       if (impact.penetration > 0.)
-        line += ", peak penetration " + about(impact.penetration) +
-                ", peak force " + about(impact.force);
+        line += ", peak penetration " + about_in("length", impact.penetration) +
+                ", peak force " + about_in("force", impact.force);
       return line;
     }
 
@@ -214,9 +228,12 @@ namespace ThermoContact
       const TimeParameters &time = scene.parameters.time;
       const bool fails = scene.is_fixed_point && !time.has_error_control() &&
                          *time.step_size > critical;
+      const OutputUnits units(scene.parameters);
       return text("the paper's iteration fails in contact for dt > ",
-                  critical,
-                  fails ? text(", as the ", *time.step_size, " of this run") :
+                  units.text("time", critical),
+                  fails                ? text(", as the ",
+                               units.text("time", *time.step_size),
+                               " of this run") :
                   scene.is_fixed_point ? "" :
                                          "; monolithic has no such limit");
     }
@@ -264,7 +281,8 @@ namespace ThermoContact
       log.line("  scales    " + describe_scales(scene));
       log.line("  at rest   " + describe_rest(scene));
       if (const auto impact = first_impact(scene))
-        log.line("  impact    " + describe_impact(*impact));
+        log.line("  impact    " +
+                 describe_impact(*impact, OutputUnits(scene.parameters)));
       if (const auto critical = critical_step_size(scene))
         log.line("  limit     " + describe_critical_step(*critical, scene));
       if (const auto cost = expected_cost(scene, n_cells))
@@ -277,17 +295,18 @@ namespace ThermoContact
   std::string
   describe_steady_state(const SteadyState &state, const Scene &scene)
   {
-    std::string line;
-    const auto  add = [&line](const std::string &part) {
+    const OutputUnits units(scene.parameters);
+    std::string       line;
+    const auto        add = [&line](const std::string &part) {
       line += (line.empty() ? "" : ", ") + part;
     };
     if (scene.fields.has_displacement)
-      add(text("u(1) = ", state.displacement_end));
+      add("u(1) = " + units.text("length", state.displacement_end));
     if (scene.fields.has_temperature)
-      add(text("theta(1) = ", state.temperature_end));
+      add("theta(1) = " + units.text("temperature", state.temperature_end));
     if (scene.contact.law->is_active())
       add(text("force ",
-               state.contact_force,
+               units.text("force", state.contact_force),
                state.in_contact ? ", in contact" : ", open"));
     return line;
   }
@@ -310,10 +329,13 @@ namespace ThermoContact
   void
   report_scene(const Simulation<dim> &simulation, Log &log)
   {
-    const Scene    &scene    = simulation.scene();
-    const Material &material = scene.material;
+    const Scene      &scene    = simulation.scene();
+    const Material   &material = scene.material;
+    const OutputUnits units(scene.parameters);
     if (!scene.parameters.title.empty())
       log.line(scene.parameters.title);
+    if (units.is_si())
+      log.line("  units     " + units.description());
     log.line("  body      " + describe_body(simulation));
     log.line("  unknowns  " + describe_unknowns(simulation));
     if (dim > 1)
@@ -332,19 +354,26 @@ namespace ThermoContact
                       "" :
                       text(", nu = ", scene.parameters.model.poisson_ratio)));
     if (scene.fields.has_temperature)
-      log.line(text("  heat      theta_A = ",
-                    scene.heat.fixed_end_temperature,
-                    ", ",
-                    scene.heat.exchange->description(),
-                    ", theta_obs = ",
-                    scene.sources.has_varying_obstacle ?
-                      scene.parameters.boundary.obstacle_expression :
-                      text(scene.heat.obstacle_temperature)));
+      log.line(
+        text("  heat      theta_A = ",
+             units.text("temperature", scene.heat.fixed_end_temperature),
+             ", ",
+             scene.heat.exchange->description(),
+             ", theta_obs = ",
+             scene.sources.has_varying_obstacle ?
+               scene.parameters.boundary.obstacle_expression :
+               units.text("temperature", scene.heat.obstacle_temperature),
+             scene.heat.has_lateral_exchange() ?
+               text(", m = ",
+                    scene.heat.lateral_exchange,
+                    ", theta_inf = ",
+                    units.text("temperature", scene.heat.ambient_temperature)) :
+               ""));
     if (scene.fields.has_displacement)
       log.line("  contact   " + describe_contact(simulation));
     log.line("  time      " + describe_time(scene));
     if (!simulation.loads().is_empty())
-      log.line("  loads     " + describe_loads(simulation.loads()));
+      log.line("  loads     " + describe_loads(simulation.loads(), units));
     report_forecast(scene, simulation.discretization().n_active_cells(), log);
     report_warnings(simulation.history().warnings, 0, log);
   }

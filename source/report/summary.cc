@@ -7,7 +7,7 @@
 #include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/forecast/steady_state.h>
-#include <thermocontact/output/output_directory.h>
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/report/key_results.h>
 #include <thermocontact/report/summary.h>
 #include <thermocontact/scene/scene_terms.h>
@@ -45,11 +45,12 @@ namespace ThermoContact
     {
       entries["states_of_rest"]        = nlohmann::ordered_json::array();
       entries["reached_state_of_rest"] = nullptr;
+      const OutputUnits units(scene.parameters);
       for (const SteadyState &state : states)
         entries["states_of_rest"].push_back(
-          {{"displacement_end", state.displacement_end},
-           {"contact_force", state.contact_force},
-           {"temperature_end", state.temperature_end},
+          {{"displacement_end", units.of("length")(state.displacement_end)},
+           {"contact_force", units.of("force")(state.contact_force)},
+           {"temperature_end", units.of("temperature")(state.temperature_end)},
            {"in_contact", state.in_contact},
            {"is_stable", state.is_stable}});
       if (const unsigned int state = reached_state_of_rest(states, end, scene))
@@ -104,6 +105,37 @@ namespace ThermoContact
         add_states_of_rest(states, final_state(record), scene, entries);
       return entries;
     }
+    /** The numbers of @p summary in units, and which ones. */
+    void
+    convert(const OutputUnits &units, nlohmann::ordered_json &summary)
+    {
+      nlohmann::ordered_json names = nlohmann::ordered_json::object();
+      for (auto &&item : summary.items())
+        if (const Conversion &unit = units.of("summary.json", item.key());
+            !unit.unit.empty())
+          {
+            names[item.key()] = unit.unit;
+            if (item.value().is_number())
+              item.value() = unit(item.value().get<double>());
+          }
+      summary["units"] = names;
+    }
+
+
+
+    /** What is not known is null; remarks are warnings. */
+    void
+    add_errors(const KeyErrors &errors, nlohmann::ordered_json &entries)
+    {
+      for (unsigned int k = 0; k < n_key_errors; ++k)
+        {
+          const std::string name         = key_error_names[k];
+          entries[name + "_time_error"]  = errors.time[k];
+          entries[name + "_space_error"] = errors.space[k];
+        }
+      for (const std::string &remark : errors.remarks)
+        entries["warnings"].push_back(remark);
+    }
   } // namespace
 
 
@@ -113,7 +145,8 @@ namespace ThermoContact
   write_summary(const std::string     &file_name,
                 const std::string     &status,
                 const Simulation<dim> &simulation,
-                const RunTimes        &times)
+                const RunTimes        &times,
+                const KeyErrors       *errors)
   {
     const Parameters    &parameters = simulation.parameters();
     const StepRecord    &record     = simulation.record();
@@ -171,6 +204,10 @@ namespace ThermoContact
       summary["first_contact_time"] = events.front().time;
 
     summary.update(predictions(simulation));
+    if (errors != nullptr)
+      add_errors(*errors, summary);
+    if (const OutputUnits units(parameters); units.is_si())
+      convert(units, summary);
 
     std::string fault;
     if (Utilities::MPI::this_mpi_process(space.communicator()) == 0)
@@ -190,7 +227,8 @@ namespace ThermoContact
   template void write_summary<dim>(const std::string &,     \
                                    const std::string &,     \
                                    const Simulation<dim> &, \
-                                   const RunTimes &)
+                                   const RunTimes &,        \
+                                   const KeyErrors *)
 
   INSTANTIATE(1);
   INSTANTIATE(2);

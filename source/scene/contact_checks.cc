@@ -9,8 +9,7 @@ namespace ThermoContact
   void
   check_damping(const Scene &scene)
   {
-    const Parameters &parameters = scene.parameters;
-    const double      damping    = scene.contact.law->damping();
+    const double damping = scene.contact.law->damping();
     if (damping == 0.)
       return;
     const auto refuse_since = [&](const std::string &reason,

@@ -67,6 +67,8 @@ namespace ThermoContact
                                      boundary.obstacle_temperature :
                                      first_temperature(boundary);
       heat.reference_coefficient = heat.exchange->coefficient(-gap, 0.);
+      heat.lateral_exchange      = boundary.lateral_heat_exchange;
+      heat.ambient_temperature   = boundary.ambient_temperature;
       return heat;
     }
 
@@ -193,6 +195,8 @@ namespace ThermoContact
         return "Solver/Step solver = fixed point";
       if (has_prescribed_start)
         return "Time/Start = paper";
+      if (heat.has_lateral_exchange())
+        return "Boundary/Lateral heat exchange is not 0";
       const std::string condition =
         "Contact/Condition = " + parameters.contact.condition;
       if (contact.law->damping() > 0.)

@@ -5,6 +5,7 @@
 #include <thermocontact/input/probe_positions.h>
 #include <thermocontact/scene/contact_checks.h>
 #include <thermocontact/scene/mass_checks.h>
+#include <thermocontact/scene/scales_checks.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
 
@@ -348,6 +349,7 @@ namespace ThermoContact
              parameters.contact.compliance,
              "epsilon > 0",
              "for a rigid obstacle set Contact/Condition = rigid");
+    check_scales(parameters);
     check_mass_matrix(scene);
     check_damping(scene);
     check_rear_gap(scene);
@@ -373,14 +375,20 @@ namespace ThermoContact
 
 
   void
-  check_scene_text(const std::string &text, const std::string &name)
+  check_assignments(const std::vector<Assignment> &assignments)
   {
     Parameters       parameters;
     ParameterHandler prm;
     parameters.add_parameters(prm);
-    std::istringstream stream(text);
-    assign_entries(read_assignments(stream, name), prm);
-    check_unused_entries(parameters, prm);
-    check_scene(parameters);
+    assign_entries(assignments, prm);
+    try
+      {
+        check_unused_entries(parameters, prm);
+        check_scene(parameters);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(complete_message(error.what(), assignments, prm));
+      }
   }
 } // namespace ThermoContact

@@ -43,6 +43,8 @@ namespace ThermoContact
     Words           terms;
     terms.add_if(has_temperature, "heat conduction");
     terms.add_if(has_temperature && scene.heat.has_exchange(), "heat exchange");
+    terms.add_if(has_temperature && scene.heat.has_lateral_exchange(),
+                 "lateral heat exchange");
     terms.add_if(has_displacement && material.has_inertia(), "inertia");
     terms.add_if(has_displacement, "elasticity");
     terms.add_if(has_displacement && material.has_viscosity(), "viscosity");

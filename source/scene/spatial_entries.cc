@@ -12,8 +12,9 @@ namespace ThermoContact
   {
     // Neither Scene::contact.has_massless_nodes nor Scene::linear_solver asks
     // for one of them.
-    static const std::array<const char *, 10> others = {
+    static const std::array<const char *, 11> others = {
       {"Title",
+       "Boundary/Ambient temperature",
        "Boundary/Fixed end temperature",
        "Contact/Compliance",
        "Time/Break points",

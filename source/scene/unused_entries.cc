@@ -67,6 +67,8 @@ namespace ThermoContact
                      "Boundary/Fixed end temperature",
                      "Boundary/Heat exchange",
                      "Boundary/Obstacle temperature",
+                     "Boundary/Lateral heat exchange",
+                     "Boundary/Ambient temperature",
                      "Initial values/Temperature",
                      "Sources/Heat source",
                      "Sources/End heat flux"},
@@ -138,6 +140,9 @@ namespace ThermoContact
     unused.add_if(!scene.heat.has_exchange(),
                   {"Boundary/Obstacle temperature"},
                   "Boundary/Heat exchange = 0");
+    unused.add_if(!scene.heat.has_lateral_exchange(),
+                  {"Boundary/Ambient temperature"},
+                  "Boundary/Lateral heat exchange = 0");
     unused.add_if(!parameters.time.has_error_control(),
                   {"Time/Tolerance",
                    "Time/First step size",
@@ -156,6 +161,18 @@ namespace ThermoContact
                    "Study/Target error",
                    "Study/Keep files"},
                   "Study/Vary = (empty)");
+    unused.add_if(!parameters.scales.is_given(),
+                  {"Output/SI",
+                   "Scales/Length",
+                   "Scales/Time",
+                   "Scales/Displacement",
+                   "Scales/Stress",
+                   "Scales/Area",
+                   "Scales/Temperature",
+                   "Scales/Reference temperature",
+                   "Scales/Time unit",
+                   "Scales/Temperature unit"},
+                  "Scales/Length = none");
     unused.add_if(!scene.is_fixed_point,
                   {"Solver/Fixed point tolerance",
                    "Solver/Fixed point iterations"},

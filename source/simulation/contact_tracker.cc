@@ -97,7 +97,9 @@ namespace ThermoContact
                                     const EnergyTerms &energy)
   {
     impacted.reset();
-    if (!locator.switch_at_start(finding.time, finding.side))
+    if (!locator.switch_at_start(finding.time,
+                                 finding.change_of_velocity,
+                                 finding.side))
       return {ContactVerdict::with_law};
     if (body.law().is_rigid() && !body.scene.contact.is_in_equilibrium &&
         locator.mode() == ContactMode::closed)

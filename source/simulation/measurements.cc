@@ -26,6 +26,12 @@ namespace ThermoContact
     ones = 1.;
     body.equations.heat_mass().vmult(mean_weights, ones);
     mean_weights /= ones * mean_weights;
+    if (!body.scene.heat.has_lateral_exchange())
+      return;
+    lateral_weights.reinit(mean_weights);
+    body.equations.lateral_exchange().vmult(lateral_weights, ones);
+    lateral_weights /= body.discretization.geometry().cross_section();
+    lateral_sum = ones * lateral_weights;
   }
 
 
@@ -242,6 +248,10 @@ namespace ThermoContact
           warming->value(body.contact_end().nodes()[i].position);
     record.heat_flux_end    = body.contact_end().mean(contact_values);
     record.temperature_mean = mean_weights * state.temperature;
+    if (body.scene.heat.has_lateral_exchange())
+      record.lateral_heat_flux =
+        lateral_weights * state.temperature -
+        lateral_sum * body.scene.heat.ambient_temperature;
   }
 
 

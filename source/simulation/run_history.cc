@@ -13,6 +13,8 @@ namespace ThermoContact
     max_penetration = std::max(max_penetration, record.penetration);
     max_contact_force =
       std::max(max_contact_force, std::abs(record.contact_force));
+    penetration_peak.add(record.time, record.penetration);
+    force_peak.add(record.time, std::abs(record.contact_force));
   }
 
 
@@ -25,6 +27,7 @@ namespace ThermoContact
     record.iterations = result.n_iterations;
     add_jump(result); // energies that a jump has, too
     record.dissipation += result.dissipation;
+    record.lateral_dissipation += result.lateral_dissipation;
     record.algebraic += result.algebraic;
     record.contact_dissipation += result.contact_dissipation;
     record.contact_impulse += result.impulse;

@@ -33,6 +33,7 @@ namespace ThermoContact
                    StepLadder{1, true})
     , error_norm(body_.energy.steady_profile_energy())
     , energy_watch(scene_)
+    , mesh_watch(scene_, discretization())
   {
     std::vector<std::string> warnings; // after those of the initial state
     controller.follow(load_history(scene_, body_.data, warnings));
@@ -80,6 +81,7 @@ namespace ThermoContact
     tracker.start(state_, history_.events);
     history_.max_penetration   = record.penetration;
     history_.max_contact_force = std::abs(record.contact_force);
+    history_.add_maxima();
   }
 
 
@@ -167,12 +169,17 @@ namespace ThermoContact
     history_.add_step(time_step, result);
     history_.add_maxima();
     error_norm.add(result.energy);
+    mesh_watch.add(state_, time_step.size, result.energy);
     if (result.is_prescribed)
       energy_watch.start(result.energy);
     else if (const std::string warning =
                energy_watch.add(record().step, record().time, result.energy);
              !warning.empty())
       history_.warnings.push_back(warning);
+    if (controller.is_finished(state_.time))
+      if (const std::string warning = mesh_watch.take_warning();
+          !warning.empty())
+        history_.warnings.push_back(warning);
   }
 
 

@@ -1,40 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/space/energy.h>
-
-#include <deal.II/base/function_lib.h>
-
-#include <deal.II/numerics/vector_tools_interpolate.h>
+#include <thermocontact/space/steady_profile.h>
 
 #include <cmath>
 
 namespace ThermoContact
 {
-  namespace
-  {
-    /** $\theta_s$ in the first component. */
-    template <int dim>
-    class SteadyProfile : public Function<dim>
-    {
-    public:
-      SteadyProfile(const unsigned int n_components, const SceneHeat &heat)
-        : Function<dim>(n_components)
-        , heat(heat)
-      {}
-
-      double
-      value(const Point<dim> &point, const unsigned int c) const override
-      {
-        return c == 0 ? heat.steady_temperature(point[0]) : 0.;
-      }
-
-    private:
-      const SceneHeat &heat;
-    };
-  } // namespace
-
-
-
   double
   EnergyTerms::magnitude() const
   {
@@ -65,13 +37,14 @@ namespace ThermoContact
   {
     if (!discretization.has_field(Field::temperature))
       return;
-    SystemVector system = discretization.make_system_vector();
-    VectorTools::interpolate(discretization.mapping(),
-                             discretization.dof_handler(),
-                             SteadyProfile<dim>(discretization.n_components(),
-                                                scene.heat),
-                             system);
-    discretization.split(system, steady_profile_, momentum_scratch);
+    set_steady_profile(
+      scene, discretization, stage_operator, loads, steady_profile_);
+    steady_end.assign(discretization.contact_end().n_nodes(),
+                      heat.steady_temperature(1.));
+    if (heat.has_lateral_exchange())
+      discretization.contact_end().get_values(Field::temperature,
+                                              steady_profile_,
+                                              steady_end);
     if (material.has_thermal_stress())
       stage_operator.thermal_stress().vmult(steady_stress, steady_profile_);
   }
@@ -221,6 +194,19 @@ namespace ThermoContact
 
   template <int dim>
   double
+  Energy<dim>::lateral_dissipation_rate(const State &state) const
+  {
+    return heat.has_lateral_exchange() ?
+             heat_form(stage_operator.lateral_exchange(),
+                       state.temperature,
+                       &steady_profile_) :
+             0.;
+  }
+
+
+
+  template <int dim>
+  double
   Energy<dim>::exchange_dissipation(const State  &state,
                                     const Vector &excess) const
   {
@@ -242,7 +228,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < end_temperature.size(); ++i)
       end_temperature[i] *=
         -heat.flux(state.exchange_coefficient[i] - heat.reference_coefficient,
-                   heat.steady_temperature(1.));
+                   steady_end[i]);
     return end.mean(end_temperature);
   }
 
@@ -280,7 +266,7 @@ namespace ThermoContact
         if (loads.has_sources())
           {
             heat_product = heat_load;
-            heat_product -= loads.obstacle_heat();
+            heat_product -= loads.outer_heat();
             rate += heat_scratch * heat_product;
           }
         if (!heat.exchange->is_constant())

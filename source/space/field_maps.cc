@@ -24,6 +24,8 @@ namespace ThermoContact
         {
           maps.heat_mass  = map(matrices.mass.block(0, 0));
           maps.conduction = map(matrices.stiffness.block(0, 0));
+          if (scene.heat.has_lateral_exchange())
+            maps.lateral_exchange = map(matrices.lateral_exchange.block(0, 0));
         }
       if (scene.fields.has_displacement)
         {
@@ -104,7 +106,12 @@ namespace ThermoContact
                   const MatrixFreeOperator<dim> *products)
   {
     if (rod != nullptr)
-      return make_maps(*rod);
+      {
+        FieldMaps maps = make_maps(*rod);
+        if (scene.heat.has_lateral_exchange())
+          maps.lateral_exchange = map(matrices->lateral_exchange.block(0, 0));
+        return maps;
+      }
     if constexpr (dim > 1)
       if (products != nullptr)
         return make_maps(*products);

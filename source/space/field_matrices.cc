@@ -114,11 +114,16 @@ namespace ThermoContact
       setup_matrix(true, coupling);
     if (scene.has_elastic_contact_nodes())
       setup_matrix(false, viscous_stiffness);
+    if (scene.heat.has_lateral_exchange())
+      setup_matrix(false, lateral_exchange);
     start_rod();
     assemble_mass();
     assemble_stiffness();
     if (scene.fields.has_temperature)
-      assemble_contact_end();
+      {
+        assemble_contact_end();
+        assemble_lateral_exchange();
+      }
     if (rod_cells)
       rod = rod_cells->make();
     rod_cells.reset();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/space/lateral_exchange.h>
 #include <thermocontact/space/loads.h>
 
 #include <deal.II/base/function.h>
@@ -36,15 +37,21 @@ namespace ThermoContact
                   update_values | update_quadrature_points | update_JxW_values)
     , sources(discretization.make_ghosted_vector())
     , cell_load(discretization.finite_element().dofs_per_cell)
-    , obstacle_heat_(discretization.make_vector(Field::temperature))
+    , outer_heat_(discretization.make_vector(Field::temperature))
   {
     unconstrained.close();
     if (!scene.fields.has_temperature)
       return;
     integrate_end_flux(
       Functions::ConstantFunction<dim>(scene.heat.obstacle_heat()));
+    const LateralExchange<dim> lateral(scene, discretization);
+    lateral.for_each_place(
+      [&](const auto &cell, const FEValuesBase<dim> &values) {
+        lateral.integrate(values, scene.heat.ambient_temperature, cell_load);
+        distribute(cell);
+      });
     sources.compress(VectorOperation::add);
-    add_sources(Field::temperature, obstacle_heat_);
+    add_sources(Field::temperature, outer_heat_);
   }
 
 
@@ -53,7 +60,7 @@ namespace ThermoContact
   void
   Loads<dim>::assemble(const double time, Vector &heat, Vector &momentum)
   {
-    heat     = obstacle_heat_;
+    heat     = outer_heat_;
     momentum = 0.;
     if (!data.has_sources())
       return;

@@ -130,6 +130,19 @@ namespace ThermoContact
 
   template <int dim>
   SparseMatrix
+  ThermoviscoelasticOperator<dim>::conduction_matrix() const
+  {
+    return combine(matrices->mass.block(0, 0),
+                   0.,
+                   matrices->stiffness.block(0, 0),
+                   1.,
+                   Field::temperature);
+  }
+
+
+
+  template <int dim>
+  SparseMatrix
   ThermoviscoelasticOperator<dim>::momentum_stage_matrix(const double tau) const
   {
     const SparseMatrix &mass      = last_block(matrices->mass);

@@ -87,6 +87,9 @@ namespace ThermoContact
     if (variation.path.rfind("Study/", 0) == 0 ||
         variation.path == "Output/Directory")
       fail("an entry that is the study's own");
+    if (variation.path.rfind("Scales/", 0) == 0 ||
+        variation.path == "Output/SI")
+      fail("units, which all rows of study.csv have in common,");
     for (const std::string &value : variation.values)
       if (value.empty())
         fail("an empty value");

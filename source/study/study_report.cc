@@ -233,7 +233,8 @@ namespace ThermoContact
       std::optional<unsigned int> best;
       for (unsigned int run = 0; run < study.plan().n_runs(); ++run)
         if (study.failure(run).empty() &&
-            study.number(run, "error_displacement_end") <= target &&
+            study.number(run, "error_displacement_end") <=
+              study.units().of("length")(target) &&
             (!best || study.number(run, "loop_seconds") <
                         study.number(*best, "loop_seconds")))
           best = run;
@@ -249,11 +250,11 @@ namespace ThermoContact
       if (!best)
         return text("  cheapest  No run has an error of displacement_end of at "
                     "most ",
-                    target,
+                    study.units().text("length", target),
                     '.');
       std::string line  = text("  cheapest  The cheapest run with an error of "
                                "displacement_end of at most ",
-                              target,
+                              study.units().text("length", target),
                               " has");
       const char *comma = " ";
       for (const std::string &path : study.plan().varied())
@@ -263,6 +264,7 @@ namespace ThermoContact
         }
       return line + text(": error ",
                          study.number(*best, "error_displacement_end"),
+                         study.units().is_si() ? " m" : "",
                          ", ",
                          study.words(*best, "solves"),
                          " solves, ",

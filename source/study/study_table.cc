@@ -145,14 +145,6 @@ namespace ThermoContact
 
 
 
-    std::string
-    make_head(const StudyPlan &plan, const std::string &title)
-    {
-      return csv_comments(title) + csv_head(make_columns(plan));
-    }
-
-
-
     /** The line of names, the last one of a head. */
     std::string
     names_in(const std::string &head)
@@ -166,10 +158,13 @@ namespace ThermoContact
 
   StudyTable::StudyTable(const StudyPlan   &plan,
                          const std::string &file_name,
-                         const std::string &title)
+                         const Parameters  &parameters)
     : plan_(plan)
     , file_name(file_name)
-    , head(make_head(plan, title))
+    , units_(parameters)
+    , conversions(units_.of_columns("study.csv", make_columns(plan)))
+    , head(csv_comments(parameters.title) +
+           csv_head(make_columns(plan), conversions))
     , names_(split_row(names_in(head)))
   {}
 
@@ -181,7 +176,8 @@ namespace ThermoContact
     std::string row;
     append_csv_row(make_columns(plan_),
                    {run, plan_.entries(run), result, error_of(result)},
-                   row);
+                   row,
+                   conversions);
     // one call, so that rows of several ranks do not mix
     const int file  = open(file_name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
     const ssize_t n = file < 0 ? -1 : write(file, row.data(), row.size());

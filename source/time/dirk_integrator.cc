@@ -319,8 +319,8 @@ namespace ThermoContact
   void
   DirkIntegrator<dim>::start_sums(StepResult &result)
   {
-    result.work = result.dissipation = result.contact_dissipation = 0.;
-    result.algebraic = result.impulse = 0.;
+    result.work = result.dissipation = result.algebraic = result.impulse = 0.;
+    result.contact_dissipation = result.lateral_dissipation = 0.;
   }
 
 
@@ -334,6 +334,8 @@ namespace ThermoContact
     result.dissipation += weight * body.energy.dissipation_rate(stage_state);
     result.contact_dissipation +=
       weight * body.energy.damping_rate(stage_state);
+    result.lateral_dissipation +=
+      weight * body.energy.lateral_dissipation_rate(stage_state);
     result.impulse +=
       weight * body.contact_end().mean(stage_state.contact_pressure);
     if (body.energy.has_work())

@@ -335,6 +335,8 @@ namespace ThermoContact
     result.n_iterations  = rates.n_iterations;
     result.is_prescribed = false;
     result.dissipation   = size * body.energy.dissipation_rate(midpoint);
+    result.lateral_dissipation =
+      size * body.energy.lateral_dissipation_rate(midpoint);
     result.work      = body.energy.has_work() ? work(size, result.state) : 0.;
     result.impulse   = size * body.contact_end().mean(rates.pressure);
     result.algebraic = 0.;

@@ -78,6 +78,8 @@ namespace ThermoContact
                                     output.space_time_interval})
         if (interval > 0.)
           landing_intervals.push_back(interval);
+    if (output.period > 0.)
+      landing_intervals.push_back(output.period);
     if (!has_error_control)
       return;
     // A guess in the time unit of the heat equation; the error estimate of

@@ -20,6 +20,7 @@ namespace ThermoContact
     const auto          visit = [this](const auto &act) {
       for (double *value : {&work,
                             &dissipation,
+                            &lateral_dissipation,
                             &numerical_dissipation,
                             &algebraic,
                             &contact_dissipation,

@@ -4,7 +4,7 @@
 impact and the limit of the paper's iteration, from summary.json and events.csv.
 
 Numbers have six digits, differences from the state of rest two, the wall time of a step
-three. The defect of the energy is what the columns leave, but for rounding. The lines of
+three. Up to five contacts that have ended are listed by their durations. The defect of the energy is what the columns leave, but for rounding. The lines of
 tenths are rows of contact.csv, as far as these are written.
 """
 import re
@@ -14,6 +14,7 @@ from run_files import Run
 
 NUMBER = r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?(?![\d%]*\()"  # not that of u(1)
 SIX, THREE, TWO = 6e-6, 6e-3, 6e-2
+FEW = 5  # contacts whose durations are listed
 SHOWN = {"u(1)": "displacement_end", "gap": "gap", "force": "contact_force",
          "theta(1)": "temperature_end"}
 
@@ -32,6 +33,10 @@ def expected_lines(run):
     s, last = run.summary, {name: run.contact[name][-1] for name in run.contact.names}
     if "displacement" in s["fields"] and last_line(run.log, "contact").count("times"):
         first = [s["first_contact_time"]] if s["contact_begins"] else []
+        ended = [d for d in run.events["duration"] if d == d]
+        first += ended if len(ended) <= FEW else []
+        if first and (len(ended) > 1 or s["final_in_contact"]):
+            first.append(s["contact_duration"])
         yield "contact", "", [(value, SIX, 0) for value in (
             s["contact_begins"], *first, s["max_contact_force"], s["max_penetration"],
             last["contact_impulse"])]
@@ -45,8 +50,10 @@ def expected_lines(run):
         yield "at rest", "; differs in ", [(s["difference_" + key], TWO, 1e-12)
                                            for key in keys]
     parts = [last["energy"], last["dissipation"], last["numerical_dissipation"]]
-    first = run.contact["energy"][0]
-    yield "energy", "", [(value, SIX, 0) for value in (first, last["work"], *parts)] + [
+    first, shown = run.contact["energy"][0], parts.copy()
+    if "lateral_dissipation" in last:  # the part of the dissipation behind it
+        shown.insert(2, last["lateral_dissipation"])
+    yield "energy", "", [(value, SIX, 0) for value in (first, last["work"], *shown)] + [
         (first + last["work"] - sum(parts), TWO, 1e-11 * (abs(first) + abs(last["work"])))]
     yield "cost", "", [(s[key], 0, 0) for key in (
         "steps", "rejected_steps", "factorizations", "solves")] + [
@@ -93,6 +100,8 @@ def time_scales(settings):
     epsilon = settings.number("Contact/Compliance")
     if settings.has("temperature"):
         yield "heat", 1
+        if m := settings.number("Boundary/Lateral heat exchange"):
+            yield "lateral", 1 / m
     if settings.has("displacement"):
         yield from ((name, value) for name, value in (
             ("wave", b**0.5), ("viscous", zeta),

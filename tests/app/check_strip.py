@@ -18,7 +18,7 @@ import sys
 
 import numpy
 
-from column_checks import REPLAYED
+from column_checks import REPLAYED, faults_of_durations
 from falsify import Checks, is_count, report
 from rod_replay import Replay
 from run_files import Run, differences
@@ -338,6 +338,12 @@ def check_space_time(strip):
             worst = max(worst, abs(found[i] - state.value_at(field, x[i], strip.width / 2)))
         if worst > 5e-4 * max(abs(state.fields[field]).max() for state in strip.states):
             yield field
+
+
+@check("events.csv/duration")
+def check_durations(strip):
+    """From the begin, in the row above, to the end"""
+    yield from faults_of_durations(strip.events)
 
 
 @check("events.csv/time", "events.csv/kind", "events.csv/velocity")

@@ -108,6 +108,19 @@ def check_heat_flux(run):
                       if rod.has_heat else numpy.full(len(c), math.nan), EXACT)
 
 
+@check("contact.csv/lateral_heat_flux", "contact.csv/lateral_dissipation",
+       "contact.csv/temperature_mean")
+def check_lateral(run):
+    """m (mean theta - theta_inf) in each row; (M.105) by the rod in numpy"""
+    c, rod = run.contact, rod_of(run)
+    if not rod.m:
+        return
+    yield differences(c["lateral_heat_flux"],
+                      rod.m * (c["temperature_mean"] - rod.theta_inf), EXACT)
+    expected = numpy.array([row["lateral_dissipation"] for row in replay_of(run).rows])
+    yield differences(c["lateral_dissipation"], expected[rows_of(run)], BOUND)
+
+
 @check("contact.csv/energy", "contact.csv/work", "contact.csv/dissipation",
        "contact.csv/numerical_dissipation")
 def check_audit(run):
@@ -185,7 +198,40 @@ def check_replay(run):
         yield fault and f"{name}: {fault}"
 
 
+# --- poincare.csv: rows of contact.csv ---------------------------------------------------
+
+@check(*(f"poincare.csv/{name}" for name in (
+    *REPLAYED, "lateral_heat_flux", "lateral_dissipation")))
+def check_poincare(run):
+    """The rows at the multiples of the period, all of them; of each step there is a row."""
+    if not run.has_table("poincare"):
+        return
+    period, c = run.settings.number("Output/Period"), run.contact
+    if run.poincare.names != c.names:
+        yield "other columns than contact.csv"
+    times = period * numpy.arange(math.floor(c["time"][-1] / period + 1e-9) + 1)
+    yield differences(run.poincare["time"], times, EXACT)
+    rows = [int(numpy.argmin(abs(c["time"] - time))) for time in times]
+    for name in c.names:
+        fault = differences(run.poincare[name], c[name][rows], 0)
+        yield fault and f"poincare.csv/{name}: {fault}"
+
+
 # --- events.csv -------------------------------------------------------------------------
+
+@check("events.csv/duration")
+def check_durations(run):
+    """From the begin, in the row above, to the end."""
+    yield from faults_of_durations(run.events)
+
+
+def faults_of_durations(e):
+    time = numpy.array(e["time"])
+    expected = numpy.where([kind == "end" for kind in e["kind"]],
+                           numpy.diff(time, prepend=numpy.nan), numpy.nan)
+    yield differences(e["duration"], expected, EXACT)
+
+
 
 @check("events.csv/time", "events.csv/kind", "events.csv/velocity")
 def check_events(run):
@@ -289,6 +335,7 @@ def check_reasons(run):
     intervals = [run.settings.number(f"Output/{name} interval") for name in
                  ("Fields", "Contact", "Space-time")
                  if run.settings["Output/Land on output times"] == "true"]
+    intervals.append(run.settings.number("Output/Period"))
     ends = s["time"] + s["step_size"]
     events = run.events["time"]
 

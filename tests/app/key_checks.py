@@ -49,6 +49,7 @@ def check_terms(run):
     is_lumped = s.get("Mesh/Mass matrix") == "lumped"
     terms = {
         "heat conduction": rod.has_heat, "heat exchange": rod.has_heat and rod.k > 0,
+        "lateral heat exchange": rod.has_heat and rod.m > 0,
         "inertia": rod.moves and rod.b > 0, "elasticity": rod.moves,
         "viscosity": rod.moves and rod.zeta > 0, "thermal stress": rod.a != 0,
         "thermoelastic heating": rod.a != 0 and rod.heats,

@@ -64,12 +64,25 @@ def critical_step_size(rod):
     return root(lambda tau: response(rod, tau) - rod.epsilon, 1e-12, 1e12)
 
 
+def profile_at_rest(rod):
+    """theta(1) and the mean of theta at rest, (M.7) or (M.103)"""
+    if not rod.m:
+        drop = rod.k / (rod.k + 1) * (rod.theta_A - rod.theta_obs)
+        return rod.theta_A - drop, rod.theta_A - drop / 2
+    mu, inner = math.sqrt(rod.m), rod.theta_A - rod.theta_inf
+    sinh, cosh = math.sinh(mu), math.cosh(mu)
+    slope = (inner * (mu * sinh + rod.k * cosh) - rod.k * (
+        rod.theta_obs - rod.theta_inf)) / (mu * cosh + rod.k * sinh)
+    return (rod.theta_inf + inner * cosh - slope * sinh,
+            rod.theta_inf + (inner * sinh - slope * (cosh - 1)) / mu)
+
+
 def rest(rod):
     """Displacement, force, temperature, in contact at rest, and why not: (M.10)"""
     if any(rod.sources.values()):
         return None, None, None, None, "no closed form with sources"
-    drop = rod.k / (rod.k + 1) * (rod.theta_A - rod.theta_obs)
-    theta = rod.theta_A - drop if rod.has_heat else None
+    end, mean = profile_at_rest(rod)
+    theta = end if rod.has_heat else None
     if not rod.moves:
         return None, None, theta, False, ""
     remark = ""
@@ -79,7 +92,7 @@ def rest(rod):
                     "none: nothing damps the motion, which goes on for ever")
         remark = (f"damped by heat conduction alone, over times of the order of "
                   f"{2 * (rod.b + 0.4) / rod.a**2:.1g}")
-    G = rod.a * (rod.theta_A - drop / 2)
+    G = rod.a * mean
     in_contact = rod.has_obstacle and G > rod.g
     p = (G - rod.g) / (1 + rod.epsilon) if in_contact else 0.0
     return G - p, p, theta, in_contact, remark
@@ -99,9 +112,8 @@ def first_impact(rod, settings):
     time = root(lambda t: motion(t) - rod.g, times[i - 1], times[i])
     taus = horizon * numpy.logspace(-6, 0, 2001)
     beyond = numpy.array([motion(time + tau) for tau in taus]) - rod.g
-    drop = rod.k / (rod.k + 1) * (rod.theta_A - rod.theta_obs)
-    heat = abs(rod.a * (rod.theta_A - drop / 2) - motion.expansion) * (
-        1 - math.exp(-math.pi**2 * time / 4)) if rod.a else 0.0
+    heat = abs(rod.a * profile_at_rest(rod)[1] - motion.expansion) * (
+        1 - math.exp(-(math.pi**2 / 4 + rod.m) * time)) if rod.a else 0.0
     if motion.velocity(time) <= 0 or max(0, beyond.max()) <= 2 * heat:
         return None, None
     if rod.is_rigid:
@@ -129,4 +141,6 @@ def n_steps(rod, settings):
         for name in ("Contact", "Fields", "Space-time"):
             if interval := settings.number(f"Output/{name} interval"):
                 n += T / interval
+    if period := settings.number("Output/Period"):
+        n += T / period
     return n

@@ -58,6 +58,8 @@ class Rod:
         self.k = s.number("Boundary/Heat exchange")
         self.theta_A = s.number("Boundary/Fixed end temperature")
         self.theta_obs = s.number("Boundary/Obstacle temperature")
+        self.m = s.number("Boundary/Lateral heat exchange")
+        self.theta_inf = s.number("Boundary/Ambient temperature")
         condition = s.get("Contact/Condition", "none") if self.moves else "none"
         self.has_obstacle, self.is_rigid = condition != "none", condition == "rigid"
         self.epsilon = (s.number("Contact/Compliance")
@@ -73,8 +75,9 @@ class Rod:
                         ("Heat source", "Body force", "End traction", "End heat flux")}
         self.is_massless = self.uses_massless_nodes(s)
         self.assemble(s.get("Mesh/Mass matrix") == "lumped")
-        c = self.k / (self.k + 1)
-        self.theta_s = (self.theta_A - c * (self.theta_A - self.theta_obs) * self.x)
+        self.theta_s = numpy.full(self.n, self.theta_A)  # (M.104)
+        self.theta_s[1:] += numpy.linalg.solve(
+            self.K_B[1:, 1:], (self.outer_heat - self.K_B @ self.theta_s)[1:])
         self.solvers = {}
 
     def uses_massless_nodes(self, settings):
@@ -88,7 +91,8 @@ class Rod:
         self.element = e = Element(lobatto_nodes(self.degree))
         n = self.n = self.cells * self.degree + 1
         self.x = numpy.zeros(n)
-        self.M, self.K, self.D, self.M_u = (numpy.zeros((n, n)) for _ in range(4))
+        self.M, self.K, self.L, self.D, self.M_u = (numpy.zeros((n, n))
+                                                    for _ in range(5))
         B, G, w = e.values(e.points), e.derivatives(e.points), e.weights
         mass = numpy.diag(e.integrals) if is_lumped else B.T @ (w[:, None] * B)
         for cell, h in enumerate(self.sizes):
@@ -97,6 +101,7 @@ class Rod:
             self.x[at] = self.vertices[cell] + h * e.nodes
             self.M[block] += h * mass
             self.K[block] += G.T @ (w[:, None] * G) / h
+            self.L[block] += self.m * h * (B.T @ (w[:, None] * B))
             self.D[block] += B.T @ (w[:, None] * G)
             if self.is_massless and cell == self.cells - 1:
                 inner = Element(e.nodes[:-1]).integrals
@@ -104,8 +109,10 @@ class Rod:
             else:
                 self.M_u[block] += h * mass
         self.S = self.K
-        self.K_B = self.K.copy()
+        self.K_B = self.K + self.L
         self.K_B[-1, -1] += self.k
+        self.outer_heat = self.theta_inf * self.L.sum(axis=1)
+        self.outer_heat[-1] += self.k * self.theta_obs
 
     def nodes_of(self, cell):
         return numpy.arange(cell * self.degree, (cell + 1) * self.degree + 1)
@@ -176,8 +183,7 @@ class Rod:
         q, f = self.loads(t)
         heat = numpy.zeros(self.n)
         if self.has_heat:
-            heat = q - self.K_B @ known.theta
-            heat[-1] += self.k * self.theta_obs
+            heat = q + self.outer_heat - self.K_B @ known.theta
         momentum = numpy.zeros(self.n)
         if self.moves:
             momentum = (self.b * self.M_u @ known.v - tau * self.S @ known.u +
@@ -234,6 +240,11 @@ class Rod:
         """(M.23)"""
         theta = state.theta - self.theta_s if self.has_heat else 0 * self.x
         return theta @ self.K_B @ theta + self.zeta * state.v @ self.S @ state.v
+
+    def lateral_dissipation_rate(self, state):
+        """(M.105)"""
+        theta = state.theta - self.theta_s if self.has_heat else 0 * self.x
+        return theta @ self.L @ theta
 
     def work_rate(self, state):
         """(M.25), and with heating off the work of the thermal stress, section 12."""

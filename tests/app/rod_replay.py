@@ -40,6 +40,7 @@ class Step:
     def __init__(self, state):
         self.state = state
         self.work = self.dissipation = self.impulse = self.lost = 0.0
+        self.lateral = 0.0  # part of the dissipation
         self.iterations = 0
         self.error = None
         self.fixed_end_impulse = 0.0
@@ -95,7 +96,7 @@ class Replay:
         self.max_thermal = self.terms[0]
         self.max_mechanical = max(self.terms[1:3])
         self.sums = dict.fromkeys(("work", "dissipation", "numerical_dissipation",
-                                   "contact_impulse", "fixed_end_impulse"), 0.0)
+                                   "lateral_dissipation", "contact_impulse", "fixed_end_impulse"), 0.0)
         self.mode = self.changes.get(0, self.mode)
         if self.rod.moves and self.rod.b == 0:  # (M.34), (M.35): a system of its own
             self.counters["factorizations"] += 1
@@ -171,6 +172,7 @@ class Replay:
         """Adds a stage to the sums (M.28)."""
         rod = self.rod
         result.dissipation += weight * rod.dissipation_rate(state)
+        result.lateral += weight * rod.lateral_dissipation_rate(state)
         result.work += weight * rod.work_rate(state)
         result.impulse += weight * state.p
         if rod.moves:
@@ -214,8 +216,7 @@ class Replay:
         """The paper's iteration (M.19)."""
         rod, s = self.rod, self.settings
         q, f = rod.loads(known.t)
-        heat = q - rod.K_B @ known.theta
-        heat[-1] += rod.k * rod.theta_obs
+        heat = q + rod.outer_heat - rod.K_B @ known.theta
         momentum = rod.b * rod.M_u @ known.v + tau * (
             f - rod.S @ known.u + rod.a * rod.D.T @ known.theta)
         heat_matrix = (rod.M + tau * rod.K_B)[1:, 1:]
@@ -240,9 +241,8 @@ class Replay:
     def prescribed_step(self, end, size):
         """(M.26)"""
         rod, old = self.rod, self.state
-        heat = (rod.loads(end)[0] - rod.K_B @ old.theta - rod.a * rod.heats *
-                rod.D @ old.v)
-        heat[-1] += rod.k * rod.theta_obs
+        heat = (rod.loads(end)[0] + rod.outer_heat - rod.K_B @ old.theta -
+                rod.a * rod.heats * rod.D @ old.v)
         rate = numpy.zeros(rod.n)
         if rod.has_heat:
             rate[1:] = numpy.linalg.solve((rod.M + size * rod.K_B)[1:, 1:], heat[1:])
@@ -287,6 +287,7 @@ class Replay:
         self.mode = change or self.mode
         for name, value in (("work", step.work), ("dissipation", step.dissipation),
                             ("numerical_dissipation", step.lost),
+                            ("lateral_dissipation", step.lateral),
                             ("contact_impulse", step.impulse),
                             ("fixed_end_impulse", step.fixed_end_impulse)):
             self.sums[name] += value

@@ -234,7 +234,7 @@ namespace
       for (unsigned int i = 0; i < 100; ++i)
         {
           add_row(contact_columns(1), record, file);
-          add_row(event_columns(), ContactEvent(), file);
+          add_row(event_columns(), EventRow(), file);
           add_row(attempt_columns(), StepAttempt(), file);
         }
       const unsigned long n = n_allocations - before;

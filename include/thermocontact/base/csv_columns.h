@@ -3,6 +3,7 @@
 #ifndef thermocontact_base_csv_columns_h
 #define thermocontact_base_csv_columns_h
 
+#include <thermocontact/base/conversion.h>
 #include <thermocontact/base/number_text.h>
 
 #include <functional>
@@ -21,6 +22,13 @@ namespace ThermoContact
   /** The comment lines at the top of every table: title, versions. */
   std::string
   csv_comments(const std::string &title);
+
+  /**
+   * The comment line above the names that tells their units, fields as in a
+   * row; nothing if there are no conversions.
+   */
+  std::string
+  csv_units(const Conversions &conversions);
 
   /** The fields of a row without its line break: what append_field() wrote. */
   std::vector<std::string>
@@ -44,11 +52,13 @@ namespace ThermoContact
               const Value        value,
               const unsigned int digits = all_digits)
       : name(std::move(name))
-      , append([value, digits](const Record &record, std::string &row) {
+      , append([value, digits](const Record     &record,
+                               const Conversion *conversion,
+                               std::string      &row) {
         const auto &field = std::invoke(value, record);
         using Field       = std::decay_t<decltype(field)>;
         if constexpr (std::is_floating_point<Field>::value)
-          append_number(row, field, digits);
+          append_number(row, conversion ? (*conversion)(field) : field, digits);
         else if constexpr (std::is_same<Field, bool>::value)
           row += field ? '1' : '0';
         else if constexpr (std::is_integral<Field>::value)
@@ -58,8 +68,12 @@ namespace ThermoContact
       })
     {}
 
-    const std::string                                        name;
-    const std::function<void(const Record &, std::string &)> append;
+    const std::string name;
+
+    /** Appends a field; numbers are converted, unless there is no conversion.
+     */
+    const std::function<void(const Record &, const Conversion *, std::string &)>
+      append;
   };
 
 
@@ -67,12 +81,13 @@ namespace ThermoContact
   template <typename Record>
   using CsvColumns = std::vector<CsvColumn<Record>>;
 
-  /** The line of names. */
+  /** The line of names, below that of their units if there are any. */
   template <typename Record>
   std::string
-  csv_head(const CsvColumns<Record> &columns)
+  csv_head(const CsvColumns<Record> &columns,
+           const Conversions        &conversions = Conversions())
   {
-    std::string head;
+    std::string head = csv_units(conversions);
     for (const auto &column : columns)
       {
         append_field(head, column.name);
@@ -87,11 +102,14 @@ namespace ThermoContact
   void
   append_csv_row(const CsvColumns<Record> &columns,
                  const Record             &record,
-                 std::string              &text)
+                 std::string              &text,
+                 const Conversions        &conversions = Conversions())
   {
-    for (const auto &column : columns)
+    for (std::size_t i = 0; i < columns.size(); ++i)
       {
-        column.append(record, text);
+        columns[i].append(record,
+                          conversions.empty() ? nullptr : &conversions[i],
+                          text);
         text += ',';
       }
     text.back() = '\n';

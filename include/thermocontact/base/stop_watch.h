@@ -43,11 +43,12 @@ namespace ThermoContact
   /** Where the wall time of a run went, in seconds. */
   struct RunTimes
   {
-    double set_up = 0.;
-    double loop   = 0.; ///< steps and CSV rows
-    double steps  = 0.; ///< part of loop: all attempts at steps
-    double output = 0.; ///< snapshots
-    double wall   = 0.; ///< from the start of the program
+    double set_up  = 0.;
+    double loop    = 0.; ///< steps and CSV rows
+    double steps   = 0.; ///< part of loop: all attempts at steps
+    double output  = 0.; ///< snapshots
+    double repeats = 0.; ///< for error bars
+    double wall    = 0.; ///< from the start of the program
   };
 } // namespace ThermoContact
 

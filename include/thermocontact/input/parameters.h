@@ -45,8 +45,10 @@ namespace ThermoContact
     std::string exchange_expression;         ///< or else in gap, pressure
     double      obstacle_temperature = 0.;   ///< $\theta_{obs}$, a number,
     std::string obstacle_expression;         ///< or else in y, z, t
-    std::string lateral_support   = "rollers";
-    std::string fixed_end_support = "clamped";
+    double      lateral_heat_exchange = 0.;  ///< $m\ge0$
+    double      ambient_temperature   = 0.;  ///< $\theta_\infty$
+    std::string lateral_support       = "rollers";
+    std::string fixed_end_support     = "clamped";
 
     void
     add_parameters(ParameterHandler &prm);
@@ -211,11 +213,40 @@ namespace ThermoContact
     double      contact_interval = 0.;
     std::string probes; ///< read by parse_probe_positions()
     double      space_time_interval = 0.;
+    double      period              = 0.;    ///< of poincare.csv
     bool        land_on_times       = false; ///< steps end on output times
     double      checkpoint_interval = 0.;    ///< seconds of wall-clock time
+    bool        is_si               = true;  ///< if there are scales
+    bool        has_error_bars      = false;
 
     void
     add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /**
+   * Section Scales: what one unit of the scene is, in SI units; for output
+   * alone.
+   */
+  struct ScalesParameters
+  {
+    std::optional<double> length;                ///< m, of positions
+    std::optional<double> time;                  ///< s
+    std::optional<double> displacement;          ///< m; none: that of positions
+    std::optional<double> stress;                ///< Pa
+    std::optional<double> area;                  ///< m^2, cross-section
+    std::optional<double> temperature;           ///< K, above the reference
+    std::optional<double> reference_temperature; ///< K
+    std::string           time_unit        = "s";
+    std::string           temperature_unit = "K";
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /** True if there is any scale. */
+    bool
+    is_given() const;
   };
 
 
@@ -260,6 +291,7 @@ namespace ThermoContact
     TimeParameters          time;
     SolverParameters        solver;
     OutputParameters        output;
+    ScalesParameters        scales;
     StudyParameters         study;
 
     /**

@@ -7,16 +7,27 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace ThermoContact
 {
+  /** A load that is constant for some time from t = 0 on, and 0 afterwards. */
+  struct LoadInUnits
+  {
+    double value = 0.;
+
+    /** As given, in the unit of times; none: as long as the run. */
+    std::optional<double> duration;
+  };
+
+
+
   /**
-   * A rod in SI units, with temperatures in kelvin: the entries of the files
-   * that --units reads. The values here are an example, a rod of steel.
+   * A rod in SI units: the entries of the files that --units reads. The values
+   * here are an example, a rod of steel. Temperatures and times are as given,
+   * in the units that the file names.
    */
   struct RodInUnits
   {
@@ -34,16 +45,22 @@ namespace ThermoContact
     double      conductivity     = 53.3;   ///< W/(m K)
     double      heat_capacity    = 440.;   ///< J/(kg K)
 
-    double reference_temperature = 293.15; ///< K, of the rod without stress
-    double initial_temperature   = 293.15; ///< K
-    double fixed_end_temperature = 393.15; ///< K
-    double obstacle_temperature  = 293.15; ///< K
+    std::string temperature_unit      = "automatic";
+    double      reference_temperature = 293.15; ///< of the rod without stress
+    double      initial_temperature   = 293.15;
+    double      fixed_end_temperature = 393.15;
+    double      obstacle_temperature  = 293.15;
 
     double                gap = 5e-4;                  ///< m
     std::optional<double> stiffness;                   ///< N/m; none: rigid
     double                exchange_coefficient = 100.; ///< W/(m^2 K)
 
-    double end_time = 129600.; ///< s
+    double      initial_velocity = 0.; ///< m/s, of the contact end
+    LoadInUnits body_force;            ///< N/m^3
+    LoadInUnits heater;                ///< W
+
+    std::string time_unit = "automatic";
+    double      end_time  = 129600.;
 
     /** Binds every member to an entry of @p prm. */
     void
@@ -64,6 +81,22 @@ namespace ThermoContact
     double
     expansion() const;
 
+    /** A temperature of the file in kelvin; automatic is kelvin. */
+    double
+    in_kelvin(const double temperature) const;
+
+    /** A time of the file in seconds; automatic is seconds. */
+    double
+    in_seconds(const double time) const;
+
+    /**
+     * @throw InputError for temperatures that are not above zero kelvin, or
+     *   that may be degrees Celsius, as the file does not say that they are
+     *   kelvin; for an obstacle without stiffness
+     */
+    void
+    check() const;
+
   private:
     void
     add_rod(dealii::ParameterHandler &prm);
@@ -73,6 +106,9 @@ namespace ThermoContact
 
     void
     add_obstacle(dealii::ParameterHandler &prm);
+
+    void
+    add_loads(dealii::ParameterHandler &prm);
   };
 
 
@@ -94,7 +130,7 @@ namespace ThermoContact
 
 
 
-  /** The coefficients of the model, doc/units.md (U.4). */
+  /** The coefficients of the model, doc/units.md (U.4), (U.5). */
   struct ScaledRod
   {
     double coupling;              ///< $a$
@@ -106,22 +142,46 @@ namespace ThermoContact
     double fixed_end_temperature; ///< $\theta_A$
     double obstacle_temperature;  ///< $\theta_{obs}$
     double initial_temperature;   ///< $\theta_0$
+    double initial_velocity;      ///< $u_1(1)$
+    double body_force;            ///< $f$
+    double heat_source;           ///< $q$
     double end_time;              ///< $T$
+
+    /** Of the loads; infinite if they last as long as the run. */
+    double force_duration, heat_duration;
 
     explicit ScaledRod(const RodInUnits &rod);
   };
 
 
 
+  /** True for the statements of a file that --units reads: it has a Rod. */
+  bool
+  is_rod_in_units(const std::vector<Assignment> &assignments);
+
+  /** The scene of a rod in units. */
+  struct UnitScene
+  {
+    /**
+     * A parameter file, whose comments hold the scales and the factors that
+     * turn nondimensional columns of contact.csv into SI units.
+     */
+    std::string text;
+
+    std::vector<Assignment> assignments; ///< its statements
+  };
+
+
+
   /**
-   * The answer of --units to the statements of a file: a parameter file of the
-   * scene, whose comments hold the scales and the factors that turn the columns
-   * of contact.csv into SI units.
+   * The answer of --units to the statements of a file. Those of a scene among
+   * them stand in it as they are.
    *
    * @param file_name what messages call the file
-   * @throw InputError if an entry is not given or wrong
+   * @throw InputError if an entry is not given or wrong, or one of a scene is
+   *   what the rod decides
    */
-  std::string
+  UnitScene
   scene_from_units(const std::string             &file_name,
                    const std::vector<Assignment> &assignments);
 } // namespace ThermoContact

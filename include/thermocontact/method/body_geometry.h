@@ -36,6 +36,13 @@ namespace ThermoContact
     virtual double
     cross_section() const;
 
+    /**
+     * Area of the cross-section over the length of its lateral boundary;
+     * infinity for a mesh of one dimension, which shows none.
+     */
+    virtual double
+    area_over_perimeter() const;
+
     /** Coordinates y and z of the axis of the body. */
     virtual double
     axis() const

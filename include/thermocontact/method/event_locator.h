@@ -150,6 +150,9 @@ namespace ThermoContact
       /** The node that changes first. */
       unsigned int node = 0;
 
+      /** Of nodes with mass: what is to be added to their velocity. */
+      double change_of_velocity = 0.;
+
       /** The stop. */
       int side = 1;
     };
@@ -172,11 +175,15 @@ namespace ThermoContact
      * already, contact is about to change at once in both modes: that event is
      * taken back and the next attempt is unilateral.
      *
+     * @param change_of_velocity from where the body stands to that time, seen
+     *   from the stop
      * @param new_side of the stop, as examine() has it
      * @return true if the mode was switched
      */
     bool
-    switch_at_start(const double time, const int new_side = 1);
+    switch_at_start(const double time,
+                    const double change_of_velocity = 0.,
+                    const int    new_side           = 1);
 
     /**
      * The next attempt is unilateral: nodes do not change together, or zeros
@@ -273,6 +280,16 @@ namespace ThermoContact
     /** What was seen from one stop is seen from that of @p new_side. */
     void
     turn_to(const int new_side);
+
+    /**
+     * Change of the velocity of a node with mass from one part of a step to
+     * another, by its margin; else 0.
+     */
+    double
+    change_of_velocity(const CubicHermite &s,
+                       const double        from,
+                       const double        to,
+                       const double        size) const;
 
     /** True if a margin s is as good as zero, (M.32). */
     bool

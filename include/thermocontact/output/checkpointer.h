@@ -43,6 +43,10 @@ namespace ThermoContact
     void
     observe(const Simulation<dim> &simulation);
 
+    /** The same, if a signal has come; else nothing. Collective. */
+    void
+    observe_signal(const Simulation<dim> &simulation);
+
     /** Seconds spent in checkpoints. */
     double
     seconds() const

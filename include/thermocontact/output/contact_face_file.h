@@ -3,6 +3,7 @@
 #ifndef thermocontact_output_contact_face_file_h
 #define thermocontact_output_contact_face_file_h
 
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
 
@@ -25,7 +26,8 @@ namespace ThermoContact
   std::string
   contact_face_file(const Body<dim>             &body,
                     const State                 &state,
-                    const DataOutBase::VtkFlags &flags);
+                    const DataOutBase::VtkFlags &flags,
+                    const OutputUnits           &units);
 
 
 

@@ -12,16 +12,25 @@
 namespace ThermoContact
 {
   /**
-   * The columns of contact.csv; a body in 2-D or 3-D has some more, and one
-   * more if its stages are solved iteratively, or its obstacle is damped.
+   * The columns of contact.csv, those among them that not every scene has:
+   * of the face of a body in 2-D or 3-D, of stages that are solved iteratively,
+   * of a damped obstacle, of a lateral heat exchange.
    */
-  const CsvColumns<StepRecord> &
-  contact_columns(const unsigned int dim,
-                  const bool         is_iterative = false,
-                  const bool         is_damped    = false);
+  CsvColumns<StepRecord>
+  contact_columns(const Scene &scene);
+
+  /** A row of events.csv: an event and how long the contact that ends was. */
+  struct EventRow : ContactEvent
+  {
+    double duration; ///< NaN of a begin
+
+    /** @param begin the event before, if @p event is an end; else null */
+    explicit EventRow(const ContactEvent       &event = ContactEvent(),
+                      const ContactEvent *const begin = nullptr);
+  };
 
   /** The columns of events.csv; with two stops one more. */
-  const CsvColumns<ContactEvent> &
+  const CsvColumns<EventRow> &
   event_columns(const bool has_sides = false);
 
   /** The columns of steps.csv. */
@@ -33,10 +42,12 @@ namespace ThermoContact
   void
   add_row(const CsvColumns<Record> &columns,
           const Record             &record,
-          TableFile                &file)
+          TableFile                &file,
+          const Conversions        &conversions = Conversions())
   {
-    file.append_row(
-      [&](std::string &rows) { append_csv_row(columns, record, rows); });
+    file.append_row([&](std::string &rows) {
+      append_csv_row(columns, record, rows, conversions);
+    });
   }
 } // namespace ThermoContact
 

@@ -3,6 +3,7 @@
 #ifndef thermocontact_output_field_output_h
 #define thermocontact_output_field_output_h
 
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/output/snapshot_series.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
@@ -71,6 +72,7 @@ namespace ThermoContact
     const Body<dim>              &body;
     const Discretization<dim>    &discretization;
     const bool                    is_writer;
+    const OutputUnits             units;
     SnapshotSeries                fields;
     std::optional<SnapshotSeries> contact_face; ///< if there is one
 

@@ -3,6 +3,7 @@
 #ifndef thermocontact_output_obstacle_file_h
 #define thermocontact_output_obstacle_file_h
 
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/space/contact_end.h>
 
 #include <string>
@@ -17,7 +18,7 @@ namespace ThermoContact
    */
   template <int dim>
   std::string
-  obstacle_file(const ContactEnd<dim> &end);
+  obstacle_file(const ContactEnd<dim> &end, const OutputUnits &units);
 } // namespace ThermoContact
 
 #endif

@@ -6,6 +6,7 @@
 #include <thermocontact/base/csv_columns.h>
 #include <thermocontact/base/table_file.h>
 #include <thermocontact/output/field_output.h>
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/output/probe_output.h>
 #include <thermocontact/output/space_time_output.h>
 #include <thermocontact/simulation/simulation.h>
@@ -25,6 +26,7 @@ namespace ThermoContact
     std::uint64_t steps_size      = 0;
     std::uint64_t probes_size     = 0;
     std::uint64_t space_time_size = 0;
+    std::uint64_t poincare_size   = 0;
 
     std::vector<double> snapshot_times;
 
@@ -33,7 +35,7 @@ namespace ThermoContact
     serialize(Archive &archive, const unsigned int)
     {
       archive &contact_size &events_size &steps_size &probes_size
-        &space_time_size &snapshot_times;
+        &space_time_size &poincare_size &snapshot_times;
     }
   };
 
@@ -41,8 +43,8 @@ namespace ThermoContact
 
   /**
    * The files of one run that grow with time: contact.csv, events.csv,
-   * steps.csv, probes.csv, the snapshots and the space-time file. An observer
-   * of a Simulation. Rows and snapshots are written at step ends.
+   * steps.csv, probes.csv, poincare.csv, the snapshots and the space-time file.
+   * An observer of a Simulation. Rows and snapshots are written at step ends.
    */
   template <int dim>
   class Output
@@ -98,29 +100,35 @@ namespace ThermoContact
     sync();
 
   private:
-    const std::string             directory;
-    const OutputParameters        parameters;
-    const double                  end_time;
-    const MPI_Comm                communicator;
-    const bool                    is_writer;
-    const CsvColumns<StepRecord> &columns; ///< of contact.csv
-
-    const CsvColumns<ContactEvent> &event_table; ///< of events.csv
-    FieldOutput<dim>                field_output;
-    Timer                           field_timer;
-    Timer                           since_flush;
-    TableFile                       contact_file;
-    TableFile                       events_file;
-    TableFile                       steps_file;
-    const bool   has_attempts; ///< steps that can be rejected
-    unsigned int n_written_events;
+    const std::string            directory;
+    const OutputParameters       parameters;
+    const double                 end_time;
+    const MPI_Comm               communicator;
+    const bool                   is_writer;
+    const OutputUnits            units;
+    const CsvColumns<StepRecord> columns;       ///< of contact.csv
+    const Conversions            contact_units; ///< of its columns
+    const CsvColumns<EventRow>  &event_table;   ///< of events.csv
+    const Conversions            event_units;
+    const Conversions            attempt_units;
+    FieldOutput<dim>             field_output;
+    Timer                        field_timer;
+    Timer                        since_flush;
+    TableFile                    contact_file;
+    TableFile                    events_file;
+    TableFile                    steps_file;
+    TableFile                    poincare_file;
+    const bool                   has_attempts; ///< steps that can be rejected
+    unsigned int                 n_written_events;
 
     /** Of columns that an earlier part of the run has left, for a later one. */
     std::uint64_t unused_space_time_size = 0;
+    std::uint64_t unused_poincare_size   = 0;
     unsigned int  n_rows;
     double        next_fields;  ///< in intervals
     double        next_contact; ///< in intervals
     double        next_space_time;
+    double        next_period;
 
     std::unique_ptr<ProbeOutput<dim>>     probe_output; ///< if asked for
     std::unique_ptr<SpaceTimeOutput<dim>> space_time_output;
@@ -135,17 +143,16 @@ namespace ThermoContact
                   const Simulation<dim> &simulation);
 
     /**
-     * Opens the table with a row for each Record.
+     * Opens a table.
      *
+     * @param head what it begins with
      * @param size of the file so far if a run goes on, else 0
      */
-    template <typename Record>
     void
-    open(const CsvColumns<Record> &columns,
-         TableFile                &file,
-         const std::string        &name,
-         const std::string        &title,
-         const std::uint64_t       size);
+    open(TableFile          &file,
+         const std::string  &name,
+         const std::string  &head,
+         const std::uint64_t size);
 
     void
     restore(const OutputProgress &progress, const Simulation<dim> &simulation);
@@ -155,6 +162,10 @@ namespace ThermoContact
 
     void
     write_attempts(const std::vector<StepAttempt> &attempts);
+
+    /** The row of poincare.csv, if @p record is at a multiple of the period. */
+    void
+    write_period(const StepRecord &record);
 
     bool
     is_due(const double interval, const double time, double &next) const;

@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/csv_columns.h>
 #include <thermocontact/base/table_file.h>
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/point_values.h>
 
@@ -57,7 +58,9 @@ namespace ThermoContact
       const std::vector<double> &values;
     };
 
+    const OutputUnits        units;
     const CsvColumns<Record> columns;
+    const Conversions        conversions; ///< of the columns
 
     /** The columns of @p n_places probes. */
     static CsvColumns<Record>

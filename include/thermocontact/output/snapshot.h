@@ -3,6 +3,7 @@
 #ifndef thermocontact_output_snapshot_h
 #define thermocontact_output_snapshot_h
 
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/space/discretization.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -38,12 +39,14 @@ namespace ThermoContact
      */
     std::vector<std::string>
     vtu_pieces(const Discretization<dim>   &discretization,
-               const DataOutBase::VtkFlags &flags);
+               const DataOutBase::VtkFlags &flags,
+               const OutputUnits           &units);
 
   private:
     /** None without patches: ParaView does not read a file that starts so. */
     std::string
-    vtu_piece(const DataOutBase::VtkFlags &flags) const;
+    vtu_piece(const DataOutBase::VtkFlags &flags,
+              const OutputUnits           &units) const;
   };
 } // namespace ThermoContact
 

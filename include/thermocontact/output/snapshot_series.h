@@ -3,6 +3,8 @@
 #ifndef thermocontact_output_snapshot_series_h
 #define thermocontact_output_snapshot_series_h
 
+#include <thermocontact/base/conversion.h>
+
 #include <string>
 #include <vector>
 
@@ -18,7 +20,10 @@ namespace ThermoContact
   class SnapshotSeries
   {
   public:
-    SnapshotSeries(const std::string &directory, const std::string &name);
+    /** @param time_unit in which the PVD file has the times */
+    SnapshotSeries(const std::string &directory,
+                   const std::string &name,
+                   const Conversion  &time_unit);
 
     /** Times of the snapshots so far. */
     const std::vector<double> &
@@ -66,6 +71,7 @@ namespace ThermoContact
   private:
     const std::string   directory;
     const std::string   name;
+    const Conversion    time_unit;
     std::vector<double> times_;
     unsigned int        n_synced = 0; ///< snapshots
 

@@ -3,6 +3,8 @@
 #ifndef thermocontact_output_space_time_file_h
 #define thermocontact_output_space_time_file_h
 
+#include <thermocontact/output/output_units.h>
+
 #include <string>
 #include <vector>
 
@@ -40,12 +42,14 @@ namespace ThermoContact
    * single precision of the file have none between them. Memory does not grow
    * with the number of columns.
    *
+   * @param units of the VTU file; the columns have none
    * @return what is wrong, with the path, or nothing. No file is written if all
    *   columns are at one time. A column that is not whole is left out.
    */
   std::string
   write_space_time_vtu(const std::string &columns_path,
-                       const std::string &vtu_path);
+                       const std::string &vtu_path,
+                       const OutputUnits &units);
 } // namespace ThermoContact
 
 #endif

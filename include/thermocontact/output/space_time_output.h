@@ -57,6 +57,7 @@ namespace ThermoContact
     const std::string             directory;
     const std::string             columns_path;
     const bool                    is_writer;
+    const OutputUnits             units;
     const std::vector<Place<dim>> places;
     SpaceTimeLayout               layout;
     PointValues<dim>              point_values;

@@ -4,6 +4,7 @@
 #define thermocontact_report_progress_h
 
 #include <thermocontact/base/log.h>
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <chrono>
@@ -51,6 +52,7 @@ namespace ThermoContact
     using Clock = std::chrono::steady_clock;
 
     Log                    &log;
+    const OutputUnits       units;
     const Clock::time_point start;
     const double            start_time; ///< of the scene, not of the clock
     const double            initial_energy_;

@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/log.h>
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/report/key_errors.h>
 #include <thermocontact/simulation/simulation.h>
 
 namespace ThermoContact
@@ -20,6 +21,13 @@ namespace ThermoContact
   report_result(const Simulation<dim> &simulation,
                 const RunTimes        &times,
                 const double           initial_energy,
+                Log                   &log);
+
+  /** Prints each key result as value, error in time, error in space. */
+  template <int dim>
+  void
+  report_errors(const Simulation<dim> &simulation,
+                const KeyErrors       &errors,
                 Log                   &log);
 } // namespace ThermoContact
 

@@ -4,6 +4,7 @@
 #define thermocontact_report_summary_h
 
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/report/key_errors.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <string>
@@ -14,6 +15,7 @@ namespace ThermoContact
    * Writes summary.json; numbers are JSON numbers, NaN is null. Collective.
    *
    * @param status "done" or "failed: " and the reason
+   * @param errors of the key results; null: the run has no error bars
    * @throw ComputationError if the file cannot be written
    */
   template <int dim>
@@ -21,7 +23,8 @@ namespace ThermoContact
   write_summary(const std::string     &file_name,
                 const std::string     &status,
                 const Simulation<dim> &simulation,
-                const RunTimes        &times);
+                const RunTimes        &times,
+                const KeyErrors       *errors = nullptr);
 } // namespace ThermoContact
 
 #endif

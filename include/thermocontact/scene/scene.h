@@ -7,8 +7,10 @@
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/heat_exchange.h>
+#include <thermocontact/method/rest_profile.h>
 #include <thermocontact/method/scheme.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -85,9 +87,9 @@ namespace ThermoContact
 
 
   /**
-   * Heat between the contact end and the obstacle, (M.3), and the steady
-   * profile $\theta_s=\theta_A-c(\theta_A-\theta_{obs})x$ of one coefficient,
-   * (M.7).
+   * Heat between the contact end and the obstacle, (M.3), between the lateral
+   * faces and the surroundings, (M.101), and the steady profile
+   * $\theta_s=\theta_A-c(\theta_A-\theta_{obs})x$ of one coefficient, (M.7).
    */
   struct SceneHeat
   {
@@ -102,6 +104,37 @@ namespace ThermoContact
      * gap 0 if that is an expression. The profile is a reference: any will do.
      */
     double reference_coefficient;
+
+    double lateral_exchange;    ///< $m\ge0$, of the lateral faces, (M.101)
+    double ambient_temperature; ///< $\theta_\infty$
+
+    bool
+    has_lateral_exchange() const
+    {
+      return lateral_exchange > 0.;
+    }
+
+    /** What the temperature of a rod at rest depends on. */
+    RodSurroundings
+    surroundings() const
+    {
+      return {fixed_end_temperature,
+              obstacle_temperature,
+              lateral_exchange,
+              ambient_temperature};
+    }
+
+    /** The largest difference of the temperatures around the body. */
+    double
+    temperature_range() const
+    {
+      const double drop =
+        std::abs(fixed_end_temperature - obstacle_temperature);
+      return has_lateral_exchange() ?
+               std::max(drop,
+                        std::abs(fixed_end_temperature - ambient_temperature)) :
+               drop;
+    }
 
     /** False if no heat is exchanged. */
     bool
@@ -138,7 +171,7 @@ namespace ThermoContact
       return reference_coefficient / (reference_coefficient + 1.);
     }
 
-    /** $\theta_s(x)$. */
+    /** $\theta_s(x)$ without a lateral heat exchange. */
     double
     steady_temperature(const double x) const
     {
@@ -296,8 +329,7 @@ namespace ThermoContact
     has_work() const
     {
       return sources.any() || material.is_driven_by_heat() ||
-             (!heat.exchange->is_constant() &&
-              heat.fixed_end_temperature != heat.obstacle_temperature);
+             (!heat.exchange->is_constant() && heat.temperature_range() > 0.);
     }
 
     /**

@@ -3,6 +3,7 @@
 #ifndef thermocontact_scene_scene_checks_h
 #define thermocontact_scene_scene_checks_h
 
+#include <thermocontact/input/parameter_text.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/scheme.h>
@@ -60,12 +61,11 @@ namespace ThermoContact
                         const ContactLaw     &law);
 
   /**
-   * check_scene() for a parameter file.
-   *
-   * @param name what messages call it
+   * check_unused_entries() and check_scene() for the statements of a parameter
+   * file; messages name their places.
    */
   void
-  check_scene_text(const std::string &text, const std::string &name);
+  check_assignments(const std::vector<Assignment> &assignments);
 } // namespace ThermoContact
 
 #endif

@@ -62,6 +62,8 @@ namespace ThermoContact
     double       temperature_mean      = 0.;
     double       algebraic             = 0.; ///< sum of (M.65)
     double       contact_dissipation   = 0.; ///< sum of (M.85)
+    double       lateral_heat_flux     = 0.; ///< to the surroundings
+    double       lateral_dissipation   = 0.; ///< sum of (M.105)
     FaceRecord   face;                       ///< of a body in 2-D or 3-D
     EnergyTerms  energy_terms; ///< the terms of energy; not in the file
 
@@ -73,8 +75,8 @@ namespace ThermoContact
         &velocity_end &stress_end &gap &penetration &contact_force
           &contact_impulse &temperature_end &heat_flux_end &energy &dissipation
             &numerical_dissipation &in_contact &iterations &work
-              &temperature_mean &algebraic &contact_dissipation &face
-                &energy_terms;
+              &temperature_mean &algebraic &contact_dissipation
+                &lateral_heat_flux &lateral_dissipation &face &energy_terms;
     }
   };
 
@@ -111,6 +113,8 @@ namespace ThermoContact
     /** Of the middle of the last cell, where nodes do not have the velocity. */
     Weights             last_cell_weights;
     Vector              mean_weights;
+    Vector              lateral_weights;  ///< of the temperature in the loss
+    double              lateral_sum = 0.; ///< their sum
     std::vector<double> contact_values;
 
     /** Of the axial displacement at @p position on the axis. Collective. */

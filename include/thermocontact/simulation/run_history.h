@@ -5,6 +5,7 @@
 
 #include <thermocontact/method/event_locator.h>
 #include <thermocontact/simulation/measurements.h>
+#include <thermocontact/simulation/sampled_peak.h>
 #include <thermocontact/time/step_controller.h>
 #include <thermocontact/time/time_integrator.h>
 
@@ -42,6 +43,10 @@ namespace ThermoContact
     double max_penetration   = 0.;
     double max_contact_force = 0.;
 
+    // the same between step ends, as far as these tell
+    SampledPeak penetration_peak;
+    SampledPeak force_peak;
+
     /** What the user should know although the run goes on. */
     std::vector<std::string> warnings;
 
@@ -62,7 +67,8 @@ namespace ThermoContact
     serialize(Archive &archive, const unsigned int)
     {
       archive &record &events &n_rejected_steps &max_energy_increase
-        &max_penetration &max_contact_force &warnings;
+        &max_penetration &max_contact_force &penetration_peak &force_peak
+          &warnings;
     }
   };
 } // namespace ThermoContact

@@ -7,6 +7,7 @@
 #include <thermocontact/simulation/energy_watch.h>
 #include <thermocontact/simulation/error_norm.h>
 #include <thermocontact/simulation/measurements.h>
+#include <thermocontact/simulation/mesh_watch.h>
 #include <thermocontact/simulation/run_history.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/step_controller.h>
@@ -195,6 +196,7 @@ namespace ThermoContact
     StepController                        controller;
     ErrorNorm                             error_norm;
     EnergyWatch                           energy_watch;
+    MeshWatch                             mesh_watch;
     State                                 state_;
     RunHistory                            history_;
     bool                                  is_restored = false;

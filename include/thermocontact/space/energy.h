@@ -75,12 +75,16 @@ namespace ThermoContact
                       const std::vector<double> &pressure) const;
 
     /**
-     * Rate of physical dissipation, (M.23) without its $\Delta t$:
+     * Rate of physical dissipation, (M.23), (M.105), without its $\Delta t$:
      * $\|\nabla\hat\theta\|^2+k\|\hat\theta\|_{\Gamma_C}^2+\zeta(C\varepsilon
      * (v),\varepsilon(v))\ge0$, with the $k$ of @p state.
      */
     double
     dissipation_rate(const State &state) const;
+
+    /** The part of it that leaves through the lateral faces, (M.105). */
+    double
+    lateral_dissipation_rate(const State &state) const;
 
     /**
      * What the damping of the obstacle takes per time, (M.85): work of the
@@ -130,7 +134,7 @@ namespace ThermoContact
                    const State  &state,
                    const Vector &motion) const;
 
-    /** Nodal values of the steady profile $\theta_s$, (M.7). */
+    /** Nodal values of the steady profile $\theta_s$, (M.7), (M.104). */
     const Vector &
     steady_profile() const;
 
@@ -148,6 +152,7 @@ namespace ThermoContact
     const bool                             has_work_;
     const std::optional<double>            rear_gap;
     Vector                                 steady_profile_;
+    std::vector<double>                    steady_end;    ///< at contact nodes
     Vector                                 steady_stress; ///< $D^T\theta_s$
     mutable Vector                         heat_scratch;
     mutable Vector                         heat_product;

@@ -20,7 +20,8 @@ namespace ThermoContact
   struct FieldMaps
   {
     std::unique_ptr<const LinearMap> heat_mass, conduction, divergence,
-      thermal_stress, momentum_mass, stiffness, viscous_stiffness;
+      thermal_stress, momentum_mass, stiffness, viscous_stiffness,
+      lateral_exchange;
   };
 
 

@@ -43,13 +43,16 @@ namespace ThermoContact
 
   public:
     BlockSparseMatrix mass;      ///< $M$, $M_u$
-    BlockSparseMatrix stiffness; ///< $K+kB$, $S$
+    BlockSparseMatrix stiffness; ///< $K+kB+L$, $S$
 
     /** $D$ in (0, 1), $D^T$ in (1, 0); none without thermal stress. */
     BlockSparseMatrix coupling;
 
     /** $S_\zeta$ in the last block, where it is not $S$, (M.37). */
     BlockSparseMatrix viscous_stiffness;
+
+    /** $L$ in the first block, of a scene with lateral heat exchange. */
+    BlockSparseMatrix lateral_exchange;
 
     /** All of them cell by cell, of a rod that one process has; else null. */
     std::unique_ptr<const RodMatrices> rod;
@@ -73,6 +76,10 @@ namespace ThermoContact
     /** Adds the heat exchange of the contact end. */
     void
     assemble_contact_end();
+
+    /** Adds the heat exchange with the surroundings. */
+    void
+    assemble_lateral_exchange();
   };
 } // namespace ThermoContact
 

@@ -14,8 +14,9 @@ namespace ThermoContact
   /**
    * The loads of the semidiscrete equations, doc/model.md (M.11), (M.12):
    * @f[
-   *   \ell_\theta = k\,\theta_{obs}\int_{\Gamma_C}\eta_i + \int q\,\eta_i +
-   *     \int_{\Gamma_C} h\,\eta_i , \quad
+   *   \ell_\theta = k\,\theta_{obs}\int_{\Gamma_C}\eta_i +
+   *     \theta_\infty\,L1 + \int q\,\eta_i + \int_{\Gamma_C} h\,\eta_i ,
+   *   \quad
    *   \ell_u = \int f\cdot\varphi_i + w_i\,t(x_i) .
    * @f]
    * The traction t acts at the contact nodes, as the pressure does.
@@ -29,11 +30,14 @@ namespace ThermoContact
           const Discretization<dim> &discretization,
           ProblemData<dim>          &data);
 
-    /** The part of $\ell_\theta$ that is no source: the obstacle's heat. */
+    /**
+     * The part of $\ell_\theta$ that is no source: what obstacle and
+     * surroundings give by their temperatures.
+     */
     const Vector &
-    obstacle_heat() const
+    outer_heat() const
     {
-      return obstacle_heat_;
+      return outer_heat_;
     }
 
     bool
@@ -58,7 +62,7 @@ namespace ThermoContact
     AffineConstraints<double>  unconstrained;
     BlockVector                sources;
     dealii::Vector<double>     cell_load;
-    Vector                     obstacle_heat_;
+    Vector                     outer_heat_;
 
     void
     add_scalar(const FEValuesBase<dim> &values, const Function<dim> &function);

@@ -49,12 +49,19 @@ namespace ThermoContact
       return *maps.heat_mass;
     }
 
-    /** $K+kB$, $\int\nabla\eta_i\cdot\nabla\eta_j + k\int_{\Gamma_C}\eta_i
-     * \eta_j$. */
+    /** $K+kB+L$, $\int\nabla\eta_i\cdot\nabla\eta_j +
+     * k\int_{\Gamma_C}\eta_i\eta_j$ and the lateral heat exchange. */
     const LinearMap &
     conduction() const
     {
       return *maps.conduction;
+    }
+
+    /** $L$; of scenes with a lateral heat exchange, (M.102). */
+    const LinearMap &
+    lateral_exchange() const
+    {
+      return *maps.lateral_exchange;
     }
 
     /** $D$, $\int\eta_i\,\mathrm{div}\,\varphi_j$; temperature rows,
@@ -135,6 +142,10 @@ namespace ThermoContact
      */
     SparseMatrix
     heat_stage_matrix(const double tau) const;
+
+    /** $K+kB+L$ with constrained rows, of scenes that have matrices. */
+    SparseMatrix
+    conduction_matrix() const;
 
     /** Matrix of the momentum block, $bM_u+\tau\zeta S_\zeta+\tau^2S$. */
     SparseMatrix

@@ -3,6 +3,7 @@
 #ifndef thermocontact_study_study_table_h
 #define thermocontact_study_study_table_h
 
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/study/study_plan.h>
 #include <thermocontact/study/study_run.h>
 
@@ -24,11 +25,11 @@ namespace ThermoContact
   public:
     /**
      * @param plan borrowed
-     * @param title first comment line of the file
+     * @param parameters of the scene: title, and units of the results
      */
     StudyTable(const StudyPlan   &plan,
                const std::string &file_name,
-               const std::string &title);
+               const Parameters  &parameters);
 
     /**
      * Appends the row of a run that has ended, in one piece; any rank.
@@ -97,11 +98,20 @@ namespace ThermoContact
       return plan_;
     }
 
+    /** In which the rows have their numbers. */
+    const OutputUnits &
+    units() const
+    {
+      return units_;
+    }
+
   private:
-    const StudyPlan                                 &plan_;
-    const std::string                                file_name;
-    const std::string                                head;
-    std::vector<std::string>                         names_;
+    const StudyPlan         &plan_;
+    const std::string        file_name;
+    const OutputUnits        units_;
+    const Conversions        conversions; ///< of columns
+    const std::string        head;
+    std::vector<std::string> names_;
     std::map<unsigned int, std::vector<std::string>> rows;
     std::uint64_t                                    n_read = 0; ///< bytes
   };

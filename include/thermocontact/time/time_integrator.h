@@ -23,6 +23,7 @@ namespace ThermoContact
     double       old_energy            = 0.; ///< where the step starts
     double       work                  = 0.; ///< $W$
     double       dissipation           = 0.; ///< $D$
+    double       lateral_dissipation   = 0.; ///< the part (M.105) of $D$
     double       numerical_dissipation = 0.; ///< $N$
     double       algebraic             = 0.; ///< $A$, (M.65)
     double       contact_dissipation   = 0.; ///< by the obstacle, (M.85)

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/report/output_reference.h>
+#include <thermocontact/output/output_tables.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <fnmatch.h>
 
 namespace ThermoContact
 {
@@ -104,6 +108,7 @@ namespace ThermoContact
           "velocity",
           "axial, of the contact end, before an impact, after a release; "
           "positive towards the obstacle"},
+         {"duration", "time", "of the contact that ends; `nan` of a `begin`"},
          {"side",
           "",
           "two stops: `front`, or `rear` with `Contact/Rear gap`"}}};
@@ -171,14 +176,14 @@ namespace ThermoContact
          {"error_displacement_end", "length", "largest over time"},
          {"error_velocity_end", "velocity", "likewise"},
          {"error_contact_force", "force", "likewise"},
-         {"error_temperature_end", "temperature", "likewise"},
+         {"error_temperature_end", "temperature difference", "likewise"},
          {"error_first_contact_time", "time", "of the first event"},
          {"error_energy", "energy", "largest over time"},
          {"loop_seconds_median", "s", "the median of repetitions"},
          {"final_error_displacement_end", "length", "at the end time"},
          {"final_error_velocity_end", "velocity", "likewise"},
          {"final_error_contact_force", "force", "likewise"},
-         {"final_error_temperature_end", "temperature", "likewise"},
+         {"final_error_temperature_end", "temperature difference", "likewise"},
          {"final_error_energy", "energy", "likewise"},
          {"first_contact_time", "time", "of the first event"},
          {"contact_begins", "", "how often contact began"},
@@ -261,6 +266,10 @@ namespace ThermoContact
          {"wall_seconds",
           "s",
           "from the start of the program; of a run of a study, from its own"},
+         {"units",
+          "",
+          "of the keys that have one, an object; a scene with `Scales` and "
+          "`Output/SI`"},
          {"peak_memory_mb", "MB", "of all ranks, each at its largest"},
          {"peak_memory_mb_per_rank", "MB", "a list"},
          {"warnings", "", "all that were shown, a list"},
@@ -276,7 +285,7 @@ namespace ThermoContact
          {"predicted_remark", "", "why there is none, or how it is reached"},
          {"difference_displacement_end", "length", "end less state of rest"},
          {"difference_contact_force", "force", "likewise"},
-         {"difference_temperature_end", "temperature", "likewise"},
+         {"difference_temperature_end", "temperature difference", "likewise"},
          {"predicted_first_contact_time", "time", "of the first impact"},
          {"predicted_first_penetration", "length", "peak of the first contact"},
          {"predicted_critical_step_size",
@@ -378,5 +387,18 @@ namespace ThermoContact
                                                     obstacle_table(),
                                                     space_time_table()};
     return tables;
+  }
+
+
+  const std::string &
+  kind_of(const std::string &file, const std::string &name)
+  {
+    for (const OutputTable &table : output_tables())
+      if (table.file == file)
+        for (const OutputTerm &term : table.terms)
+          if (fnmatch(term.name.c_str(), name.c_str(), 0) == 0)
+            return term.kind;
+    AssertThrow(false, dealii::ExcMessage(file + ": " + name + " has no text"));
+    return file; // not reached
   }
 } // namespace ThermoContact

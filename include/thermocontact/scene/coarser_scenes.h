@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_scene_coarser_scenes_h
+#define thermocontact_scene_coarser_scenes_h
+
+#include <thermocontact/input/parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** A scene that differs from another one in what its accuracy depends on. */
+  struct CoarserScene
+  {
+    Parameters  parameters;
+    std::string words; ///< the entries that differ, "Section/Entry = value"
+
+    /** Of the difference in the error bar, (M.88). */
+    double weight = 1.;
+  };
+
+
+
+  /**
+   * Scenes with larger steps, whose differences to @p parameters tell the error
+   * in time; a smaller one where larger ones are not allowed or do not differ.
+   * None where space and time cannot be told apart, because steps and cells
+   * belong together.
+   */
+  std::vector<CoarserScene>
+  coarser_in_time(const Parameters &parameters);
+
+  /**
+   * One scene on a coarser mesh, and one on a mesh that is coarser still, if
+   * there is one; none if there is no coarser mesh.
+   */
+  std::vector<CoarserScene>
+  coarser_in_space(const Parameters &parameters);
+} // namespace ThermoContact
+
+#endif

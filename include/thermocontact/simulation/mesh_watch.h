@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_simulation_mesh_watch_h
+#define thermocontact_simulation_mesh_watch_h
+
+#include <thermocontact/scene/scene.h>
+#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/energy.h>
+
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * What the mesh of a rod leaves out of a field, over the run, (M.86): the
+   * coefficients of its Legendre expansion in each cell that are the last two,
+   * or, for degrees 1 and 2, what neighbours let expect of those that come
+   * next. Squares of norms, integrated over time.
+   */
+  struct MeshTail
+  {
+    double upper = 0.; ///< of the highest coefficients
+    double lower = 0.; ///< of those before them
+
+    /**
+     * The error to be expected, relative to @p scale, the square of a norm, for
+     * @p duration: the geometric mean of the highest coefficients and of those
+     * that would follow.
+     */
+    double
+    error(const double scale, const double duration) const;
+
+    /** By what coefficients decay from one to the next; at most 1. */
+    double
+    rate() const;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &upper &lower;
+    }
+  };
+
+
+
+  /**
+   * Watches whether the mesh of a rod resolves what moves through it, at the
+   * cost of a few products with short vectors in each step. Of bodies in two
+   * and three dimensions it knows nothing.
+   *
+   * What counts is the mean over the run. At single instants, after a start or
+   * an impact, layers are thinner than any cell, and do no harm.
+   */
+  class MeshWatch
+  {
+  public:
+    /** Errors that are not worth a warning. */
+    static constexpr double tolerated_error = 1.5e-3;
+
+    /** @param scene borrowed */
+    template <int dim>
+    MeshWatch(const Scene &scene, const Discretization<dim> &discretization);
+
+    /**
+     * Takes an accepted state.
+     *
+     * @param energy of that state
+     */
+    void
+    add(const State &state, const double step_size, const EnergyTerms &energy);
+
+    /** Estimated error of a field that the scene has, relative to it. */
+    double
+    error(const Field::Block field) const;
+
+    /**
+     * At the end of a run: what is wrong with the mesh, and the degree or the
+     * number of cells to take; nothing if nothing is. Once.
+     */
+    std::string
+    take_warning();
+
+    /** What changes during a run, for checkpoints. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &heat &strain &duration &max_thermal &max_mechanical &has_warned;
+    }
+
+  private:
+    const Scene        &scene;
+    const unsigned int  n_cell_nodes;
+    std::vector<double> cell_sizes;
+
+    /** Positions of the nodes of a field, cell by cell along the rod. */
+    std::vector<unsigned int> entries[2];
+
+    /** Of the nodes of a cell in its last two Legendre coefficients. */
+    std::vector<double> upper_weights, lower_weights;
+
+    MeshTail heat, strain;
+    double   duration       = 0.;
+    double   max_thermal    = 0.;
+    double   max_mechanical = 0.;
+    bool     has_warned     = false;
+
+    template <int dim>
+    void
+    add_cells(const Discretization<dim> &discretization);
+
+    /**
+     * Adds the tail of a field at one time.
+     *
+     * @param n_derivatives 1 for the strain, 0 for the temperature
+     * @param weight of this time
+     */
+    void
+    add_tail(const Field::Block field,
+             const Vector      &vector,
+             const unsigned int n_derivatives,
+             const double       weight,
+             MeshTail          &tail) const;
+
+    void
+    add_last_coefficients(const Field::Block field,
+                          const Vector      &vector,
+                          const double       upper_factor,
+                          const double       lower_factor,
+                          const int          power,
+                          MeshTail          &tail) const;
+
+    void
+    add_differences(const Field::Block field,
+                    const Vector      &vector,
+                    const double       factor,
+                    const int          power,
+                    MeshTail          &tail) const;
+
+    /** What to take for a mesh whose error is too large. */
+    std::string
+    remedy(const double error, const double rate) const;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The entries of the files that --units reads.
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/input/number_or_word.h>
+#include <thermocontact/input/scales.h>
+#include <thermocontact/input/units.h>
+#include <thermocontact/input/words_of_kinds.h>
+
+#include <deal.II/base/patterns.h>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    using dealii::ParameterHandler;
+    using namespace dealii::Patterns;
+
+    const Double positive(1e-30, 1e30);
+    const Double not_negative(0., 1e30);
+    const Double any_sign(-1e30, 1e30);
+    const Double temperature(-273.15, 1e6);
+
+    /** Colder than any rod but in a cryostat: rather degrees Celsius. */
+    constexpr double lowest_plain_kelvin = 150.;
+
+
+
+    /** The entry with how long a load lasts. */
+    void
+    add_duration(ParameterHandler      &prm,
+                 const std::string     &name,
+                 const std::string     &text,
+                 std::optional<double> &duration)
+    {
+      add_number_or_word(
+        prm, name, "infinity", text, [&duration](const double *value) {
+          duration = value ? std::optional<double>(*value) : std::nullopt;
+        });
+    }
+  } // namespace
+
+
+
+  void
+  RodInUnits::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Title", title, "Title of the scene.");
+    prm.add_parameter("Small terms",
+                      small_terms,
+                      "Inertia b and viscosity zeta below 1e-6 are dropped, or "
+                      "kept; inertia stays if there is an initial velocity.",
+                      Selection("dropped|kept"));
+
+    add_rod(prm);
+    add_temperatures(prm);
+    add_obstacle(prm);
+    add_loads(prm);
+
+    prm.enter_subsection("Time");
+    prm.add_parameter("Unit",
+                      time_unit,
+                      "Unit of the times in this file and in the results. "
+                      "automatic: s here, there s, ms or us by the end time.",
+                      Selection("automatic|" + names_of(time_units())));
+    prm.add_parameter("End time", end_time, "End time.", not_negative);
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  RodInUnits::add_rod(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Rod");
+    prm.add_parameter("Length", length, "Length L of the rod, m.", positive);
+    prm.add_parameter("Cross-section area",
+                      area,
+                      "Area A of the cross-section, m^2.",
+                      positive);
+    prm.add_parameter("Density", density, "Density rho, kg/m^3.", positive);
+    prm.add_parameter("Young's modulus",
+                      youngs_modulus,
+                      "Young's modulus E, Pa.",
+                      positive);
+    prm.add_parameter("Poisson ratio",
+                      poisson_ratio,
+                      "Poisson ratio nu, for confined lateral sides.",
+                      Double(-0.999, 0.4999));
+    prm.add_parameter("Lateral sides",
+                      lateral_sides,
+                      "free: a thin rod, whose stiffness is Young's modulus; "
+                      "confined: no lateral strain, P-wave modulus.",
+                      Selection("free|confined"));
+    prm.add_parameter("Viscosity",
+                      viscosity,
+                      "Kelvin-Voigt viscosity eta, Pa s: stress eta u_xt.",
+                      not_negative);
+    prm.add_parameter("Linear expansion",
+                      linear_expansion,
+                      "Coefficient alpha of linear thermal expansion, 1/K.",
+                      Double(-1., 1.));
+    prm.add_parameter("Conductivity",
+                      conductivity,
+                      "Heat conductivity kappa, W/(m K).",
+                      positive);
+    prm.add_parameter("Heat capacity",
+                      heat_capacity,
+                      "Specific heat capacity c, J/(kg K).",
+                      positive);
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  RodInUnits::add_temperatures(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Temperatures");
+    prm.add_parameter("Unit",
+                      temperature_unit,
+                      "Unit of the temperatures in this file and in the "
+                      "results: K, or C for degrees Celsius. automatic: K, but "
+                      "what looks like degrees Celsius is refused.",
+                      Selection("automatic|" + names_of(temperature_units())));
+    prm.add_parameter("Reference",
+                      reference_temperature,
+                      "Temperature of the rod without stress.",
+                      temperature);
+    prm.add_parameter("Initial",
+                      initial_temperature,
+                      "Temperature of the rod at t = 0.",
+                      temperature);
+    prm.add_parameter("Fixed end",
+                      fixed_end_temperature,
+                      "Temperature of the fixed end.",
+                      temperature);
+    prm.add_parameter("Obstacle",
+                      obstacle_temperature,
+                      "Temperature of the obstacle.",
+                      temperature);
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  RodInUnits::add_obstacle(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Obstacle");
+    prm.add_parameter("Gap",
+                      gap,
+                      "Gap between the rod without stress, at the reference "
+                      "temperature, and the obstacle, m.",
+                      any_sign);
+    add_number_or_word(
+      prm,
+      "Stiffness",
+      "infinity",
+      "Stiffness of the obstacle, force over penetration, N/m; infinity: "
+      "rigid.",
+      [this](const double *value) {
+        stiffness = value ? std::optional<double>(*value) : std::nullopt;
+      });
+    prm.add_parameter("Exchange coefficient",
+                      exchange_coefficient,
+                      "Heat exchange between the end and the obstacle, "
+                      "W/(m^2 K).",
+                      not_negative);
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  RodInUnits::add_loads(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Loads");
+    prm.add_parameter("Initial velocity",
+                      initial_velocity,
+                      "Velocity of the contact end at t = 0, m/s, towards the "
+                      "obstacle; in the rod it falls linearly to 0 at the "
+                      "fixed end.",
+                      any_sign);
+    prm.add_parameter("Body force",
+                      body_force.value,
+                      "Force per volume along the rod, N/m^3, positive towards "
+                      "the obstacle: rho times 9.81 for weight.",
+                      any_sign);
+    add_duration(prm,
+                 "Body force duration",
+                 "How long it acts, from t = 0 on.",
+                 body_force.duration);
+    prm.add_parameter("Heater power",
+                      heater.value,
+                      "Power that heats the rod, evenly over its volume, W.",
+                      any_sign);
+    add_duration(prm,
+                 "Heater duration",
+                 "How long it heats, from t = 0 on.",
+                 heater.duration);
+    prm.leave_subsection();
+  }
+
+
+
+  double
+  RodInUnits::in_kelvin(const double temperature) const
+  {
+    return temperature_unit == "automatic" ?
+             temperature :
+             temperature +
+               ThermoContact::temperature_unit(temperature_unit).zero_in_kelvin;
+  }
+
+
+
+  double
+  RodInUnits::in_seconds(const double time) const
+  {
+    return time_unit == "automatic" ?
+             time :
+             time * ThermoContact::time_unit(time_unit).seconds;
+  }
+
+
+
+  void
+  RodInUnits::check() const
+  {
+    for (const auto &[name, value] :
+         {std::make_pair("Reference", reference_temperature),
+          std::make_pair("Initial", initial_temperature),
+          std::make_pair("Fixed end", fixed_end_temperature),
+          std::make_pair("Obstacle", obstacle_temperature)})
+      {
+        const std::string entry = text("Temperatures/", name, " = ", value);
+        if (!(in_kelvin(value) > 0.))
+          throw InputError(entry +
+                           "\n  allowed: above absolute zero\n  remedy:  "
+                           "Temperatures/Unit = C if it is in degrees Celsius");
+        if (temperature_unit == "automatic" && value < lowest_plain_kelvin)
+          throw InputError(
+            text(entry,
+                 ": ",
+                 value,
+                 " K is ",
+                 value - 273.15,
+                 " °C; which one is meant?\n  allowed: from ",
+                 lowest_plain_kelvin,
+                 " on, or any with Temperatures/Unit\n  remedy:  "
+                 "Temperatures/Unit = C if all are in degrees Celsius, K if "
+                 "they are in kelvin"));
+      }
+    if (stiffness && !(*stiffness > 0.))
+      throw InputError(text("Obstacle/Stiffness = ",
+                            significant(*stiffness, 12),
+                            "\n  allowed: positive, or infinity\n  remedy:  a "
+                            "large Gap for no obstacle"));
+  }
+} // namespace ThermoContact

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/input/scales.h>
+#include <thermocontact/input/unit_scene.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    // Below this, inertia and viscosity are ringing of relative size b^(1/4)
+    // after sudden changes, in steps far below those of heat.
+    constexpr double small_term = 1e-6;
+
+    // A wave passes a cell in a step: the peak force of an impact is off by
+    // less than 0.1 per cent.
+    constexpr unsigned int cells_of_impact = 2000;
+
+    // Times of a wave along the rod after which an impact is not followed wave
+    // by wave.
+    constexpr double waves_of_impact = 100.;
+
+
+
+    std::string
+    number(const double value)
+    {
+      return significant(value, 12);
+    }
+
+
+
+    /** A line of a table: name, number, unit, all in a comment. */
+    std::string
+    row(const std::string &name, const double value, const std::string &unit)
+    {
+      return text("#   ",
+                  align_left(name, 38),
+                  ' ',
+                  align_left(number(value), 20),
+                  ' ',
+                  unit,
+                  '\n');
+    }
+
+
+
+    std::string
+    write_scales(const UnitScales &scales)
+    {
+      return "# One unit of the scene is\n" +
+             row("length, displacement", scales.length, "m") +
+             row("time", scales.time, "s") +
+             row("temperature above the reference", scales.temperature, "K") +
+             row("velocity", scales.velocity, "m/s") +
+             row("stress, pressure", scales.stress, "Pa") +
+             row("force", scales.force, "N") +
+             row("heat flux", scales.heat_flux, "W/m^2") +
+             row("energy", scales.energy, "J") + "#\n";
+    }
+
+
+
+    std::string
+    write_factors(const RodInUnits &rod, const UnitScales &scales)
+    {
+      return "# Columns of contact.csv in SI units: multiply those of "
+             "Output/SI = false by\n" +
+             row("time, step_size", scales.time, "s") +
+             row("displacement_*, gap, penetration", scales.length, "m") +
+             row("velocity_end", scales.velocity, "m/s") +
+             row("stress_end", scales.stress, "Pa") +
+             row("contact_force", scales.force, "N") +
+             row("contact_impulse", scales.force * scales.time, "N s") +
+             row("temperature_*, then add " +
+                   number(rod.in_kelvin(rod.reference_temperature)),
+                 scales.temperature,
+                 "K") +
+             row("heat_flux_end", scales.heat_flux, "W/m^2") +
+             row("energy, work, *dissipation", scales.energy, "J") + "\n";
+    }
+
+
+
+    /** A parameter file that grows by entries. */
+    class SceneText
+    {
+    public:
+      /** @param own of the user, which stand behind the others */
+      explicit SceneText(const std::vector<Assignment> &own)
+      {
+        for (const Assignment &assignment : own)
+          values[assignment.path] = assignment.value;
+      }
+
+      /** Adds an entry that is not the user's to set. */
+      void
+      set(const std::string &path,
+          const std::string &value,
+          const std::string &comment = "")
+      {
+        if (values.count(path) > 0)
+          throw InputError(path +
+                           ": the rod in units decides it\n  remedy:  change "
+                           "the rod, or the scene that --units prints");
+        add(path, value, comment);
+      }
+
+      /** Adds an entry unless the user has set it. */
+      void
+      suggest(const std::string &path, const std::string &value)
+      {
+        if (values.count(path) == 0)
+          add(path, value, "");
+      }
+
+      /** True if the user has set an entry of this section. */
+      bool
+      has_own(const std::string &section) const
+      {
+        const auto next = values.lower_bound(section + "/");
+        return next != values.end() && next->first.rfind(section + "/", 0) == 0;
+      }
+
+      /** All of it. */
+      std::string
+      str()
+      {
+        for (const auto &[path, value] : values)
+          add(path, value, "");
+        std::string all;
+        for (const auto &[section, lines] : sections)
+          all += section.empty() ?
+                   lines :
+                   "subsection " + section + '\n' + lines + "end\n";
+        return all;
+      }
+
+    private:
+      std::map<std::string, std::string>               values; ///< of the user
+      std::vector<std::pair<std::string, std::string>> sections;
+
+      void
+      add(const std::string &path,
+          const std::string &value,
+          const std::string &comment)
+      {
+        const auto        slash = path.find('/');
+        const std::string section =
+          slash == std::string::npos ? "" : path.substr(0, slash);
+        auto found = std::find_if(sections.begin(),
+                                  sections.end(),
+                                  [&](const auto &known) {
+                                    return known.first == section;
+                                  });
+        if (found == sections.end())
+          found =
+            sections.insert(section.empty() ? sections.begin() : sections.end(),
+                            {section, ""});
+        found->second += (section.empty() ? "set " : "  set ") +
+                         path.substr(section.empty() ? 0 : slash + 1) + " = " +
+                         value + (comment.empty() ? "" : " # " + comment) +
+                         '\n';
+      }
+    };
+
+
+
+    /** Which terms the scene has. */
+    struct Terms
+    {
+      bool inertia, viscosity;
+
+      Terms(const RodInUnits &rod, const ScaledRod &scaled)
+      {
+        const bool drops = rod.small_terms == "dropped";
+        inertia =
+          !(drops && scaled.inertia < small_term) || rod.initial_velocity != 0.;
+        viscosity = !(drops && scaled.viscosity < small_term);
+      }
+    };
+
+
+
+    void
+    add_model(const ScaledRod &scaled, const Terms &terms, SceneText &scene)
+    {
+      const auto add = [&](const std::string &path,
+                           const std::string &symbol,
+                           const double       value,
+                           const bool         is_kept) {
+        scene.set(path,
+                  is_kept ? number(value) : "0",
+                  symbol + (is_kept ? "" :
+                                      " = " + number(value) +
+                                        ", dropped; kept by Small terms = "
+                                        "kept"));
+      };
+      add("Model/Inertia", "b", scaled.inertia, terms.inertia);
+      add("Model/Viscosity", "zeta", scaled.viscosity, terms.viscosity);
+      scene.set("Model/Coupling", number(scaled.coupling), "a");
+    }
+
+
+
+    void
+    add_surroundings(const RodInUnits &rod,
+                     const ScaledRod  &scaled,
+                     SceneText        &scene)
+    {
+      const auto add_temperature = [&](const std::string &path,
+                                       const std::string &symbol,
+                                       const double       scaled_value,
+                                       const double       value) {
+        const std::string &unit = rod.temperature_unit;
+        scene.set(path,
+                  number(scaled_value),
+                  symbol + "; " + number(value) + ' ' +
+                    temperature_unit(unit == "automatic" ? "K" : unit).symbol);
+      };
+      add_temperature("Boundary/Fixed end temperature",
+                      "theta_A",
+                      scaled.fixed_end_temperature,
+                      rod.fixed_end_temperature);
+      scene.set("Boundary/Heat exchange", number(scaled.heat_exchange), "k");
+      if (scaled.heat_exchange > 0.)
+        add_temperature("Boundary/Obstacle temperature",
+                        "theta_obs",
+                        scaled.obstacle_temperature,
+                        rod.obstacle_temperature);
+      if (rod.stiffness)
+        scene.set("Contact/Compliance",
+                  number(scaled.compliance),
+                  "epsilon; " + number(*rod.stiffness) + " N/m");
+      else
+        scene.set("Contact/Condition", "rigid");
+      scene.set("Contact/Gap",
+                number(scaled.gap),
+                "g; " + number(rod.gap) + " m");
+      add_temperature("Initial values/Temperature",
+                      "theta_0",
+                      scaled.initial_temperature,
+                      rod.initial_temperature);
+    }
+
+
+
+    /** A load from t = 0 on; its end is a break of the steps. */
+    void
+    add_load(const std::string        &path,
+             const double              value,
+             const double              duration,
+             const std::string        &comment,
+             const double              end_time,
+             std::vector<std::string> &breaks,
+             SceneText                &scene)
+    {
+      if (value == 0.)
+        return;
+      const bool ends = duration < end_time;
+      scene.set(
+        path,
+        ends ? text("if(t < ", number(duration), ", ", number(value), ", 0)") :
+               number(value),
+        comment);
+      if (ends && std::find(breaks.begin(), breaks.end(), number(duration)) ==
+                    breaks.end())
+        breaks.push_back(number(duration));
+    }
+
+
+
+    void
+    add_motion(const RodInUnits &rod,
+               const ScaledRod  &scaled,
+               const Terms      &terms,
+               SceneText        &scene)
+    {
+      if (terms.inertia || terms.viscosity)
+        scene.set("Initial values/Displacement", "0");
+      if (terms.inertia && scaled.initial_velocity == 0.)
+        scene.set("Initial values/Velocity", "0");
+      else if (terms.inertia)
+        scene.set("Initial values/Velocity",
+                  number(scaled.initial_velocity) + "*x",
+                  "u_1; " + number(rod.initial_velocity) + " m/s at x = 1");
+    }
+
+
+
+    void
+    add_times(const RodInUnits &rod,
+              const ScaledRod  &scaled,
+              const Terms      &terms,
+              SceneText        &scene)
+    {
+      std::vector<std::string> breaks;
+      add_load("Sources/Heat source",
+               scaled.heat_source,
+               scaled.heat_duration,
+               "q; " + number(rod.heater.value) + " W",
+               scaled.end_time,
+               breaks,
+               scene);
+      add_load("Sources/Body force",
+               scaled.body_force,
+               scaled.force_duration,
+               "f; " + number(rod.body_force.value) + " N/m^3",
+               scaled.end_time,
+               breaks,
+               scene);
+      scene.set("Time/End time",
+                number(scaled.end_time),
+                "T; " + number(rod.end_time) + ' ' +
+                  (rod.time_unit == "automatic" ? "s" : rod.time_unit));
+      if (!breaks.empty())
+        scene.suggest("Time/Break points",
+                      breaks[0] + (breaks.size() > 1 ? " ; " + breaks[1] : ""));
+      const double wave = std::sqrt(scaled.inertia);
+      if (scaled.initial_velocity == 0. || terms.viscosity ||
+          scaled.heat_source != 0. || scaled.body_force != 0. ||
+          scaled.end_time > waves_of_impact * wave || scene.has_own("Time") ||
+          scene.has_own("Mesh"))
+        return;
+      // an elastic impact, wave by wave
+      scene.set("Time/Scheme", "energy conserving");
+      scene.set("Time/Step size", number(wave / cells_of_impact));
+      scene.set("Mesh/Cells", text(cells_of_impact));
+      scene.set("Mesh/Degree", "1");
+      scene.set("Mesh/Mass matrix", "midpoint");
+    }
+
+
+
+    void
+    add_scales(const RodInUnits &rod,
+               const UnitScales &scales,
+               SceneText        &scene)
+    {
+      scene.set("Scales/Length", number(scales.length), "m");
+      scene.set("Scales/Time", number(scales.time), "s");
+      scene.set("Scales/Stress", number(scales.stress), "Pa");
+      scene.set("Scales/Area", number(rod.area), "m^2");
+      scene.set("Scales/Temperature", number(scales.temperature), "K");
+      scene.set("Scales/Reference temperature",
+                number(rod.in_kelvin(rod.reference_temperature)),
+                "K");
+      scene.set("Scales/Time unit",
+                rod.time_unit == "automatic" ?
+                  readable_time_unit(rod.end_time).name :
+                  rod.time_unit);
+      scene.set("Scales/Temperature unit",
+                rod.temperature_unit == "automatic" ? "K" :
+                                                      rod.temperature_unit);
+    }
+  } // namespace
+
+
+
+  std::string
+  write_scene(const RodInUnits &rod, const std::vector<Assignment> &own)
+  {
+    const UnitScales scales(rod);
+    const ScaledRod  scaled(rod);
+    const Terms      terms(rod, scaled);
+    SceneText        scene(own);
+    if (!rod.title.empty())
+      scene.set("Title", rod.title);
+    add_model(scaled, terms, scene);
+    add_surroundings(rod, scaled, scene);
+    add_motion(rod, scaled, terms, scene);
+    add_times(rod, scaled, terms, scene);
+    scene.suggest("Output/Fields interval",
+                  significant(scaled.end_time / 20., 6));
+    add_scales(rod, scales, scene);
+    return write_scales(scales) + write_factors(rod, scales) + scene.str();
+  }
+} // namespace ThermoContact

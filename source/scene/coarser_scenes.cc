@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/scene/coarser_scenes.h>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    constexpr double largest_tolerance = 0.1; // of the entry
+
+    /** Degrees that can be lowered twice and still be of some order. */
+    constexpr unsigned int smallest_high_degree = 4;
+
+    bool
+    has_joined_steps_and_cells(const Parameters &parameters)
+    {
+      return parameters.mesh.mass_matrix == "midpoint";
+    }
+
+
+
+    /** Whatever holds steps below what the tolerance asks for. */
+    void
+    scale_limits_of_steps(const double factor, Parameters &parameters)
+    {
+      TimeParameters &time = parameters.time;
+      time.maximum_step_size *= factor;
+      if (time.first_step_size)
+        *time.first_step_size *= factor;
+      if (parameters.output.land_on_times)
+        for (double *const interval : {&parameters.output.fields_interval,
+                                       &parameters.output.contact_interval,
+                                       &parameters.output.space_time_interval})
+          *interval *= factor;
+    }
+
+
+
+    CoarserScene
+    with_tolerance(const Parameters &parameters,
+                   const double      factor,
+                   const double      step_factor,
+                   const double      weight)
+    {
+      CoarserScene scene{parameters, "", weight};
+      double      &tolerance = scene.parameters.time.tolerance;
+      tolerance *= factor;
+      scale_limits_of_steps(step_factor, scene.parameters);
+      scene.words = "Time/Tolerance = " + significant(tolerance, 6);
+      return scene;
+    }
+
+
+
+    CoarserScene
+    with_step_size(const Parameters &parameters,
+                   const double      factor,
+                   const double      weight)
+    {
+      CoarserScene scene{parameters, "", weight};
+      double      &size = *scene.parameters.time.step_size;
+      size *= factor;
+      scale_limits_of_steps(factor, scene.parameters);
+      scene.words = "Time/Step size = " + significant(size, 6);
+      return scene;
+    }
+
+
+
+    /** Half as many cells along and across; false if there are no fewer. */
+    bool
+    halve_cells(Parameters &parameters)
+    {
+      MeshParameters &mesh    = parameters.mesh;
+      bool            changes = false;
+      if (mesh.refinements > 0)
+        {
+          --mesh.refinements;
+          changes = true;
+        }
+      else
+        {
+          changes    = mesh.cells > 1;
+          mesh.cells = (mesh.cells + 1) / 2;
+          if (parameters.dimension > 1)
+            {
+              changes           = changes || mesh.cells_across > 1;
+              mesh.cells_across = (mesh.cells_across + 1) / 2;
+            }
+        }
+      if (changes && has_joined_steps_and_cells(parameters) &&
+          parameters.time.step_size)
+        *parameters.time.step_size *= 2.;
+      return changes;
+    }
+
+
+
+    std::string
+    words_of_mesh(const Parameters &scene, const Parameters &original)
+    {
+      const MeshParameters &mesh = scene.mesh;
+      std::string           words;
+      const auto            add =
+        [&words](const char *name, const double value, const double before) {
+          if (value != before)
+            words += (words.empty() ? "" : ", ") + std::string(name) + " = " +
+                     significant(value, 6);
+        };
+      add("Mesh/Degree", mesh.degree, original.mesh.degree);
+      add("Mesh/Refinements", mesh.refinements, original.mesh.refinements);
+      add("Mesh/Cells", mesh.cells, original.mesh.cells);
+      add("Mesh/Cells across", mesh.cells_across, original.mesh.cells_across);
+      if (scene.time.step_size)
+        add("Time/Step size", *scene.time.step_size, *original.time.step_size);
+      return words;
+    }
+  } // namespace
+
+
+
+  std::vector<CoarserScene>
+  coarser_in_time(const Parameters &parameters)
+  {
+    const TimeParameters     &time = parameters.time;
+    std::vector<CoarserScene> scenes;
+    if (has_joined_steps_and_cells(parameters))
+      return scenes;
+    if (time.has_error_control())
+      {
+        // products with powers of ten may miss by rounding
+        const double largest = largest_tolerance * (1. + 1e-12);
+        if (10. * time.tolerance > largest)
+          return {with_tolerance(parameters, 0.1, 0.5, 1.5)};
+        scenes.push_back(with_tolerance(parameters, 10., 2., 0.5));
+        if (100. * time.tolerance <= largest)
+          scenes.push_back(with_tolerance(parameters, 100., 4., 0.05));
+        return scenes;
+      }
+    if (time.n_steps() < 8)
+      return {with_step_size(parameters, 0.5, 2.)};
+    return {with_step_size(parameters, 2., 1.),
+            with_step_size(parameters, 4., 1. / 3.)};
+  }
+
+
+
+  std::vector<CoarserScene>
+  coarser_in_space(const Parameters &parameters)
+  {
+    std::vector<CoarserScene> scenes;
+    CoarserScene              scene{parameters, "", 1.};
+    for (unsigned int n = 0; n < 2; ++n)
+      {
+        MeshParameters &mesh = scene.parameters.mesh;
+        if (parameters.mesh.degree >= smallest_high_degree)
+          --mesh.degree;
+        else if (!halve_cells(scene.parameters))
+          {
+            if (mesh.degree == 1)
+              break;
+            --mesh.degree;
+          }
+        scene.words = words_of_mesh(scene.parameters, parameters);
+        scenes.push_back(scene);
+      }
+    return scenes;
+  }
+} // namespace ThermoContact

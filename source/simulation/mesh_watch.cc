@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/simulation/mesh_watch.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_tools.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Degrees whose own coefficients say nothing of those that follow. */
+    constexpr unsigned int highest_low_degree = 2;
+
+    /** Higher ones are slow; more cells do as well. */
+    constexpr double largest_degree = 16.;
+
+
+
+    /** Weights of the nodes of a cell, along it, in coefficient @p n. */
+    std::vector<double>
+    legendre_weights(const unsigned int degree, const unsigned int n)
+    {
+      const FE_Q<1>   element(degree);
+      const QGauss<1> quadrature(degree + 1);
+      const auto      place =
+        FETools::hierarchic_to_lexicographic_numbering<1>(degree);
+      std::vector<double> weights(degree + 1);
+      for (unsigned int i = 0; i <= degree; ++i)
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          weights[place[i]] +=
+            (2. * n + 1.) * quadrature.weight(q) *
+            element.shape_value(i, quadrature.point(q)) *
+            std::legendre(n, 2. * quadrature.point(q)[0] - 1.);
+      return weights;
+    }
+
+
+
+    double
+    product(const double       *weights,
+            const unsigned int *entries,
+            const unsigned int  n,
+            const double       *values)
+    {
+      double sum = 0.;
+      for (unsigned int i = 0; i < n; ++i)
+        sum += weights[i] * values[entries[i]];
+      return sum;
+    }
+  } // namespace
+
+
+
+  double
+  MeshTail::rate() const
+  {
+    return upper < lower ? std::sqrt(upper / lower) : 1.;
+  }
+
+
+
+  double
+  MeshTail::error(const double scale, const double duration) const
+  {
+    return upper > 0. && scale > 0. && duration > 0. ?
+             std::sqrt(upper * rate() / (scale * duration)) :
+             0.;
+  }
+
+
+
+  template <int dim>
+  MeshWatch::MeshWatch(const Scene               &scene,
+                       const Discretization<dim> &discretization)
+    : scene(scene)
+    , n_cell_nodes(discretization.degree() + 1)
+  {
+    // the steps of the midpoint rule on such a mesh have no error inside cells
+    if (dim > 1 || scene.has_midpoint_mass)
+      return;
+    add_cells(discretization);
+    const unsigned int p = discretization.degree();
+    upper_weights        = legendre_weights(p, p);
+    lower_weights        = legendre_weights(p, p - 1);
+  }
+
+
+
+  template <int dim>
+  void
+  MeshWatch::add_cells(const Discretization<dim> &space)
+  {
+    using Cell = typename DoFHandler<dim>::active_cell_iterator;
+    std::vector<Cell> cells;
+    for (const Cell &cell : space.dof_handler().active_cell_iterators())
+      cells.push_back(cell);
+    std::sort(cells.begin(), cells.end(), [](const Cell &a, const Cell &b) {
+      return a->center()[0] < b->center()[0];
+    });
+    const auto &element = space.finite_element();
+    const auto  place =
+      FETools::hierarchic_to_lexicographic_numbering<1>(n_cell_nodes - 1);
+    std::vector<types::global_dof_index> dofs(element.dofs_per_cell);
+    for (const Cell &cell : cells)
+      {
+        cell_sizes.push_back(cell->extent_in_direction(0));
+        cell->get_dof_indices(dofs);
+        for (const Field::Block field : all_fields)
+          if (space.has_field(field))
+            {
+              std::vector<unsigned int> &all   = entries[field];
+              const std::size_t          first = all.size();
+              all.resize(first + n_cell_nodes);
+              for (unsigned int i = 0; i < dofs.size(); ++i)
+                if (const auto [component, node] =
+                      element.system_to_component_index(i);
+                    component == space.first_component(field))
+                  all[first + place[node]] = dofs[i] - space.first_dof(field);
+            }
+      }
+  }
+
+
+
+  void
+  MeshWatch::add(const State       &state,
+                 const double       step_size,
+                 const EnergyTerms &energy)
+  {
+    if (cell_sizes.empty())
+      return;
+    duration += step_size;
+    max_thermal = std::max(max_thermal, 2. * energy.thermal);
+    max_mechanical =
+      std::max(max_mechanical, 2. * std::max(energy.elastic, energy.kinetic));
+    if (scene.fields.has_temperature)
+      add_tail(Field::temperature, state.temperature, 0, step_size, heat);
+    if (scene.fields.has_displacement)
+      add_tail(Field::displacement, state.displacement, 1, step_size, strain);
+  }
+
+
+
+  void
+  MeshWatch::add_tail(const Field::Block field,
+                      const Vector      &vector,
+                      const unsigned int n_derivatives,
+                      const double       weight,
+                      MeshTail          &tail) const
+  {
+    // Squares of norms over a cell of size h, whose coordinate is (x - m) 2/h:
+    // h/(2n + 1) c^2 of c P_n; the first term of the derivative of c P_n is
+    // (2n - 1) 2/h c P_{n-1}.
+    const double p = n_cell_nodes - 1.;
+    MeshTail     now;
+    if (n_cell_nodes - 1 <= highest_low_degree)
+      add_differences(field,
+                      vector,
+                      n_derivatives == 0 ? 1. : 2. * (2. * p - 1.),
+                      p - n_derivatives,
+                      now);
+    else if (n_derivatives == 0)
+      add_last_coefficients(
+        field, vector, 1. / (2. * p + 1.), 1. / (2. * p - 1.), 1, now);
+    else
+      add_last_coefficients(
+        field, vector, 4. * (2. * p - 1.), 4. * (2. * p - 3.), -1, now);
+    tail.upper += weight * now.upper;
+    tail.lower += weight * now.lower;
+  }
+
+
+
+  void
+  MeshWatch::add_last_coefficients(const Field::Block field,
+                                   const Vector      &vector,
+                                   const double       upper_factor,
+                                   const double       lower_factor,
+                                   const int          power,
+                                   MeshTail          &tail) const
+  {
+    const double       *values = vector.begin();
+    const unsigned int *nodes  = entries[field].data();
+    for (const double h : cell_sizes)
+      {
+        const double upper =
+          product(upper_weights.data(), nodes, n_cell_nodes, values);
+        const double lower =
+          product(lower_weights.data(), nodes, n_cell_nodes, values);
+        const double weight = power > 0 ? h : 1. / h;
+        tail.upper += upper_factor * weight * upper * upper;
+        tail.lower += lower_factor * weight * lower * lower;
+        nodes += n_cell_nodes;
+      }
+  }
+
+
+
+  void
+  MeshWatch::add_differences(const Field::Block field,
+                             const Vector      &vector,
+                             const double       factor,
+                             const int          power,
+                             MeshTail          &tail) const
+  {
+    // The coefficient n of what is approximated, a multiple of the n-th
+    // derivative and h^n, changes from cell to cell by 2 (2n + 1) times the
+    // next one; n is the power.
+    const double        next   = 1. / (2. * (2. * power + 1.));
+    const double       *values = vector.begin();
+    const unsigned int *nodes  = entries[field].data();
+    double              before = 0., last_difference = 0.;
+    for (unsigned int cell = 0; cell < cell_sizes.size(); ++cell)
+      {
+        const double h = cell_sizes[cell];
+        double       now =
+          factor * product(upper_weights.data(), nodes, n_cell_nodes, values);
+        if (static_cast<int>(n_cell_nodes) - 1 > power)
+          now /= h;
+        if (cell > 0)
+          {
+            const double ratio = h / cell_sizes[cell - 1];
+            for (int i = 0; i < power; ++i)
+              before *= ratio;
+            const double difference = next * (now - before);
+            tail.lower += h / (2. * power + 3.) * difference * difference;
+            if (cell > 1)
+              {
+                const double change = difference - last_difference;
+                tail.upper += h / (2. * power + 3.) * change * change;
+              }
+            last_difference = difference;
+          }
+        before = now;
+        nodes += n_cell_nodes;
+      }
+  }
+
+
+
+  double
+  MeshWatch::error(const Field::Block field) const
+  {
+    return field == Field::temperature ? heat.error(max_thermal, duration) :
+                                         strain.error(max_mechanical, duration);
+  }
+
+
+
+  std::string
+  MeshWatch::remedy(const double error, const double rate) const
+  {
+    const MeshParameters &mesh   = scene.parameters.mesh;
+    const double          excess = error / tolerated_error;
+    // Smooth: the error falls by the rate with each degree, and with a power of
+    // the cells; else with one over the number of nodes.
+    const bool   is_low    = mesh.degree <= highest_low_degree;
+    const bool   is_smooth = rate < 0.3 && mesh.degree != 3;
+    const double degree =
+      is_low ?
+        (is_smooth ? 4. : 2. * largest_degree) :
+        std::ceil(is_smooth ? mesh.degree + std::log(excess) / -std::log(rate) :
+                              mesh.degree * excess);
+    const double cells = std::ceil(
+      mesh.cells * std::pow(excess, is_smooth ? 1. / mesh.degree : 1.));
+    const std::string more_cells =
+      "Mesh/Cells = " + significant(cells, 12) + " or more";
+    const bool is_of_degree_1 =
+      mesh.degree == 1 && (scene.has_lumped_mass || scene.has_midpoint_mass);
+    return degree > largest_degree || is_of_degree_1 ?
+             more_cells :
+             "Mesh/Degree = " + significant(degree, 12) + ", or " + more_cells;
+  }
+
+
+
+  std::string
+  MeshWatch::take_warning()
+  {
+    const double of_heat   = error(Field::temperature);
+    const double of_strain = error(Field::displacement);
+    const double largest   = std::max(of_heat, of_strain);
+    if (has_warned || !(largest > tolerated_error))
+      return "";
+    has_warned = true;
+    return text("the mesh leaves out about ",
+                significant(100. * largest, 2),
+                " % of the ",
+                of_strain < of_heat ? "temperature" : "strain",
+                ", in the mean over the run; peaks may be wrong by several "
+                "times as much; remedy: ",
+                remedy(largest, (of_strain < of_heat ? heat : strain).rate()));
+  }
+
+
+
+  template MeshWatch::MeshWatch(const Scene &, const Discretization<1> &);
+  template MeshWatch::MeshWatch(const Scene &, const Discretization<2> &);
+  template MeshWatch::MeshWatch(const Scene &, const Discretization<3> &);
+} // namespace ThermoContact

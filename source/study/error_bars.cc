@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/interruption.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/scene/coarser_scenes.h>
+#include <thermocontact/scene/scene_checks.h>
+#include <thermocontact/study/error_bars.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+    // doc/numerics.md says what they come from
+    constexpr double space_weight  = 2.;
+    constexpr double smallest_rate = 0.03;
+    constexpr double sample_weight = 1.5;
+
+
+
+    /** Makes repeats one after the other, and counts them. */
+    template <int dim>
+    class Repeats
+    {
+    public:
+      Repeats(const Simulation<dim>       &simulation,
+              const std::function<void()> &look_up,
+              Log                         &log,
+              KeyErrors                   &errors)
+        : simulation(simulation)
+        , look_up(look_up)
+        , log(log)
+        , errors(errors)
+        , values(smooth_key_values(simulation))
+      {}
+
+      /**
+       * Absolute differences of the key results of a scene to those of the run;
+       * nothing if it fails. 0 of what neither has, NaN of what one has.
+       */
+      std::optional<KeyValues>
+      differences(const CoarserScene &scene)
+      {
+        ++errors.n_repeats;
+        log.live_line(text(
+          "  error bars: repeat ", errors.n_repeats, " with ", scene.words));
+        try
+          {
+            check_scene(scene.parameters);
+            Simulation<dim> repeat(scene.parameters,
+                                   simulation.discretization().communicator());
+            repeat.run({[this](const Simulation<dim> &) { look_up(); }});
+            KeyValues result = smooth_key_values(repeat);
+            for (unsigned int k = 0; k < n_key_errors; ++k)
+              result[k] = std::isnan(values[k]) && std::isnan(result[k]) ?
+                            0. :
+                            std::abs(result[k] - values[k]);
+            return result;
+          }
+        catch (const Interruption &)
+          {
+            throw;
+          }
+        catch (const std::runtime_error &error)
+          {
+            errors.remarks.push_back(text("error bars: the repeat with ",
+                                          scene.words,
+                                          " fails: ",
+                                          error.what()));
+          }
+        return {};
+      }
+
+    private:
+      const Simulation<dim>       &simulation;
+      const std::function<void()> &look_up;
+      Log                         &log;
+      KeyErrors                   &errors;
+      const KeyValues              values;
+    };
+
+
+
+    /** (M.88) of what differences there are. */
+    template <int dim>
+    KeyValues
+    time_errors(const Simulation<dim> &simulation, Repeats<dim> &repeats)
+    {
+      KeyValues bars;
+      bars.fill(unknown);
+      bool is_first = true;
+      for (const CoarserScene &scene : coarser_in_time(simulation.parameters()))
+        {
+          const auto differences = repeats.differences(scene);
+          for (unsigned int k = 0; differences && k < n_key_errors; ++k)
+            {
+              const double bar = scene.weight * (*differences)[k];
+              // what the coarsest one misses tells nothing
+              if (is_first)
+                bars[k] = bar;
+              else if (bar > bars[k])
+                bars[k] = bar;
+            }
+          is_first = false;
+        }
+      const KeyValues values = key_values(simulation);
+      const KeyValues smooth = smooth_key_values(simulation);
+      for (unsigned int k = 0; k < n_key_errors; ++k)
+        if (const double missed = sample_weight * (smooth[k] - values[k]);
+            missed > bars[k])
+          bars[k] = missed;
+      return bars;
+    }
+
+
+
+    /** (M.89) of what differences there are. */
+    template <int dim>
+    KeyValues
+    space_errors(const Simulation<dim> &simulation, Repeats<dim> &repeats)
+    {
+      KeyValues bars;
+      bars.fill(unknown);
+      const auto scenes = coarser_in_space(simulation.parameters());
+      if (scenes.empty())
+        return bars;
+      const auto first = repeats.differences(scenes[0]);
+      if (!first)
+        return bars;
+      const auto second =
+        scenes.size() > 1 ? repeats.differences(scenes[1]) : std::nullopt;
+      for (unsigned int k = 0; k < n_key_errors; ++k)
+        {
+          const double near = (*first)[k];
+          const double far  = second ? (*second)[k] : unknown;
+          // a rate only where the coarser mesh is worse
+          const double rate =
+            far > near ? std::max(near / far, smallest_rate) : 1.;
+          bars[k] = space_weight * rate * near;
+        }
+      return bars;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  KeyErrors
+  error_bars(const Simulation<dim>       &simulation,
+             const std::function<void()> &look_up,
+             Log                         &log)
+  {
+    KeyErrors    errors;
+    Repeats<dim> repeats(simulation, look_up, log, errors);
+    errors.time            = time_errors(simulation, repeats);
+    errors.space           = space_errors(simulation, repeats);
+    const KeyValues values = key_values(simulation);
+    for (unsigned int k = 0; k < n_key_errors; ++k)
+      if (std::isnan(values[k]))
+        errors.time[k] = errors.space[k] = unknown;
+    return errors;
+  }
+
+
+
+#define INSTANTIATE(dim)                                       \
+  template KeyErrors error_bars(const Simulation<dim> &,       \
+                                const std::function<void()> &, \
+                                Log &)
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace ThermoContact
