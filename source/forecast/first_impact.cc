@@ -138,8 +138,9 @@ namespace ThermoContact
     const Material   &material = scene.material;
     const ContactLaw &law      = *scene.contact.law;
     const double      gap      = scene.contact.gap;
-    if (!law.is_active() || law.damping() > 0. || !material.has_inertia() ||
-        scene.parameters.dimension > 1 || scene.sources.any())
+    if (!law.is_active() || law.damping() > 0. || scene.contact.rear_gap ||
+        !material.has_inertia() || scene.parameters.dimension > 1 ||
+        scene.sources.any())
       return {};
     const FreeMotion motion(scene);
     // a wave has run four times through the rod, or the rod has crept

@@ -57,7 +57,10 @@ namespace ThermoContact
           state.contact_force =
             scene.contact.law->local_pressure(expansion - scene.contact.gap,
                                               1.);
-          state.in_contact       = state.contact_force > 0.;
+          if (scene.contact.rear_gap)
+            state.contact_force -= scene.contact.law->local_pressure(
+              -expansion - *scene.contact.rear_gap, 1.);
+          state.in_contact       = state.contact_force != 0.;
           state.displacement_end = expansion - state.contact_force;
         }
       if (scene.fields.has_temperature)

@@ -186,6 +186,15 @@ namespace ThermoContact
         gap_expression = expression;
       },
       true);
+    add_number_or_word(
+      prm,
+      "Rear gap",
+      "none",
+      "Gap g_2 to a second stop behind the end of a rod, u(1) >= -g_2, with the "
+      "same law; none: there is no such stop. Its pressures are negative.",
+      [this](const double *gap_2) {
+        rear_gap = gap_2 ? std::optional<double>(*gap_2) : std::nullopt;
+      });
     prm.add_parameter("Massless nodes",
                       massless_nodes,
                       "The mass of the contact nodes is moved to their "

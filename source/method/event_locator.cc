@@ -80,12 +80,14 @@ namespace ThermoContact
 
 
   void
-  EventLocator::start(const ContactValues       &initial,
+  EventLocator::start(const ContactValues       &first,
                       std::vector<ContactEvent> &events)
   {
-    present       = initial;
-    mode_         = mode_of(initial);
-    is_in_contact = false;
+    side = !first.rear_penetration.empty() && first.pressure[0] < 0. ? -1 : 1;
+    const ContactValues initial = seen_from(first, side);
+    present                     = initial;
+    mode_                       = mode_of(initial);
+    is_in_contact               = false;
     waiting.reset();
     events.clear();
     largest = Scales();
@@ -95,34 +97,37 @@ namespace ThermoContact
                  ContactEvent::begin,
                  nodes == ContactNodes::of_static_body ?
                    std::numeric_limits<double>::quiet_NaN() :
-                   initial.velocity[foremost(initial)]},
+                   side * initial.velocity[foremost(initial)],
+                 side},
                 events);
   }
 
 
 
   CubicHermite
-  EventLocator::margin(const ContactValues &next, const unsigned int node) const
+  EventLocator::margin(const ContactValues &from,
+                       const ContactValues &next,
+                       const unsigned int   node) const
   {
     if (is_margin_pressure())
       {
-        const double p0 = present.pressure[node], p1 = next.pressure[node];
+        const double p0 = from.pressure[node], p1 = next.pressure[node];
         return CubicHermite(p0, p1 - p0, p1, p1 - p0);
       }
     const double sign = mode_ == ContactMode::closed ? 1. : -1.;
-    const double size = next.time - present.time;
-    double       s0   = sign * present.penetration[node];
+    const double size = next.time - from.time;
+    double       s0   = sign * from.penetration[node];
     double       s1   = sign * next.penetration[node];
     if (mode_ == ContactMode::closed && nodes != ContactNodes::with_mass)
       {
         // the same with the digits that a stiff obstacle needs
-        s0 = law.penetration(present.pressure[node]);
+        s0 = law.penetration(from.pressure[node]);
         s1 = law.penetration(next.pressure[node]);
       }
     if (nodes == ContactNodes::of_static_body)
       return CubicHermite(s0, s1 - s0, s1, s1 - s0);
     return CubicHermite(s0,
-                        sign * size * present.velocity[node],
+                        sign * size * from.velocity[node],
                         s1,
                         sign * size * next.velocity[node]);
   }
@@ -199,9 +204,10 @@ namespace ThermoContact
 
 
   EventLocator::Finding
-  EventLocator::examine(const ContactValues &next,
-                        const bool           is_aimed,
-                        const BodyScales    &scales) const
+  EventLocator::examine_stop(const ContactValues &from,
+                             const ContactValues &next,
+                             const bool           is_aimed,
+                             const BodyScales    &scales) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Scales           sizes(largest);
@@ -220,7 +226,7 @@ namespace ThermoContact
                                   miss_of_event * tolerance * sizes.displacement;
     for (unsigned int i = 0; i < next.displacement.size(); ++i)
       {
-        const CubicHermite s         = margin(next, i);
+        const CubicHermite s         = margin(from, next, i);
         const double       s1        = s.value(1.);
         double             node_zero = s.first_zero(dip);
         if (node_zero <= resolution || (s.value(0.) == 0. && node_zero < 1e-9))
@@ -232,7 +238,7 @@ namespace ThermoContact
         starts_near |= starts_here;
         all_start &= starts_here;
         if (node_zero < zero ||
-            (zero == infinity && s1 < margin(next, node).value(1.)))
+            (zero == infinity && s1 < margin(from, next, node).value(1.)))
           node = i;
         zero = std::min(zero, node_zero);
         const bool is_node_near =
@@ -248,7 +254,7 @@ namespace ThermoContact
               all_start,
               node,
               zero < 1. ?
-                change_of_velocity(margin(next, node), 0., zero, size) :
+                change_of_velocity(margin(from, next, node), 0., zero, size) :
                 0.};
     if (zero < infinity)
       {
@@ -286,7 +292,8 @@ namespace ThermoContact
 
   bool
   EventLocator::switch_at_start(const double time,
-                                const double change_of_velocity)
+                                const double change_of_velocity,
+                                const int    new_side)
   {
     if (waiting)
       {
@@ -295,20 +302,34 @@ namespace ThermoContact
         return false;
       }
     const bool begins = mode_ == ContactMode::open;
-    waiting           = {time,
+    if (begins)
+      turn_to(new_side);
+    waiting = {time,
                begins ? ContactEvent::begin : ContactEvent::end,
-                         present.velocity[foremost(present)] + change_of_velocity};
-    mode_             = begins ? ContactMode::closed : ContactMode::open;
+               side *
+                 (present.velocity[foremost(present)] + change_of_velocity),
+               side};
+    mode_   = begins ? ContactMode::closed : ContactMode::open;
     return true;
   }
 
 
 
   void
-  EventLocator::accept_unilateral(const ContactValues       &next,
+  EventLocator::accept_unilateral(const ContactValues       &next_values,
                                   std::vector<ContactEvent> &events)
   {
-    const bool touches = any_in_contact(next);
+    if (!next_values.rear_penetration.empty() &&
+        next_values.pressure[0] * side < 0.)
+      {
+        if (is_in_contact) // from one stop to the other
+          add_event(
+            {present.time, ContactEvent::end, side * present.velocity[0], side},
+            events);
+        turn_to(-side);
+      }
+    const ContactValues next    = seen_from(next_values, side);
+    const bool          touches = any_in_contact(next);
     if (is_in_contact != touches)
       {
         // A closed rigid obstacle holds the gap at zero, up to rounding, so
@@ -322,7 +343,9 @@ namespace ThermoContact
         add_event({present.time + std::min(std::max(fraction, 0.), 1.) *
                                     (next.time - present.time),
                    touches ? ContactEvent::begin : ContactEvent::end,
-                   touches ? present.velocity[old_node] : next.velocity[node]},
+                   side * (touches ? present.velocity[old_node] :
+                                     next.velocity[node]),
+                   side},
                   events);
       }
     mode_ = mode_of(next);
@@ -331,34 +354,38 @@ namespace ThermoContact
 
 
   void
-  EventLocator::accept(const ContactValues       &next,
+  EventLocator::accept(const ContactValues       &next_values,
                        const Finding             &finding,
                        std::vector<ContactEvent> &events)
   {
     if (waiting)
       add_event(*waiting, events);
     waiting.reset();
+    if (mode_ == ContactMode::open && finding.kind == Finding::at_end)
+      turn_to(finding.side);
     if (mode_ == ContactMode::unilateral)
-      accept_unilateral(next, events);
+      accept_unilateral(next_values, events);
     else if (finding.kind == Finding::at_end)
       {
-        const bool         begins = mode_ == ContactMode::open;
-        const CubicHermite s      = margin(next, finding.node);
-        const double       zero   = s.zero_near_end();
-        const double       velocity =
+        const ContactValues next   = seen_from(next_values, side);
+        const bool          begins = mode_ == ContactMode::open;
+        const CubicHermite  s      = margin(present, next, finding.node);
+        const double        zero   = s.zero_near_end();
+        const double        velocity =
           next.velocity[finding.node] +
           change_of_velocity(s, 1., zero, next.time - present.time);
         // contact begins with the first node and ends with the last
         if (begins || finding.is_of_all_nodes)
           add_event({present.time + zero * (next.time - present.time),
                      begins ? ContactEvent::begin : ContactEvent::end,
-                     velocity},
+                     side * velocity,
+                     side},
                     events);
         mode_ = !finding.is_of_all_nodes ? ContactMode::unilateral :
                 begins                   ? ContactMode::closed :
                                            ContactMode::open;
       }
-    present = next;
-    largest.add(next);
+    present = seen_from(next_values, side);
+    largest.add(present);
   }
 } // namespace ThermoContact

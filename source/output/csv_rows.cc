@@ -67,7 +67,7 @@ namespace ThermoContact
 
 
   const CsvColumns<EventRow> &
-  event_columns()
+  event_columns(const bool has_sides)
   {
     static const CsvColumns<EventRow> columns = {
       {"time", &ContactEvent::time},
@@ -77,7 +77,14 @@ namespace ThermoContact
        }},
       {"velocity", &ContactEvent::velocity},
       {"duration", &EventRow::duration}};
-    return columns;
+    static const CsvColumns<EventRow> with_sides = [] {
+      CsvColumns<EventRow> all = columns;
+      all.emplace_back("side", [](const ContactEvent &event) {
+        return event.side > 0 ? "front" : "rear";
+      });
+      return all;
+    }();
+    return has_sides ? with_sides : columns;
   }
 
 

@@ -31,7 +31,9 @@ namespace ThermoContact
     , units(simulation.parameters())
     , columns(contact_columns(simulation.scene()))
     , contact_units(units.of_columns("contact.csv", columns))
-    , event_units(units.of_columns("events.csv", event_columns()))
+    , event_table(
+        event_columns(simulation.scene().contact.rear_gap.has_value()))
+    , event_units(units.of_columns("events.csv", event_table))
     , attempt_units(units.of_columns("steps.csv", attempt_columns()))
     , field_output(directory, simulation.body())
     , has_attempts(simulation.parameters().time.has_error_control() ||
@@ -52,7 +54,7 @@ namespace ThermoContact
          sizes.contact_size);
     open(events_file,
          "events.csv",
-         head + csv_head(event_columns(), event_units),
+         head + csv_head(event_table, event_units),
          sizes.events_size);
     if (has_attempts)
       open(steps_file,
@@ -227,7 +229,7 @@ namespace ThermoContact
   Output<dim>::write_events(const std::vector<ContactEvent> &events)
   {
     for (; n_written_events < events.size(); ++n_written_events)
-      add_row(event_columns(),
+      add_row(event_table,
               EventRow(events[n_written_events],
                        n_written_events > 0 ? &events[n_written_events - 1] :
                                               nullptr),

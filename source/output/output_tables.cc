@@ -43,8 +43,8 @@ namespace ThermoContact
           "of the face; 0 for a rigid one"},
          {"contact_force",
           "force",
-          "pressure that the obstacle exerts, not negative; its mean over the "
-          "face"},
+          "pressure of the obstacle, its mean over the face; negative at a rear "
+          "stop"},
          {"contact_impulse",
           "force × time",
           "sum of force times step size, and of impacts on a rigid obstacle"},
@@ -115,7 +115,8 @@ namespace ThermoContact
           "velocity",
           "axial, of the contact end, before an impact, after a release; "
           "positive towards the obstacle"},
-         {"duration", "time", "of the contact that ends; `nan` of a `begin`"}}};
+         {"duration", "time", "of the contact that ends; `nan` of a `begin`"},
+         {"side", "", "with `Contact/Rear gap`: `front` or `rear`"}}};
     }
 
 

@@ -48,9 +48,9 @@ namespace ThermoContact
     double impact = nan, release = nan;
     for (const ContactEvent &event : events)
       if (event.kind == ContactEvent::end)
-        release = event.velocity;
+        release = event.side * event.velocity;
       else if (std::isnan(impact))
-        impact = event.velocity;
+        impact = event.side * event.velocity;
     return impact > 0. ? -release / impact : nan;
   }
 

@@ -93,6 +93,9 @@ namespace ThermoContact
       const auto [smallest, largest] =
         simulation.discretization().contact_end().range_of_gap();
       return text(contact.law->description(),
+                  contact.rear_gap ?
+                    text(", g_2 = ", *contact.rear_gap, " behind") :
+                    "",
                   ", g = ",
                   contact.has_uniform_gap() ?
                     units.text("length", contact.gap) :

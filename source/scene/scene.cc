@@ -153,8 +153,8 @@ namespace ThermoContact
         return false; // the rule knows no single nodes
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
-      if (law.damping() > 0.)
-        return false; // the damping acts on what moves with inertia
+      if (law.damping() > 0. || parameters.contact.rear_gap)
+        return false; // damping acts on what has inertia, as do two stops
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
       return scheme.needs_massless_contact ||
@@ -177,9 +177,11 @@ namespace ThermoContact
         (fields.has_displacement ? contact_law(parameters.contact.condition) :
                                    no_obstacle())
           .make(parameters.contact);
-      contact.gap                = parameters.contact.gap_expression.empty() ?
-                                     parameters.contact.gap :
-                                     std::numeric_limits<double>::quiet_NaN();
+      contact.gap = parameters.contact.gap_expression.empty() ?
+                      parameters.contact.gap :
+                      std::numeric_limits<double>::quiet_NaN();
+      if (contact.law->is_active())
+        contact.rear_gap = parameters.contact.rear_gap;
       contact.has_massless_nodes = resolve_massless_nodes(parameters,
                                                           *contact.law,
                                                           scheme,

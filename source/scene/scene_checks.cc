@@ -265,6 +265,7 @@ namespace ThermoContact
     check_scales(parameters);
     check_mass_matrix(scene);
     check_damping(scene);
+    check_rear_gap(scene);
     check_number_of_unknowns(parameters.mesh, parameters.dimension);
     parse_probe_positions(parameters.output.probes,
                           parameters.dimension,

@@ -53,6 +53,7 @@ namespace ThermoContact
                      "Contact/Exponent",
                      "Contact/Damping",
                      "Contact/Gap",
+                     "Contact/Rear gap",
                      "Contact/Massless nodes",
                      "Initial values/Displacement",
                      "Initial values/Velocity",
@@ -133,6 +134,7 @@ namespace ThermoContact
     unused.add_if(true, foreign_to_law(law), condition);
     unused.add_if(!law.make(parameters.contact)->is_active(),
                   {"Contact/Gap",
+                   "Contact/Rear gap",
                    "Contact/Massless nodes",
                    "Time/Locate contact events"},
                   condition);

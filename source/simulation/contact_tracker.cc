@@ -61,13 +61,22 @@ namespace ThermoContact
     end.get_penetrations(state.displacement, values.penetration);
     end.get_values(Field::displacement, state.velocity, values.velocity);
     values.pressure = state.contact_pressure;
+    values.rear_penetration.clear();
+    if (body.scene.contact.rear_gap)
+      end.get_rear_penetrations(state.displacement,
+                                *body.scene.contact.rear_gap,
+                                values.rear_penetration);
     // a damped obstacle is left where the penetration ends
     const ContactLaw &law = body.law();
     if (law.damping() > 0.)
       for (unsigned int i = 0; i < values.pressure.size(); ++i)
-        values.pressure[i] =
-          std::copysign(law.pressure(std::abs(values.penetration[i])),
-                        values.penetration[i]);
+        {
+          const double s = values.penetration[i];
+          values.pressure[i] =
+            values.rear_penetration.empty() ?
+              std::copysign(law.pressure(std::abs(s)), s) :
+              law.pressure(s) - law.pressure(values.rear_penetration[i]);
+        }
   }
 
 
@@ -88,7 +97,9 @@ namespace ThermoContact
                                     const EnergyTerms &energy)
   {
     impacted.reset();
-    if (!locator.switch_at_start(finding.time, finding.change_of_velocity))
+    if (!locator.switch_at_start(finding.time,
+                                 finding.change_of_velocity,
+                                 finding.side))
       return {ContactVerdict::with_law};
     if (body.law().is_rigid() && !body.scene.contact.is_in_equilibrium &&
         locator.mode() == ContactMode::closed)

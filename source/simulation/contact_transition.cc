@@ -115,17 +115,42 @@ namespace ThermoContact
 
 
   template <int dim>
+  bool
+  ContactTransition<dim>::clip_at_nearer_stop(State &state) const
+  {
+    std::vector<double> front, rear;
+    body.contact_end().get_penetrations(state.displacement, front);
+    body.contact_end().get_rear_penetrations(state.displacement,
+                                             *body.scene.contact.rear_gap,
+                                             rear);
+    bool changed = false;
+    for (unsigned int i = 0; i < front.size(); ++i)
+      if (double &p = state.contact_pressure[i];
+          front[i] > rear[i] ? p < 0. : p > 0.)
+        {
+          p       = 0.;
+          changed = true;
+        }
+    return changed;
+  }
+
+
+
+  template <int dim>
   void
   ContactTransition<dim>::finish_pressure(const bool  begins_contact,
                                           StepResult &result)
   {
     std::vector<double> &pressure = result.state.contact_pressure;
     bool                 changed  = false;
-    for (double &p : pressure)
-      {
-        changed |= p < 0.;
-        p = std::max(p, 0.);
-      }
+    if (body.scene.contact.rear_gap)
+      changed = clip_at_nearer_stop(result.state);
+    else
+      for (double &p : pressure)
+        {
+          changed |= p < 0.;
+          p = std::max(p, 0.);
+        }
     if (begins_contact && !body.law().is_rigid())
       {
         changed = true;

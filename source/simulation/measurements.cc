@@ -5,6 +5,7 @@
 #include <deal.II/base/bounding_box.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ThermoContact
@@ -149,6 +150,13 @@ namespace ThermoContact
         record.gap =
           0. - *std::max_element(contact_values.begin(), contact_values.end());
       }
+    if (body.scene.contact.rear_gap) // a rod
+      {
+        end.get_rear_penetrations(state.displacement,
+                                  *body.scene.contact.rear_gap,
+                                  contact_values);
+        record.gap = std::min(record.gap, 0. - contact_values[0]);
+      }
 
     if (!(body.scene.material.is_static() && state.was_moved_at_once()))
       {
@@ -159,8 +167,10 @@ namespace ThermoContact
       }
 
     const double largest_pressure =
-      *std::max_element(state.contact_pressure.begin(),
-                        state.contact_pressure.end());
+      body.scene.contact.rear_gap ?
+        std::abs(state.contact_pressure[0]) :
+        *std::max_element(state.contact_pressure.begin(),
+                          state.contact_pressure.end());
     record.contact_force = end.mean(state.contact_pressure);
     record.penetration   = body.law().penetration(largest_pressure);
     record.in_contact    = largest_pressure > 0.;

@@ -3,16 +3,18 @@
 #include <thermocontact/simulation/run_history.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ThermoContact
 {
   void
   RunHistory::add_maxima()
   {
-    max_penetration   = std::max(max_penetration, record.penetration);
-    max_contact_force = std::max(max_contact_force, record.contact_force);
+    max_penetration = std::max(max_penetration, record.penetration);
+    max_contact_force =
+      std::max(max_contact_force, std::abs(record.contact_force));
     penetration_peak.add(record.time, record.penetration);
-    force_peak.add(record.time, record.contact_force);
+    force_peak.add(record.time, std::abs(record.contact_force));
   }
 
 

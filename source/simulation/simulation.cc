@@ -80,7 +80,7 @@ namespace ThermoContact
     energy_watch.start(record.energy_terms);
     tracker.start(state_, history_.events);
     history_.max_penetration   = record.penetration;
-    history_.max_contact_force = record.contact_force;
+    history_.max_contact_force = std::abs(record.contact_force);
     history_.add_maxima();
   }
 

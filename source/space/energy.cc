@@ -27,6 +27,7 @@ namespace ThermoContact
     , material(scene.material)
     , heat(scene.heat)
     , has_work_(scene.has_work())
+    , rear_gap(scene.contact.rear_gap)
     , steady_profile_(discretization.make_vector(Field::temperature))
     , steady_stress(discretization.make_vector(Field::displacement))
     , heat_scratch(steady_profile_)
@@ -162,7 +163,7 @@ namespace ThermoContact
                    end_displacement);
     for (unsigned int i = 0; i < pressure.size(); ++i)
       if (const double tangent = law.tangent(pressure[i]);
-          pressure[i] > 0. && tangent > 0.)
+          (rear_gap ? pressure[i] != 0. : pressure[i] > 0.) && tangent > 0.)
         terms.obstacle += 0.5 / tangent * end.share(i) * end_displacement[i] *
                           end_displacement[i];
     return common(terms);

@@ -14,6 +14,13 @@ namespace ThermoContact
     discretization.contact_end().get_penetrations(state.displacement, scratch);
     for (double &value : scratch) // penetrations so far
       value = law.pressure(value);
+    if (!rear_gap)
+      return scratch;
+    discretization.contact_end().get_rear_penetrations(state.displacement,
+                                                       *rear_gap,
+                                                       rear_penetration);
+    for (unsigned int i = 0; i < scratch.size(); ++i)
+      scratch[i] -= law.pressure(rear_penetration[i]);
     return scratch;
   }
 

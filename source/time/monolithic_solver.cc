@@ -263,6 +263,8 @@ namespace ThermoContact
                                        StageRates       &rates)
   {
     const StopWatch watch(counters_.contact_seconds);
+    if (body.scene.contact.rear_gap)
+      return solve_two_stops(known, mode, rates);
     if (body.law().damping() > 0.)
       return solve_damped_contact(known, mode, rates);
     get_free_penetration(known, rates);

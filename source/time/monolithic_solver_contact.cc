@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/method/two_stops.h>
 #include <thermocontact/time/monolithic_solver.h>
 
 #include <algorithm>
@@ -111,12 +112,39 @@ namespace ThermoContact
 
 
   template <int dim>
+  void
+  MonolithicSolver<dim>::solve_two_stops(const State      &known,
+                                         const ContactMode mode,
+                                         StageRates       &rates)
+  {
+    get_nodes_in_motion(known, mode, rates);
+    body.contact_end().get_rear_penetrations(known.displacement,
+                                             *body.scene.contact.rear_gap,
+                                             end_values);
+    const StopReach reach{nodes_in_motion.tau,
+                          nodes_in_motion.start[0],
+                          end_values[0],
+                          nodes_in_motion.free_velocity[0]};
+    if (mode == ContactMode::closed || reach.touches())
+      {
+        rates.pressure[0]  = two_stops_pressure(body.law(),
+                                               reach,
+                                               response()(0, 0),
+                                               mode == ContactMode::closed);
+        rates.n_iterations = 1;
+        apply_pressure(rates);
+      }
+  }
+
+
+
+  template <int dim>
   bool
   MonolithicSolver<dim>::has_lost_digits(const State      &known,
                                          const StageRates &rates)
   {
-    if (body.law().damping() > 0.)
-      return false; // its unknowns are the velocities
+    if (body.law().damping() > 0. || body.scene.contact.rear_gap)
+      return false; // not a body in equilibrium with its obstacle
     const double tau = factorizations.front().matrix.tau();
     body.contact_end().get_penetrations(known.displacement, end_values);
     const double free = largest_difference(free_penetration, end_values);
@@ -258,6 +286,9 @@ namespace ThermoContact
   template void MonolithicSolver<dim>::solve_damped_contact(const State &,     \
                                                             const ContactMode, \
                                                             StageRates &);     \
+  template void MonolithicSolver<dim>::solve_two_stops(const State &,          \
+                                                       const ContactMode,      \
+                                                       StageRates &);          \
   template bool MonolithicSolver<dim>::has_lost_digits(const State &,          \
                                                        const StageRates &);    \
   template void MonolithicSolver<dim>::refine(const State &,                   \

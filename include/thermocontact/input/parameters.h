@@ -61,10 +61,11 @@ namespace ThermoContact
   /** Section Contact: doc/model.md (M.4), (M.5). */
   struct ContactParameters : ContactLawParameters
   {
-    std::string condition = contact_laws().front().name;
-    double      gap       = 0.1; ///< $g$ if it is a number,
-    std::string gap_expression;  ///< or else in y, z
-    std::string massless_nodes = "automatic";
+    std::string           condition = contact_laws().front().name;
+    double                gap       = 0.1; ///< $g$ if it is a number,
+    std::string           gap_expression;  ///< or else in y, z
+    std::optional<double> rear_gap; ///< $g_2$; none: there is no rear stop
+    std::string           massless_nodes = "automatic";
 
     void
     add_parameters(ParameterHandler &prm);

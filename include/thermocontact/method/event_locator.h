@@ -23,12 +23,13 @@ namespace ThermoContact
     double time     = 0.;
     Kind   kind     = begin;
     double velocity = 0.; ///< $u_t(1)$ of the free end next to that time
+    int    side     = 1;  ///< of the stop; -1: the one behind the end
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &time &kind &velocity;
+      archive &time &kind &velocity &side;
     }
   };
 
@@ -48,13 +49,23 @@ namespace ThermoContact
      */
     std::vector<double> pressure;
 
+    /** $-u_n-g_2$ of a stop behind the nodes; empty: there is none. */
+    std::vector<double> rear_penetration;
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &time &displacement &penetration &velocity &pressure;
+      archive &time &displacement &penetration &velocity &pressure
+        &rear_penetration;
     }
   };
+
+
+
+  /** The same seen from a stop: mirrored for the one behind, @p side = -1. */
+  ContactValues
+  seen_from(const ContactValues &values, const int side);
 
 
 
@@ -141,6 +152,9 @@ namespace ThermoContact
 
       /** Of nodes with mass: what is to be added to their velocity. */
       double change_of_velocity = 0.;
+
+      /** The stop. */
+      int side = 1;
     };
 
     /**
@@ -161,11 +175,15 @@ namespace ThermoContact
      * already, contact is about to change at once in both modes: that event is
      * taken back and the next attempt is unilateral.
      *
-     * @param change_of_velocity from where the body stands to that time
+     * @param change_of_velocity from where the body stands to that time, seen
+     *   from the stop
+     * @param new_side of the stop, as examine() has it
      * @return true if the mode was switched
      */
     bool
-    switch_at_start(const double time, const double change_of_velocity = 0.);
+    switch_at_start(const double time,
+                    const double change_of_velocity = 0.,
+                    const int    new_side           = 1);
 
     /**
      * The next attempt is unilateral: nodes do not change together, or zeros
@@ -196,7 +214,7 @@ namespace ThermoContact
     void
     set_present(const ContactValues &values)
     {
-      present = values;
+      present = seen_from(values, side);
     }
 
     /**
@@ -207,7 +225,7 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &mode_ &present &is_in_contact &largest;
+      archive &mode_ &present &is_in_contact &side &largest;
     }
 
   private:
@@ -233,10 +251,11 @@ namespace ThermoContact
     const ContactNodes          nodes;
     const double                tolerance;
     ContactMode                 mode_;
-    ContactValues               present;
+    ContactValues               present;       ///< seen from the stop
     bool                        is_in_contact; ///< as the events say
     std::optional<ContactEvent> waiting;       ///< at the start of the step
     Scales                      largest;
+    int                         side = 1; ///< the stop of the last contact
 
     /** True if the margin of a node is its pressure. */
     bool
@@ -247,7 +266,20 @@ namespace ThermoContact
 
     /** Margin s of a node over the step. */
     CubicHermite
-    margin(const ContactValues &next, const unsigned int node) const;
+    margin(const ContactValues &from,
+           const ContactValues &next,
+           const unsigned int   node) const;
+
+    /** examine() for one stop, all seen from it. */
+    Finding
+    examine_stop(const ContactValues &from,
+                 const ContactValues &next,
+                 const bool           is_aimed,
+                 const BodyScales    &scales) const;
+
+    /** What was seen from one stop is seen from that of @p new_side. */
+    void
+    turn_to(const int new_side);
 
     /**
      * Change of the velocity of a node with mass from one part of a step to
@@ -272,7 +304,7 @@ namespace ThermoContact
     void
     add_event(const ContactEvent &event, std::vector<ContactEvent> &events);
 
-    /** The event within a unilateral step, if there is one. */
+    /** The events within a unilateral step, if there are any. */
     void
     accept_unilateral(const ContactValues       &next,
                       std::vector<ContactEvent> &events);

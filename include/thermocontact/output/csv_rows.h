@@ -29,9 +29,9 @@ namespace ThermoContact
                       const ContactEvent *const begin = nullptr);
   };
 
-  /** The columns of events.csv. */
+  /** The columns of events.csv; with two stops one more. */
   const CsvColumns<EventRow> &
-  event_columns();
+  event_columns(const bool has_sides = false);
 
   /** The columns of steps.csv. */
   const CsvColumns<StepAttempt> &

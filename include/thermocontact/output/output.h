@@ -108,6 +108,7 @@ namespace ThermoContact
     const OutputUnits            units;
     const CsvColumns<StepRecord> columns;       ///< of contact.csv
     const Conversions            contact_units; ///< of its columns
+    const CsvColumns<EventRow>  &event_table;   ///< of events.csv
     const Conversions            event_units;
     const Conversions            attempt_units;
     FieldOutput<dim>             field_output;

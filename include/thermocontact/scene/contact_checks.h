@@ -15,6 +15,14 @@ namespace ThermoContact
    */
   void
   check_damping(const Scene &scene);
+
+  /**
+   * Two stops are for the end of a rod that moves with inertia.
+   *
+   * @throw InputError
+   */
+  void
+  check_rear_gap(const Scene &scene);
 } // namespace ThermoContact
 
 #endif

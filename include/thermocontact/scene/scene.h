@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace ThermoContact
@@ -194,6 +195,9 @@ namespace ThermoContact
 
     /** $g$ of the undeformed body; NaN if it is not the same everywhere. */
     double gap;
+
+    /** $g_2$ of a stop behind the end, (M.86); none if there is no such. */
+    std::optional<double> rear_gap;
 
     /** How the contact nodes move; meaningless without obstacle. */
     ContactNodes nodes;

@@ -52,7 +52,7 @@ namespace ThermoContact
            double      &numerical_dissipation);
 
     /**
-     * Pressures of a step that is accepted: none is negative, and where contact
+     * Pressures of a step that is accepted: none pulls, and where contact
      * begins they are those of the law, since no stage has seen them.
      */
     void
@@ -72,6 +72,10 @@ namespace ThermoContact
     restore(const SolverCounters &counters);
 
   private:
+    /** Between two stops; true if a pressure pulled. */
+    bool
+    clip_at_nearer_stop(State &state) const;
+
     Body<dim>                    &body;
     QuasiStaticStart<dim>        &quasi_static;
     SolverCounters                counters_;

@@ -86,6 +86,14 @@ namespace ThermoContact
       for (unsigned int i = 0; i < penetration.size(); ++i)
         state.contact_pressure[i] =
           law().damped_pressure(penetration[i], velocity[i]);
+      if (!scene.contact.rear_gap)
+        return;
+      contact_end().get_rear_penetrations(state.displacement,
+                                          *scene.contact.rear_gap,
+                                          penetration);
+      for (unsigned int i = 0; i < penetration.size(); ++i)
+        state.contact_pressure[i] -=
+          law().damped_pressure(penetration[i], -velocity[i]);
     }
   };
 } // namespace ThermoContact

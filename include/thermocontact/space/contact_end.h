@@ -138,6 +138,12 @@ namespace ThermoContact
     get_penetrations(const Vector        &displacement,
                      std::vector<double> &penetrations) const;
 
+    /** Those of a stop behind them, $-u_n-g_2$. */
+    void
+    get_rear_penetrations(const Vector        &displacement,
+                          const double         rear_gap,
+                          std::vector<double> &penetrations) const;
+
     /** Sets the locally owned values of a vector, one for each of all nodes. */
     void
     set_all_values(const Field::Block         field,

@@ -7,6 +7,8 @@
 #include <thermocontact/space/loads.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
+#include <optional>
+
 namespace ThermoContact
 {
   /** The energy (M.8) term by term, per unit cross-section. */
@@ -148,6 +150,7 @@ namespace ThermoContact
     const Material                        &material;
     const SceneHeat                       &heat;
     const bool                             has_work_;
+    const std::optional<double>            rear_gap;
     Vector                                 steady_profile_;
     std::vector<double>                    steady_end;    ///< at contact nodes
     Vector                                 steady_stress; ///< $D^T\theta_s$
@@ -161,6 +164,7 @@ namespace ThermoContact
     mutable std::vector<double>            end_temperature;
     mutable std::vector<double>            end_pressure;
     mutable std::vector<double>            old_end_pressure;
+    mutable std::vector<double>            rear_penetration;
 
     /** The terms of rank 0, on all ranks. */
     EnergyTerms

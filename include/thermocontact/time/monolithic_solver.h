@@ -158,6 +158,12 @@ namespace ThermoContact
                          const ContactMode mode,
                          StageRates       &rates);
 
+    /** The pressure of a rod between two stops. */
+    void
+    solve_two_stops(const State      &known,
+                    const ContactMode mode,
+                    StageRates       &rates);
+
     /** Pressures from the penetrations without contact. */
     void
     solve_contact(const State      &known,
