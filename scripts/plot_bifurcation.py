@@ -37,15 +37,15 @@ def last_periods(times, n_periods):
 
 
 def points_of(directory, n_periods):
-    """Values by column at the ends of the last periods, and the largest force in
-    each of them."""
+    """Values by column at the ends of the last periods, and the largest
+    magnitude of the force in each of them."""
     section = read(directory / "poincare.csv", ["time", *POINTS])
     first = last_periods(section["time"], n_periods)
     points = {name: section[name][first + 1:] for name in POINTS}
     history = read(directory / "contact.csv", ["time", "contact_force"])
     ends, peaks = section["time"][first:], []
     for begin, end in zip(ends, ends[1:]):
-        forces = [force for time, force in zip(
+        forces = [abs(force) for time, force in zip(
             history["time"], history["contact_force"]) if begin < time <= end]
         peaks.append(max(forces, default=math.nan))
     points["peaks"] = peaks

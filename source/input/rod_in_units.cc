@@ -157,6 +157,15 @@ namespace ThermoContact
                       any_sign);
     add_number_or_word(
       prm,
+      "Rear gap",
+      "none",
+      "Gap to a second obstacle of the same stiffness behind the end, m; none: "
+      "there is no such obstacle.",
+      [this](const double *value) {
+        rear_gap = value ? std::optional<double>(*value) : std::nullopt;
+      });
+    add_number_or_word(
+      prm,
       "Stiffness",
       "infinity",
       "Stiffness of the obstacle, force over penetration, N/m; infinity: "

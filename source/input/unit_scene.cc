@@ -243,6 +243,10 @@ namespace ThermoContact
       scene.set("Contact/Gap",
                 number(scaled.gap),
                 "g; " + number(rod.gap) + " m");
+      if (rod.rear_gap)
+        scene.set("Contact/Rear gap",
+                  number(scaled.rear_gap),
+                  "g_2; " + number(*rod.rear_gap) + " m");
       add_temperature("Initial values/Temperature",
                       "theta_0",
                       scaled.initial_temperature,

@@ -26,7 +26,8 @@ namespace ThermoContact
       const auto is_optional = [](const std::string &path) {
         return path == "Title" || path == "Small terms" ||
                path == "Rod/Lateral sides" || path == "Temperatures/Unit" ||
-               path == "Time/Unit" || path.rfind("Loads/", 0) == 0;
+               path == "Time/Unit" || path == "Obstacle/Rear gap" ||
+               path.rfind("Loads/", 0) == 0;
       };
       for (const DeclaredEntry &entry : declared_entries(prm))
         if (!is_optional(entry.path) &&
@@ -137,6 +138,7 @@ namespace ThermoContact
     compliance =
       rod.stiffness ? scales.force / (*rod.stiffness * scales.length) : 0.;
     gap                   = rod.gap / scales.length;
+    rear_gap              = rod.rear_gap.value_or(0.) / scales.length;
     fixed_end_temperature = scale_temperature(rod.fixed_end_temperature);
     obstacle_temperature  = scale_temperature(rod.obstacle_temperature);
     initial_temperature   = scale_temperature(rod.initial_temperature);

@@ -36,7 +36,8 @@ namespace ThermoContact
          {"gap",
           "length",
           "what is left between body and obstacle, g − u(1), negative for "
-          "penetration of an elastic one; the smallest of the face"},
+          "penetration of an elastic one; the smallest of the face, and of two "
+          "stops"},
          {"penetration",
           "length",
           "into an elastic obstacle, by its law from the pressure; the largest "
@@ -47,7 +48,8 @@ namespace ThermoContact
           "stop"},
          {"contact_impulse",
           "force × time",
-          "sum of force times step size, and of impacts on a rigid obstacle"},
+          "sum of force times step size, and of impacts on a rigid obstacle, "
+          "with its sign"},
          {"temperature_end", "temperature", "θ(1), above the reference"},
          {"heat_flux_end",
           "heat flux",
@@ -114,7 +116,7 @@ namespace ThermoContact
          {"velocity",
           "velocity",
           "axial, of the contact end, before an impact, after a release; "
-          "positive towards the obstacle"},
+          "positive towards the obstacle at x = 1"},
          {"duration", "time", "of the contact that ends; `nan` of a `begin`"},
          {"side", "", "with `Contact/Rear gap`: `front` or `rear`"}}};
     }
@@ -205,7 +207,7 @@ namespace ThermoContact
          {"first_contact_time", "time", "of the first event"},
          {"contact_begins", "", "how often contact began"},
          {"contact_duration", "time", "in contact altogether"},
-         {"max_contact_force", "force", "over all steps"},
+         {"max_contact_force", "force", "over all steps, as in summary.json"},
          {"max_penetration", "length", "over all steps"},
          {"contact_impulse", "force × time", "at the end"},
          {"restitution", "", "as in summary.json"},

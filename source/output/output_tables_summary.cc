@@ -54,7 +54,9 @@ namespace ThermoContact
         "velocity of the last release over that of the first impact, with "
         "the sign that makes it positive for a body that comes back"},
        {"max_penetration", "length", "over all steps, not only all rows"},
-       {"max_contact_force", "force", "over all steps"},
+       {"max_contact_force",
+        "force",
+        "over all steps; with two stops the largest magnitude"},
        {"final_time", "time", "that was reached"},
        {"final_displacement_end", "length", "of contact.csv at the end"},
        {"final_energy", "energy", "likewise"},

@@ -93,9 +93,6 @@ namespace ThermoContact
       const auto [smallest, largest] =
         simulation.discretization().contact_end().range_of_gap();
       return text(contact.law->description(),
-                  contact.rear_gap ?
-                    text(", g_2 = ", *contact.rear_gap, " behind") :
-                    "",
                   ", g = ",
                   contact.has_uniform_gap() ?
                     units.text("length", contact.gap) :
@@ -105,6 +102,9 @@ namespace ThermoContact
                          " to ",
                          units.text("length", largest),
                          " at the contact nodes)"),
+                  contact.rear_gap ?
+                    ", g_2 = " + units.text("length", *contact.rear_gap) :
+                    "",
                   contact.has_massless_nodes ? ", massless contact nodes" : "");
     }
 

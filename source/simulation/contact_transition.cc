@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/simulation/contact_transition.h>
+#include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/time/contact_equilibrium.h>
 
 #include <algorithm>
@@ -118,18 +119,13 @@ namespace ThermoContact
   bool
   ContactTransition<dim>::clip_at_nearer_stop(State &state) const
   {
-    std::vector<double> front, rear;
-    body.contact_end().get_penetrations(state.displacement, front);
-    body.contact_end().get_rear_penetrations(state.displacement,
-                                             *body.scene.contact.rear_gap,
-                                             rear);
-    bool changed = false;
-    for (unsigned int i = 0; i < front.size(); ++i)
-      if (double &p = state.contact_pressure[i];
-          front[i] > rear[i] ? p < 0. : p > 0.)
+    const std::vector<double> seen    = pressures_of_nearer_stop(body, state);
+    bool                      changed = false;
+    for (unsigned int i = 0; i < seen.size(); ++i)
+      if (seen[i] < 0.)
         {
-          p       = 0.;
-          changed = true;
+          state.contact_pressure[i] = 0.;
+          changed                   = true;
         }
     return changed;
   }

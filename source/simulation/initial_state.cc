@@ -175,9 +175,14 @@ namespace ThermoContact
                     const State              &state,
                     std::vector<std::string> &warnings)
     {
-      const double gap      = body.contact_end().range_of_gap().first;
-      const double pressure = *std::max_element(state.contact_pressure.begin(),
-                                                state.contact_pressure.end());
+      const double gap = body.contact_end().range_of_gap().first;
+      // of the largest magnitude: a rear stop pushes with a negative one
+      const double pressure =
+        *std::max_element(state.contact_pressure.begin(),
+                          state.contact_pressure.end(),
+                          [](const double p, const double q) {
+                            return std::abs(p) < std::abs(q);
+                          });
       if (!body.law().is_active() || (gap >= 0. && pressure == 0.))
         return;
       std::vector<double> displacement;

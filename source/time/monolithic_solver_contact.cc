@@ -131,7 +131,7 @@ namespace ThermoContact
                                                reach,
                                                response()(0, 0),
                                                mode == ContactMode::closed);
-        rates.n_iterations = 1;
+        rates.n_iterations = mode == ContactMode::unilateral;
         apply_pressure(rates);
       }
   }

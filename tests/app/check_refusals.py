@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+from refused_contact import SCENES as CONTACT_SCENES  # noqa: E402
 from refused_scenes import check_all, unmet_refusals  # noqa: E402
 
 PLANE = ("Dimension=2", "Mesh/Width=1")
@@ -369,7 +370,7 @@ def begins_with(message, entry):
 
 def main():
     asked = []
-    for entry, shared, refused, *accepted in SCENES:
+    for entry, shared, refused, *accepted in SCENES + CONTACT_SCENES:
         asked.append((entry, shared + overrides(refused), 2))
         asked += [(entry, shared + overrides(neighbour), 0)
                   for neighbour in accepted]

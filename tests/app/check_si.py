@@ -195,7 +195,7 @@ def check_resume():
 
 
 Path("scene.prm").write_text("# defaults\n", encoding="utf-8")
-counts = [check_scene("rod", *COMMON), check_scene("strip", *COMMON, *STRIP)]
+counts = [check_scene("rod", *COMMON, "Contact/Rear gap=0.02"), check_scene("strip", *COMMON, *STRIP)]
 check_study()
 check_resume()
 print("columns and VTU files:", counts)

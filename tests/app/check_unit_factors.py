@@ -24,7 +24,7 @@ from program import run  # noqa: E402
 # All values differ, so that none can stand for another. Copper-like.
 ROD = dict(L=0.3, A=2e-5, rho=8900.0, E=1.2e11, nu=0.34, sides="free", eta=7e3,
            alpha=17e-6, kappa=390.0, c=385.0, ref=290.0, initial=310.0,
-           fixed=350.0, obstacle=270.0, gap=1e-4, stiffness=3e7, h=900.0,
+           fixed=350.0, obstacle=270.0, gap=1e-4, rear=None, stiffness=3e7, h=900.0,
            t=500.0, small="dropped", v=0.0, force=0.0, power=0.0,
            force_time=math.inf, power_time=math.inf, time_unit=None, celsius=False)
 SECONDS = {"ms": 1e-3, "min": 60.0}
@@ -79,6 +79,7 @@ RODS = {
     "thrown": {**ROD, "v": 0.4, "t": 2e-3, "time_unit": "ms", **CONFINED},
     "thrown, in ms by itself": {**ROD, "v": -0.4, "t": 2e-3},
     "thrown, damped": {**ROD, "v": 0.4, "t": 2e-3, "small": "kept"},
+    "thrown between stops": {**ROD, "v": 0.4, "t": 2e-3, "small": "kept", "rear": 3e-5},
 }
 
 
@@ -130,6 +131,7 @@ subsection Temperatures
 end
 subsection Obstacle
   set Gap = {rod["gap"]!r}
+{"" if rod["rear"] is None else f"  set Rear gap = {rod['rear']!r}"}
   set Stiffness = {rod["stiffness"]}
   set Exchange coefficient = {rod["h"]!r}
 end
@@ -209,6 +211,8 @@ def expected_scene(rod):
         yield ("set Compliance = {} # epsilon; {} N/m",
                M * rod["A"] / L / rod["stiffness"], rod["stiffness"])
     yield "set Gap = {} # g; {} m", rod["gap"] / L, rod["gap"]
+    if rod["rear"] is not None:
+        yield "set Rear gap = {} # g_2; {} m", rod["rear"] / L, rod["rear"]
     yield "end",
     yield "subsection Initial values",
     yield (f"set Temperature = {{}} # theta_0; {{}} {degree}",

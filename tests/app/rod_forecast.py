@@ -93,14 +93,15 @@ def rest(rod):
         remark = (f"damped by heat conduction alone, over times of the order of "
                   f"{2 * (rod.b + 0.4) / rod.a**2:.1g}")
     G = rod.a * mean
-    in_contact = rod.has_obstacle and G > rod.g
-    p = (G - rod.g) / (1 + rod.epsilon) if in_contact else 0.0
+    in_contact = rod.has_obstacle and rod.gap(G) < 0
+    p = rod.pressure(G, 1.0) if in_contact else 0.0
     return G - p, p, theta, in_contact, remark
 
 
 def first_impact(rod, settings):
     """Time and penetration (M.46) of the first impact; None where unknown"""
-    if not rod.has_obstacle or rod.b == 0 or any(rod.sources.values()):
+    if not rod.has_obstacle or rod.b == 0 or any(rod.sources.values()) or (
+            rod.g_2 < math.inf):
         return None, None
     motion = FreeMotion(rod, settings)
     horizon = min(settings.number("Time/End time"), 4 * (math.sqrt(rod.b) + rod.zeta))

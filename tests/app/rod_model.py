@@ -5,6 +5,8 @@ An implementation of its own of sections 2, 4, 5, 6, 8 with dense matrices, by w
 checks recompute what the program reports. Elements of any degree on the Gauss-Lobatto
 nodes; contact nodes with or without mass (M.36); not the scheme `energy conserving`.
 """
+import math
+
 import numpy
 from numpy.polynomial import legendre
 
@@ -65,6 +67,8 @@ class Rod:
         self.epsilon = (s.number("Contact/Compliance")
                         if condition == "normal compliance" else 0.0)
         self.g = s.number("Contact/Gap")
+        rear_gap = s.get("Contact/Rear gap", "none")  # infinite: no such stop
+        self.g_2 = math.inf if rear_gap == "none" else float(rear_gap)
         self.cells, self.degree = int(s["Mesh/Cells"]), int(s["Mesh/Degree"])
         grading = s.number("Mesh/Grading", 1) ** (-1 / max(self.cells - 1, 1))
         sizes = grading ** numpy.arange(self.cells)
@@ -84,7 +88,7 @@ class Rod:
         choice = settings.get("Contact/Massless nodes", "off")
         if not self.has_obstacle or self.b == 0 or choice != "automatic":
             return self.has_obstacle and self.b > 0 and choice == "on"
-        return (not has_paper_start(settings) and
+        return (not has_paper_start(settings) and self.g_2 == math.inf and
                 self.zeta < numpy.sqrt(self.b) * self.sizes[-1] / self.degree)
 
     def assemble(self, is_lumped):
@@ -205,7 +209,7 @@ class Rod:
             theta[0] = self.theta_A
         state = State(theta, field["Displacement"], field["Velocity"])
         if self.has_obstacle and not self.is_rigid:
-            state.p = max(0.0, state.u[-1] - self.g) / self.epsilon
+            state.p = self.pressure(state.u[-1], 0.0)
         if self.moves and self.b == 0:
             self.balance(state)
         return state
@@ -225,8 +229,13 @@ class Rod:
             state.v[1:] = numpy.linalg.solve(S, f - S @ state.u[1:]) / self.zeta
 
     def pressure(self, u_free, receptance):
-        """(M.17)"""
-        return max(0.0, u_free - self.g) / (self.epsilon + receptance)
+        """(M.17), (M.108)"""
+        return (max(0.0, u_free - self.g) - max(0.0, -u_free - self.g_2)) / (
+            self.epsilon + receptance)
+
+    def gap(self, u):
+        """What is left to the nearer stop"""
+        return min(self.g - u, self.g_2 + u)
 
     def energy_terms(self, state):
         """Thermal, kinetic, elastic, obstacle, coupling: (M.8)."""

@@ -34,6 +34,12 @@ def locates_events(settings):
             choice == "true")
 
 
+def sides_of(events):
+    """1 at the front stop, -1 at the rear one; of one stop there is no column."""
+    return [-1 if side == "rear" else 1 for side in (
+        events["side"] if "side" in events.names else ["front"] * len(events))]
+
+
 class Step:
     """A step: the new state and what is booked."""
 
@@ -63,13 +69,15 @@ class Replay:
         self.locates = locates_events(self.settings)
         self.mode = "open" if self.locates and self.rod.has_obstacle else "unilateral"
         self.changes = {}  # of the mode, by row
+        self.side = 1  # of the stop that is touched or was
         if self.mode == "open":
             accepted = run.steps["accepted"] == 1
             ends = numpy.concatenate([[0], (run.steps["time"] +
                                             run.steps["step_size"])[accepted]])
             self.changes = {numpy.argmin(abs(ends - time)):
-                            "closed" if kind == "begin" else "open"
-                            for time, kind in zip(run.events["time"], run.events["kind"])}
+                            ("closed" if kind == "begin" else "open", side)
+                            for time, kind, side in zip(
+                                run.events["time"], run.events["kind"], sides_of(run.events))}
         with numpy.errstate(all="ignore"):  # falsified steps may have size zero
             self.take_steps(run)
 
@@ -97,7 +105,7 @@ class Replay:
         self.max_mechanical = max(self.terms[1:3])
         self.sums = dict.fromkeys(("work", "dissipation", "numerical_dissipation",
                                    "lateral_dissipation", "contact_impulse", "fixed_end_impulse"), 0.0)
-        self.mode = self.changes.get(0, self.mode)
+        self.mode, self.side = self.changes.get(0, (self.mode, self.side))
         if self.rod.moves and self.rod.b == 0:  # (M.34), (M.35): a system of its own
             self.counters["factorizations"] += 1
             self.counters["responses"] += self.rod.has_obstacle
@@ -164,7 +172,8 @@ class Replay:
         e = State(*(sum(w * rate[i] for w, rate in zip(weights, rates))
                     for i in range(3)))
         rod = self.rod
-        on_obstacle = e.u[-1]**2 / (2 * rod.epsilon) if p > 0 and rod.epsilon else 0.0
+        on_obstacle = e.u[-1]**2 / (2 * rod.epsilon) if p * self.side > 0 and rod.epsilon \
+            else 0.0
         return [e.theta @ rod.M @ e.theta / 2, rod.b * e.v @ rod.M_u @ e.v / 2,
                 e.u @ rod.S @ e.u / 2, on_obstacle]
 
@@ -202,14 +211,16 @@ class Replay:
         self.counters["solves"] += 1
         u_free = known.u[-1] + tau * rates[-1]
         if not rod.has_obstacle or self.mode == "open" or (
-                self.mode == "unilateral" and u_free <= rod.g):
+                self.mode == "unilateral" and rod.gap(u_free) >= 0):
             return *rod.split(rates), 0.0, 0
         response = rod.solver(tau)[1]
         chi = tau * response[-1]
         if not self.cache[tau]:
             self.cache[tau] = True
             self.counters["responses"] += 1
-        p = (u_free - rod.g) / (rod.epsilon + chi)
+        front = rod.gap(u_free) == rod.g - u_free if self.mode == "unilateral" else (
+            self.side > 0)
+        p = (u_free - rod.g if front else u_free + rod.g_2) / (rod.epsilon + chi)
         return *rod.split(rates - p * response), p, int(self.mode == "unilateral")
 
     def iterate(self, known, tau):
@@ -276,13 +287,14 @@ class Replay:
         rod = self.rod
         self.state = step.state
         self.velocities.append(self.state.v[-1])
-        change = self.changes.get(len(self.rows))
+        change, self.side = self.changes.get(len(self.rows), (None, self.side))
         before = sum(rod.energy_terms(self.state))
         if change == "closed" and rod.is_rigid:
             self.impact(step)
         elif change == "closed":
             self.state.p = rod.pressure(self.state.u[-1], 0.0)
-        self.state.p = max(self.state.p, 0.0)
+        if self.state.p * self.side < 0 and (self.locates or rod.g_2 == math.inf):
+            self.state.p = 0.0
         step.lost += before - sum(rod.energy_terms(self.state))
         self.mode = change or self.mode
         for name, value in (("work", step.work), ("dissipation", step.dissipation),
@@ -301,7 +313,7 @@ class Replay:
         rod, state, nan = self.rod, self.state, math.nan
         row = {"step": len(self.rows), "time": state.t, "step_size": size,
                "iterations": iterations, "energy": sum(rod.energy_terms(state)),
-               "in_contact": int(state.p > 0), **self.sums}
+               "in_contact": int(state.p != 0), **self.sums}
         if rod.moves:
             has_velocity = rod.b > 0 or rod.zeta > 0 or state.t > 0
             traction = rod.at_end("End traction", state.t)
@@ -309,8 +321,8 @@ class Replay:
                     "displacement_mid": rod.values_at(0.5, state.u)[0],
                     "velocity_end": state.v[-1] if has_velocity else nan,
                     "stress_end": traction - state.p, "contact_force": state.p,
-                    "penetration": rod.epsilon * state.p,
-                    "gap": rod.g - state.u[-1] if rod.has_obstacle else nan}
+                    "penetration": rod.epsilon * abs(state.p),
+                    "gap": rod.gap(state.u[-1]) if rod.has_obstacle else nan}
         else:
             row |= dict.fromkeys(("displacement_end", "displacement_mid", "velocity_end",
                                   "stress_end", "contact_force", "penetration", "gap",

@@ -11,7 +11,7 @@ from pathlib import Path
 import meshio
 import numpy
 
-TEXT_COLUMNS = ("kind", "reason", "status")
+TEXT_COLUMNS = ("kind", "reason", "status", "side")
 
 
 class Table:

@@ -170,7 +170,8 @@ BIFURCATION = {r"$u(1)$ at multiples of $P$": "displacement_end",
 
 
 def write_periods(directory, i):
-    """Four periods of 2 of run i, with a force that is largest once in each."""
+    """Four periods of 2 of run i, with a force that is largest once in each,
+    at the rear one of two stops in every other."""
     directory.mkdir()
     tables.write_table(directory / "poincare.csv", "A run", {
         "time": [0, 2, 4, 6, 8], **{name: [round((k + 2) * 0.1 + i + 0.01 * n, 9)
@@ -179,7 +180,7 @@ def write_periods(directory, i):
     times = [0.25 * n for n in range(33)]
     tables.write_table(directory / "contact.csv", "A run", {
         "time": times, "contact_force": [
-            round(1 + i + 0.1 * (t // 2), 9) if t % 2 == 1.25 else 0.5 for t in times]})
+            round((-1)**(t // 2) * (1 + i + 0.1 * (t // 2)), 9) if t % 2 == 1.25 else 0.5 for t in times]})
 
 
 def check_bifurcation(plot, header):

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// A rod between two stops, Contact/Rear gap, doc/model.md section 21.
+// A rod between two stops, Contact/Rear gap, doc/model.md section 24.
 //
 // 1. The mirrored scene, u -> -u with a -> -a, the gaps exchanged and loads of
 //    the other sign, gives the mirrored result to the last bit: displacements,
@@ -13,8 +13,9 @@
 //    stops, so that it meets and leaves the front one with sqrt(0.98) and the
 //    rear one with sqrt(0.92), in turn; tolerance 1e-12: to 1e-8.
 // 4. Symmetric drive, traction 2 sin(3 t) and stops at 0.2 and -0.2, one cell,
-//    zeta = 1/2, steps of P/200: u(t + P/2) = -u(t) in the last of 20 periods,
-//    to 1e-10, with contact at both stops.
+//    zeta = 1, steps of P/200: u(t + P/2) = -u(t) in the last of 20 periods,
+//    to 1e-10 (5e-15 measured), with contact at both stops. With zeta = 1/2
+//    that motion is not stable, and the rod ends in one of a mirrored pair.
 // 5. The audit of backward Euler of a rod that is thrown against both stops,
 //    damped power law: to 1e-11 of the largest term; energy never increases.
 // 6. At rest at the rear stop: a = 0.05, theta_A = -10, k = 1, so that G =
@@ -79,17 +80,17 @@ namespace
     for (unsigned int i = 0; is_same && i < one.rows.size(); ++i)
       {
         const StepRecord &a = one.rows[i], &b = other.rows[i];
-        is_same = a.time == b.time && a.displacement_end == -b.displacement_end &&
-                  a.displacement_mid == -b.displacement_mid &&
-                  a.velocity_end == -b.velocity_end &&
-                  a.stress_end == -b.stress_end &&
-                  a.contact_force == -b.contact_force &&
-                  a.contact_impulse == -b.contact_impulse && a.gap == b.gap &&
-                  a.penetration == b.penetration && a.energy == b.energy &&
-                  a.work == b.work && a.dissipation == b.dissipation &&
-                  a.contact_dissipation == b.contact_dissipation &&
-                  a.temperature_end == b.temperature_end &&
-                  a.in_contact == b.in_contact;
+        is_same =
+          a.time == b.time && a.displacement_end == -b.displacement_end &&
+          a.displacement_mid == -b.displacement_mid &&
+          a.velocity_end == -b.velocity_end && a.stress_end == -b.stress_end &&
+          a.contact_force == -b.contact_force &&
+          a.contact_impulse == -b.contact_impulse && a.gap == b.gap &&
+          a.penetration == b.penetration && a.energy == b.energy &&
+          a.work == b.work && a.dissipation == b.dissipation &&
+          a.contact_dissipation == b.contact_dissipation &&
+          a.temperature_end == b.temperature_end &&
+          a.in_contact == b.in_contact;
       }
     for (unsigned int i = 0; is_same && i < one.events.size(); ++i)
       is_same = one.events[i].time == other.events[i].time &&
@@ -122,11 +123,8 @@ namespace
     const Overrides power{"Contact/Condition=power law"};
     const Overrides damped{"Contact/Damping=0.3"};
     unsigned int    k = 0;
-    for (const Overrides &choice : {Overrides(),
-                                    euler,
-                                    power,
-                                    power + damped,
-                                    euler + damped})
+    for (const Overrides &choice :
+         {Overrides(), euler, power, power + damped, euler + damped})
       {
         const Run one   = run(scene + choice + thrown);
         const Run other = run(scene + choice + mirrored);
@@ -166,8 +164,8 @@ namespace
                                                 "Initial values/Velocity=x",
                                                 "Time/Tolerance=1e-12",
                                                 "Time/End time=4"});
-    double       error = 0.;
-    unsigned int n     = 0;
+    double    error  = 0.;
+    unsigned int n   = 0;
     for (const ContactEvent &event : result.events)
       {
         const int    side  = (n / 2) % 2 == 0 ? 1 : -1;
@@ -194,13 +192,13 @@ namespace
       run(one_cell + Overrides{"Contact/Compliance=0.05",
                                "Contact/Gap=0.2",
                                "Contact/Rear gap=0.2",
-                               "Model/Viscosity=0.5",
+                               "Model/Viscosity=1",
                                "Sources/End traction=2*sin(3*t)",
                                "Time/Step size=0.010471975511965976",
                                "Time/Locate contact events=false",
                                "Time/End time=41.887902047863905"});
-    const auto   n = result.rows.size();
-    double       error = 0., largest = 0., smallest = 0.;
+    const auto n     = result.rows.size();
+    double     error = 0., largest = 0., smallest = 0.;
     for (unsigned int i = n - 200; i < n; ++i)
       {
         raise(error,
@@ -266,10 +264,10 @@ namespace
                           "Mesh/Cells=4",
                           "Mesh/Degree=2",
                           "Time/End time=60"};
-    const double    exact = -7. / 60.;
+    const double    exact  = -7. / 60.;
     const Run       result = run(scene);
     const Scene     resolved(read_parameters("", scene));
-    const auto      states = states_of_rest(resolved);
+    const auto      states = steady_state(resolved).states;
     deallog << "at rest at the rear stop: force to 1e-6 "
             << (std::abs(result.rows.back().contact_force / exact - 1.) < 1e-6)
             << ", forecast "

@@ -52,6 +52,7 @@ namespace ThermoContact
     double      obstacle_temperature  = 293.15;
 
     double                gap = 5e-4;                  ///< m
+    std::optional<double> rear_gap;                    ///< m; none: one stop
     std::optional<double> stiffness;                   ///< N/m; none: rigid
     double                exchange_coefficient = 100.; ///< W/(m^2 K)
 
@@ -139,6 +140,7 @@ namespace ThermoContact
     double heat_exchange;         ///< $k$
     double compliance;            ///< $\varepsilon$; 0: rigid
     double gap;                   ///< $g$
+    double rear_gap;              ///< $g_2$, if there is a rear stop
     double fixed_end_temperature; ///< $\theta_A$
     double obstacle_temperature;  ///< $\theta_{obs}$
     double initial_temperature;   ///< $\theta_0$

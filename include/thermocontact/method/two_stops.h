@@ -28,8 +28,8 @@ namespace ThermoContact
 
   /**
    * The pressure of a node between two stops with the same law, doc/model.md
-   * (M.86): positive at the front stop, negative at the rear one, for which the
-   * problem is the mirrored one.
+   * (M.107): positive at the front stop, negative at the rear one, for which
+   * the problem is the mirrored one.
    *
    * @param receptance loss of displacement per unit pressure
    * @param is_held contact with the nearer stop that cannot open

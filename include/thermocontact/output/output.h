@@ -17,6 +17,8 @@
 
 namespace ThermoContact
 {
+  struct EventRow;
+
   /** How far the files of a run have been written; for checkpoints. */
   struct OutputProgress
   {

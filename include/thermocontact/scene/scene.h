@@ -196,7 +196,7 @@ namespace ThermoContact
     /** $g$ of the undeformed body; NaN if it is not the same everywhere. */
     double gap;
 
-    /** $g_2$ of a stop behind the end, (M.86); none if there is no such. */
+    /** $g_2$ of a stop behind the end, (M.107); none if there is no such. */
     std::optional<double> rear_gap;
 
     /** How the contact nodes move; meaningless without obstacle. */

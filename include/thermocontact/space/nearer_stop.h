@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_nearer_stop_h
+#define thermocontact_space_nearer_stop_h
+
+#include <thermocontact/space/body.h>
+
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * Contact pressures between two stops as the nearer one sees them: positive
+   * if it pushes, negative if it would pull.
+   */
+  template <int dim>
+  std::vector<double>
+  pressures_of_nearer_stop(const Body<dim> &body, const State &state);
+} // namespace ThermoContact
+
+#endif
