@@ -106,6 +106,10 @@ end
 """
 
 
+def rear_gap(rod):
+    return "" if rod["rear"] is None else f"\n  set Rear gap = {rod['rear']!r}"
+
+
 def si_file(rod):
     unit = f"  set Unit = {rod['time_unit']}\n" if rod["time_unit"] else ""
     degrees = "  set Unit = C\n" if rod["celsius"] else ""
@@ -130,8 +134,7 @@ subsection Temperatures
   set Obstacle = {shown(rod, rod["obstacle"])!r}
 end
 subsection Obstacle
-  set Gap = {rod["gap"]!r}
-{"" if rod["rear"] is None else f"  set Rear gap = {rod['rear']!r}"}
+  set Gap = {rod["gap"]!r}{rear_gap(rod)}
   set Stiffness = {rod["stiffness"]}
   set Exchange coefficient = {rod["h"]!r}
 end
