@@ -28,6 +28,7 @@
 #include <iostream>
 #include <new>
 #include <sstream>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -147,12 +148,44 @@ namespace ThermoContact
 
 
     /**
-     * Without mpirun, Open MPI looks for networks and starts a daemon that a
-     * single process has no use for: most of its time to start. What the user
-     * has set stays. To be called before MPI_Init.
+     * For the time of MPI_Init and where the user has not set them, variables
+     * of the environment that others than MPI read, too.
+     */
+    class EnvironmentOfStart
+    {
+    public:
+      void
+      set(const char *const name, const char *const value)
+      {
+        if (std::getenv(name) != nullptr)
+          return;
+        setenv(name, value, 1);
+        names.push_back(name);
+      }
+
+      void
+      restore() const
+      {
+        for (const char *const name : names)
+          unsetenv(name);
+      }
+
+    private:
+      std::vector<const char *> names;
+    };
+
+
+
+    /**
+     * Without mpirun, Open MPI looks for networks, starts a daemon and has
+     * hwloc explore the machine, display and buses included: a single process
+     * has no use for any of it, and it is most of its time to start. Without a
+     * daemon all processes of a user would make and remove the same directory,
+     * and fail if two start at once. What the user has set stays. To be called
+     * before MPI_Init.
      */
     void
-    tell_mpi_of_single_process()
+    tell_mpi_of_single_process(EnvironmentOfStart &environment)
     {
       for (const char *const by_launcher :
            {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
@@ -162,6 +195,9 @@ namespace ThermoContact
       setenv("OMPI_MCA_pml", "ob1", keep);
       setenv("OMPI_MCA_btl", "self", keep);
       setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+      setenv("OMPI_MCA_orte_create_session_dirs", "0", keep);
+      environment.set("HWLOC_PLUGINS_PATH", "/nonexistent");
+      environment.set("HWLOC_SYNTHETIC", "pu:1");
     }
 
 
@@ -261,10 +297,12 @@ main(int argc, char **argv)
   std::signal(SIGXFSZ, SIG_IGN); // a file at its limit is an error like others
   std::signal(SIGPIPE, SIG_IGN); // nor does a run end with who looks at it
 
-  const Timer since_start;
-  tell_mpi_of_single_process();
+  const Timer        since_start;
+  EnvironmentOfStart environment;
+  tell_mpi_of_single_process(environment);
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const bool                       is_first_rank =
+  environment.restore();
+  const bool is_first_rank =
     Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   const auto print_error = [is_first_rank](const std::string &message) {
     if (is_first_rank)

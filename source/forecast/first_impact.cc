@@ -70,14 +70,19 @@ namespace ThermoContact
         const double    u      = data.initial_fields().value(x, axial);
         const double    v      = data.initial_velocity().value(x, axial);
         initial_expansion_ += weight * strain;
+        // exp(i k x), from each k to the next one
+        std::complex<double> wave = std::polar(1., 0.5 * numbers::PI * x[0]);
+        const std::complex<double> to_next = std::polar(1., numbers::PI * x[0]);
         for (unsigned int n = 0; n < n_modes; ++n)
           {
             const double k = (n + 0.5) * numbers::PI;
             // the deviation from u_th with u_th' = a theta_0, by parts
             displacement[n] +=
-              2. * weight *
-              (u * std::sin(k * x[0]) - strain * std::cos(k * x[0]) / k);
-            velocity[n] += 2. * weight * v * std::sin(k * x[0]);
+              2. * weight * (u * wave.imag() - strain * wave.real() / k);
+            velocity[n] += 2. * weight * v * wave.imag();
+            wave = {wave.real() * to_next.real() - wave.imag() * to_next.imag(),
+                    wave.real() * to_next.imag() +
+                      wave.imag() * to_next.real()};
           }
       }
 

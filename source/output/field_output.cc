@@ -210,11 +210,9 @@ namespace ThermoContact
     flags.compression_level   = DataOutBase::VtkFlags::best_speed;
 
     std::string fault =
-      rod_snapshot ?
-        write_parts_atomically(fields.next_path(),
-                               {rod_snapshot->file(state, flags.cycle)},
-                               discretization.communicator()) :
-        write_patches(state, flags);
+      rod_snapshot ? write_atomically(fields.next_path(),
+                                      rod_snapshot->file(state, flags.cycle)) :
+                     write_patches(state, flags);
     if (fault.empty())
       fault = write_others(state, flags);
     throw_everywhere<ComputationError>(fault, discretization.communicator());

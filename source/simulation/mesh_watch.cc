@@ -77,11 +77,21 @@ namespace ThermoContact
 
 
 
+  void
+  MeshTail::add(const double weight, const MeshTail &tail)
+  {
+    upper += weight * tail.upper;
+    lower += weight * tail.lower;
+  }
+
+
+
   template <int dim>
   MeshWatch::MeshWatch(const Scene               &scene,
                        const Discretization<dim> &discretization)
     : scene(scene)
     , n_cell_nodes(discretization.degree() + 1)
+    , samples(scene.parameters.time.has_error_control())
   {
     // the steps of the midpoint rule on such a mesh have no error inside cells
     if (dim > 1 || scene.has_midpoint_mass)
@@ -90,6 +100,11 @@ namespace ThermoContact
     const unsigned int p = discretization.degree();
     upper_weights        = legendre_weights(p, p);
     lower_weights        = legendre_weights(p, p - 1);
+    if (p <= highest_low_degree)
+      {
+        make_factors(Field::temperature, 0);
+        make_factors(Field::displacement, 1);
+      }
   }
 
 
@@ -131,30 +146,76 @@ namespace ThermoContact
 
 
   void
-  MeshWatch::add(const State       &state,
-                 const double       step_size,
-                 const EnergyTerms &energy)
+  MeshWatch::make_factors(const Field::Block field,
+                          const unsigned int n_derivatives)
   {
-    if (cell_sizes.empty())
-      return;
-    duration += step_size;
-    max_thermal = std::max(max_thermal, 2. * energy.thermal);
-    max_mechanical =
-      std::max(max_mechanical, 2. * std::max(energy.elastic, energy.kinetic));
-    if (scene.fields.has_temperature)
-      add_tail(Field::temperature, state.temperature, 0, step_size, heat);
-    if (scene.fields.has_displacement)
-      add_tail(Field::displacement, state.displacement, 1, step_size, strain);
+    // The coefficient n of what is approximated, a multiple of the n-th
+    // derivative and h^n, changes from cell to cell by 2 (2n + 1) times the
+    // next one. Without derivative it is c_p, of the strain (2p - 1) 2/h c_p.
+    const double p      = n_cell_nodes - 1.;
+    const double n      = p - n_derivatives;
+    const double next   = 1. / (2. * (2. * n + 1.));
+    double       before = 0.;
+    for (const double h : cell_sizes)
+      {
+        factors[field].push_back(
+          {n_derivatives == 0 ? 1. : 2. * (2. * p - 1.) / h,
+           before > 0. ? std::pow(h / before, n) : 0.,
+           h / (2. * n + 3.) * next * next});
+        before = h;
+      }
   }
 
 
 
   void
-  MeshWatch::add_tail(const Field::Block field,
-                      const Vector      &vector,
-                      const unsigned int n_derivatives,
-                      const double       weight,
-                      MeshTail          &tail) const
+  MeshWatch::add(const State &state, const StepRecord &record)
+  {
+    if (cell_sizes.empty())
+      return;
+    const EnergyTerms &energy = record.energy_terms;
+    max_thermal               = std::max(max_thermal, 2. * energy.thermal);
+    max_mechanical =
+      std::max(max_mechanical, 2. * std::max(energy.elastic, energy.kinetic));
+    if (!samples.take(record.step_size, record.in_contact))
+      return;
+    const double skipped_time = samples.take_skipped_time();
+    duration += skipped_time + record.step_size;
+    if (scene.fields.has_temperature)
+      book(tail(Field::temperature, state.temperature, 0),
+           record.step_size,
+           skipped_time,
+           last_heat,
+           heat);
+    if (scene.fields.has_displacement)
+      book(tail(Field::displacement, state.displacement, 1),
+           record.step_size,
+           skipped_time,
+           last_strain,
+           strain);
+  }
+
+
+
+  void
+  MeshWatch::book(const MeshTail &now,
+                  const double    step_size,
+                  const double    skipped_time,
+                  MeshTail       &last,
+                  MeshTail       &sum) const
+  {
+    const double part = samples.is_at_event() ? 0. : 0.5;
+    sum.add(step_size + part * skipped_time, now);
+    sum.add((1. - part) * skipped_time, last);
+    last = now;
+  }
+
+
+
+  MeshTail
+  MeshWatch::tail(const Field::Block field,
+                  const Vector      &vector,
+                  const unsigned int n_derivatives) const
   {
     // Squares of norms over a cell of size h, whose coordinate is (x - m) 2/h:
     // h/(2n + 1) c^2 of c P_n; the first term of the derivative of c P_n is
@@ -162,19 +223,14 @@ namespace ThermoContact
     const double p = n_cell_nodes - 1.;
     MeshTail     now;
     if (n_cell_nodes - 1 <= highest_low_degree)
-      add_differences(field,
-                      vector,
-                      n_derivatives == 0 ? 1. : 2. * (2. * p - 1.),
-                      p - n_derivatives,
-                      now);
+      add_differences(field, vector, now);
     else if (n_derivatives == 0)
       add_last_coefficients(
         field, vector, 1. / (2. * p + 1.), 1. / (2. * p - 1.), 1, now);
     else
       add_last_coefficients(
         field, vector, 4. * (2. * p - 1.), 4. * (2. * p - 3.), -1, now);
-    tail.upper += weight * now.upper;
-    tail.lower += weight * now.lower;
+    return now;
   }
 
 
@@ -207,35 +263,25 @@ namespace ThermoContact
   void
   MeshWatch::add_differences(const Field::Block field,
                              const Vector      &vector,
-                             const double       factor,
-                             const int          power,
                              MeshTail          &tail) const
   {
-    // The coefficient n of what is approximated, a multiple of the n-th
-    // derivative and h^n, changes from cell to cell by 2 (2n + 1) times the
-    // next one; n is the power.
-    const double        next   = 1. / (2. * (2. * power + 1.));
     const double       *values = vector.begin();
     const unsigned int *nodes  = entries[field].data();
     double              before = 0., last_difference = 0.;
     for (unsigned int cell = 0; cell < cell_sizes.size(); ++cell)
       {
-        const double h = cell_sizes[cell];
-        double       now =
-          factor * product(upper_weights.data(), nodes, n_cell_nodes, values);
-        if (static_cast<int>(n_cell_nodes) - 1 > power)
-          now /= h;
+        const CellFactors &factor = factors[field][cell];
+        const double       now =
+          factor.coefficient *
+          product(upper_weights.data(), nodes, n_cell_nodes, values);
         if (cell > 0)
           {
-            const double ratio = h / cell_sizes[cell - 1];
-            for (int i = 0; i < power; ++i)
-              before *= ratio;
-            const double difference = next * (now - before);
-            tail.lower += h / (2. * power + 3.) * difference * difference;
+            const double difference = now - factor.before * before;
+            tail.lower += factor.square * difference * difference;
             if (cell > 1)
               {
                 const double change = difference - last_difference;
-                tail.upper += h / (2. * power + 3.) * change * change;
+                tail.upper += factor.square * change * change;
               }
             last_difference = difference;
           }
@@ -249,8 +295,12 @@ namespace ThermoContact
   double
   MeshWatch::error(const Field::Block field) const
   {
-    return field == Field::temperature ? heat.error(max_thermal, duration) :
-                                         strain.error(max_mechanical, duration);
+    const bool   is_heat = field == Field::temperature;
+    const double skipped = samples.skipped_time();
+    MeshTail     sum     = is_heat ? heat : strain;
+    sum.add(skipped, is_heat ? last_heat : last_strain);
+    return sum.error(is_heat ? max_thermal : max_mechanical,
+                     duration + skipped);
   }
 
 

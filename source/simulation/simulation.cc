@@ -169,7 +169,7 @@ namespace ThermoContact
     history_.add_step(time_step, result);
     history_.add_maxima();
     error_norm.add(result.energy);
-    mesh_watch.add(state_, time_step.size, result.energy);
+    mesh_watch.add(state_, record());
     if (result.is_prescribed)
       energy_watch.start(result.energy);
     else if (const std::string warning =

@@ -4,8 +4,9 @@
 #define thermocontact_simulation_mesh_watch_h
 
 #include <thermocontact/scene/scene.h>
+#include <thermocontact/simulation/measurements.h>
+#include <thermocontact/simulation/mesh_samples.h>
 #include <thermocontact/space/discretization.h>
-#include <thermocontact/space/energy.h>
 
 #include <string>
 #include <vector>
@@ -35,6 +36,10 @@ namespace ThermoContact
     double
     rate() const;
 
+    /** Adds @p tail, which was there for the time @p weight. */
+    void
+    add(const double weight, const MeshTail &tail);
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -47,8 +52,8 @@ namespace ThermoContact
 
   /**
    * Watches whether the mesh of a rod resolves what moves through it, at the
-   * cost of a few products with short vectors in each step. Of bodies in two
-   * and three dimensions it knows nothing.
+   * cost of a few products with short vectors in the steps that are looked at.
+   * Of bodies in two and three dimensions it knows nothing.
    *
    * What counts is the mean over the run. At single instants, after a start or
    * an impact, layers are thinner than any cell, and do no harm.
@@ -66,10 +71,10 @@ namespace ThermoContact
     /**
      * Takes an accepted state.
      *
-     * @param energy of that state
+     * @param record of that state: its size of the step, energy and contact
      */
     void
-    add(const State &state, const double step_size, const EnergyTerms &energy);
+    add(const State &state, const StepRecord &record);
 
     /** Estimated error of a field that the scene has, relative to it. */
     double
@@ -87,7 +92,8 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &heat &strain &duration &max_thermal &max_mechanical &has_warned;
+      archive &heat &strain &last_heat &last_strain &samples &duration
+        &max_thermal &max_mechanical &has_warned;
     }
 
   private:
@@ -95,34 +101,59 @@ namespace ThermoContact
     const unsigned int  n_cell_nodes;
     std::vector<double> cell_sizes;
 
+    /** What differences of neighbours take of a cell; of low degrees. */
+    struct CellFactors
+    {
+      double coefficient = 0.; ///< of the product with the nodal values
+      double before      = 0.; ///< of the coefficient of the cell before
+      double square      = 0.; ///< of the square of a difference
+    };
+
     /** Positions of the nodes of a field, cell by cell along the rod. */
     std::vector<unsigned int> entries[2];
+
+    /** By field. */
+    std::vector<CellFactors> factors[2];
 
     /** Of the nodes of a cell in its last two Legendre coefficients. */
     std::vector<double> upper_weights, lower_weights;
 
-    MeshTail heat, strain;
-    double   duration       = 0.;
-    double   max_thermal    = 0.;
-    double   max_mechanical = 0.;
-    bool     has_warned     = false;
+    MeshSamples samples;
+    MeshTail    heat, strain;           ///< over the time so far
+    MeshTail    last_heat, last_strain; ///< where the mesh was looked at last
+    double      duration       = 0.;    ///< from the start to there
+    double      max_thermal    = 0.;
+    double      max_mechanical = 0.;
+    bool        has_warned     = false;
 
     template <int dim>
     void
     add_cells(const Discretization<dim> &discretization);
 
+    /** Those of a field. @param n_derivatives 1 for the strain, else 0 */
+    void
+    make_factors(const Field::Block field, const unsigned int n_derivatives);
+
     /**
-     * Adds the tail of a field at one time.
+     * The tail of a field at one time.
      *
      * @param n_derivatives 1 for the strain, 0 for the temperature
-     * @param weight of this time
+     */
+    MeshTail
+    tail(const Field::Block field,
+         const Vector      &vector,
+         const unsigned int n_derivatives) const;
+
+    /**
+     * Adds that tail to @p sum, and @p skipped_time with the mean of it and of
+     * @p last, which it becomes; at an event with @p last alone.
      */
     void
-    add_tail(const Field::Block field,
-             const Vector      &vector,
-             const unsigned int n_derivatives,
-             const double       weight,
-             MeshTail          &tail) const;
+    book(const MeshTail &now,
+         const double    step_size,
+         const double    skipped_time,
+         MeshTail       &last,
+         MeshTail       &sum) const;
 
     void
     add_last_coefficients(const Field::Block field,
@@ -135,8 +166,6 @@ namespace ThermoContact
     void
     add_differences(const Field::Block field,
                     const Vector      &vector,
-                    const double       factor,
-                    const int          power,
                     MeshTail          &tail) const;
 
     /** What to take for a mesh whose error is too large. */
