@@ -72,8 +72,11 @@ def parts_of(figure):
     panels = [axes for axes in figure.axes if axes.axison]
     legends = [axes.get_legend() for axes in figure.axes if axes.get_legend()]
     assert len(legends) <= 1 and not figure.legends
+    # matplotlib has the first name from 3.7, the second up to 3.8
     return panels, [(text.get_text(), handle) for legend in legends for
-                    text, handle in zip(legend.texts, legend.legendHandles)]
+                    text, handle in zip(legend.texts, legend.legend_handles
+                                        if hasattr(legend, "legend_handles")
+                                        else legend.legendHandles)]
 
 
 def same(curve, expected):
@@ -88,8 +91,9 @@ def same(curve, expected):
 def spans_of(axes):
     """(begin, end, top, colour) of what is shaded, downwards, then by time."""
     spans = []
-    for patch in axes.patches:
-        x, y = numpy.transpose(patch.get_xy())
+    for patch in axes.patches: # polygons, or rectangles from matplotlib 3.9
+        x, y = numpy.transpose(patch.get_patch_transform().transform(
+            patch.get_path().vertices))
         spans.append((min(x), max(x), max(y), to_hex(patch.get_facecolor())))
     return sorted(spans, key=lambda span: (-span[2], span[0]))
 

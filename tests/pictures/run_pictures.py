@@ -97,7 +97,10 @@ def faults_of_spans(axes, runs, colours):
     spans = drawings.spans_of(axes)
     rows = [[span for span in spans if span[2] == top] for top in
             sorted({span[2] for span in spans}, reverse=True)]
-    good = [[span[:2] for span in row] for row in rows] == expected
+    # begin + length, as matplotlib keeps them from 3.9, is the end but for rounding
+    good = [len(row) for row in rows] == [len(times) for times in expected] and all(
+        numpy.allclose([span[:2] for span in row], times, rtol=1e-12, atol=0)
+        for row, times in zip(rows, expected))
     if len(runs) > 1:
         good = good and [{span[3] for span in row} for row in rows] == [
             {colour} for colour in colours]
