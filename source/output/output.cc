@@ -216,6 +216,7 @@ namespace ThermoContact
       {
         for (TableFile *file : tables())
           file->flush(); // a fault shows when all ranks meet
+        field_output.write_lists(true);
         since_flush.restart();
       }
   }
@@ -275,6 +276,7 @@ namespace ThermoContact
       write_attempts(simulation.history().attempts);
     for (TableFile *file : tables())
       file->flush();
+    field_output.write_lists();
     if (space_time_output)
       space_time_output->write_vtu(false);
   }
@@ -286,6 +288,8 @@ namespace ThermoContact
   Output<dim>::finish()
   {
     flush();
+    throw_everywhere<ComputationError>(field_output.write_lists(),
+                                       communicator);
     if (!space_time_output)
       return;
     field_timer.start();
@@ -313,6 +317,9 @@ namespace ThermoContact
     std::string    fault = field_output.sync();
     if (is_writer)
       {
+        if (const std::string message = field_output.write_lists();
+            fault.empty())
+          fault = message;
         for (TableFile *file : tables())
           if (const std::string message = file->sync(); fault.empty())
             fault = message;
@@ -345,6 +352,9 @@ namespace ThermoContact
         for (TableFile *file : tables())
           if (const std::string message = file->flush(); fault.empty())
             fault = message;
+        if (const std::string message = field_output.write_lists(true);
+            fault.empty())
+          fault = message;
       }
     throw_everywhere<ComputationError>(fault, communicator);
   }
