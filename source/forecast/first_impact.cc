@@ -117,6 +117,8 @@ namespace ThermoContact
     for (const Mode &mode : modes)
       for (unsigned int i = 0; i < 2; ++i)
         {
+          if (mode.rates[i].real() * time < -50.)
+            continue; // nothing is left of it, as of most modes with viscosity
           const std::complex<double> value =
             mode.amplitudes[i] * std::exp(mode.rates[i] * time);
           displacement += value.real();

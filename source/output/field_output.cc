@@ -308,11 +308,24 @@ namespace ThermoContact
         write(contact_face->next_path(),
               contact_face_file(body, state, flags, units));
     for (SnapshotSeries *series : all_series())
-      {
-        series->add(state.time);
-        if (is_writer && fault.empty())
-          fault = series->write_pvd();
-      }
+      series->add(state.time);
+    return fault.empty() ? write_lists(fields.times().size() > 1) : fault;
+  }
+
+
+
+  template <int dim>
+  std::string
+  FieldOutput<dim>::write_lists(const bool only_due)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    if (!is_writer || (only_due && now - last_lists < std::chrono::seconds(1)))
+      return "";
+    last_lists = now;
+    std::string fault;
+    for (SnapshotSeries *series : all_series())
+      if (fault.empty())
+        fault = series->write_pvd();
     return fault;
   }
 

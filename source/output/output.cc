@@ -218,6 +218,7 @@ namespace ThermoContact
       {
         for (TableFile *file : tables())
           file->flush(); // a fault shows when all ranks meet
+        field_output.write_lists(true);
         since_flush.restart();
       }
   }
@@ -277,6 +278,7 @@ namespace ThermoContact
       write_attempts(simulation.history().attempts);
     for (TableFile *file : tables())
       file->flush();
+    field_output.write_lists();
     if (space_time_output)
       space_time_output->write_vtu(false);
   }
@@ -288,6 +290,8 @@ namespace ThermoContact
   Output<dim>::finish()
   {
     flush();
+    throw_everywhere<ComputationError>(field_output.write_lists(),
+                                       communicator);
     if (!space_time_output)
       return;
     field_timer.start();
@@ -315,6 +319,9 @@ namespace ThermoContact
     std::string    fault = field_output.sync();
     if (is_writer)
       {
+        if (const std::string message = field_output.write_lists();
+            fault.empty())
+          fault = message;
         for (TableFile *file : tables())
           if (const std::string message = file->sync(); fault.empty())
             fault = message;
@@ -347,6 +354,9 @@ namespace ThermoContact
         for (TableFile *file : tables())
           if (const std::string message = file->flush(); fault.empty())
             fault = message;
+        if (const std::string message = field_output.write_lists(true);
+            fault.empty())
+          fault = message;
       }
     throw_everywhere<ComputationError>(fault, communicator);
   }

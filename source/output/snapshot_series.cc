@@ -39,13 +39,19 @@ namespace ThermoContact
 
 
   std::string
-  SnapshotSeries::write_pvd() const
+  SnapshotSeries::write_pvd()
   {
-    return write_atomically(directory + "/" + name + ".pvd",
-                            "<?xml version=\"1.0\"?>\n"
-                            "<VTKFile type=\"Collection\" version=\"0.1\">\n"
-                            "  <Collection>\n" +
-                              entries + "  </Collection>\n</VTKFile>\n");
+    if (n_listed == times_.size())
+      return "";
+    const std::string fault =
+      write_atomically(directory + "/" + name + ".pvd",
+                       "<?xml version=\"1.0\"?>\n"
+                       "<VTKFile type=\"Collection\" version=\"0.1\">\n"
+                       "  <Collection>\n" +
+                         entries + "  </Collection>\n</VTKFile>\n");
+    if (fault.empty())
+      n_listed = times_.size();
+    return fault;
   }
 
 
@@ -57,13 +63,14 @@ namespace ThermoContact
     entries.clear();
     for (const double time : times)
       add(time);
+    n_listed = 0;
     n_synced = times.size(); // before the checkpoint was written
   }
 
 
 
   std::string
-  SnapshotSeries::remove_later() const
+  SnapshotSeries::remove_later()
   {
     unsigned int i = times_.size();
     while (std::remove(path_of(i).c_str()) == 0)

@@ -33,14 +33,16 @@ namespace ThermoContact
 
 
 
-    /** Whether the sum of all entries is what rounding leaves of zero. */
+    /** Whether the sum of all differences is what rounding leaves of zero. */
     bool
-    add_up_to_zero(const double *entries, const unsigned int n_entries)
+    add_up_to_zero(const double      *entries,
+                   const double      *others,
+                   const unsigned int n_entries)
     {
       double sum = 0., largest = 0.;
       for (unsigned int i = 0; i < n_entries; ++i)
         {
-          sum += entries[i];
+          sum += entries[i] - others[i];
           largest = std::max(largest, std::abs(entries[i]));
         }
       return std::abs(sum) <=
@@ -73,12 +75,30 @@ namespace ThermoContact
             ++runs_.back().end;
             continue;
           }
-        runs_.push_back(
-          {cell,
-           cell + 1,
-           entries_.size(),
-           add_up_to_zero(of_cell.data() + conduction * n * n, n * n)});
+        runs_.push_back({cell, cell + 1, entries_.size(), false, false});
         entries_.insert(entries_.end(), of_cell.begin(), of_cell.end());
+        set_losses(runs_.back());
+      }
+  }
+
+
+
+  void
+  RodMatrices::set_losses(Run &run)
+  {
+    const unsigned int  n    = layout_.nodes_per_cell();
+    const double *const all  = entries(run, conduction);
+    const double *const lost = entries(run, heat_exchange);
+    run.loses_heat = std::any_of(lost, lost + n * n, [](const double entry) {
+      return entry != 0.;
+    });
+    run.conducts_differences = add_up_to_zero(all, lost, n * n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        double sum = 0.;
+        for (unsigned int j = 0; j < n; ++j)
+          sum += lost[j * n + i];
+        losses_.push_back(sum);
       }
   }
 
@@ -88,7 +108,7 @@ namespace ThermoContact
   RodMatrices::is_of_differences(const Run &run, const Matrix matrix) const
   {
     if (matrix == conduction)
-      return run.loses_no_heat;
+      return run.conducts_differences;
     return matrix == divergence || matrix == stiffness ||
            matrix == viscous_stiffness;
   }
@@ -103,7 +123,8 @@ namespace ThermoContact
       const double *entries;
       const double *vector;
       double        factor;
-      bool          is_of_differences; ///< the rows of the matrix add up to 0
+      bool          is_of_differences;
+      const double *of_constant; ///< of a matrix of differences, or null
     };
 
 
@@ -213,102 +234,14 @@ namespace ThermoContact
               const double zero   = term.is_of_differences ? x_left : 0.;
               if (!term.is_of_differences)
                 add_column(term.entries, term.factor * x_left);
+              else if (term.of_constant != nullptr)
+                add_column(term.of_constant, term.factor * x_left);
               for (unsigned int j = 1; j < n; ++j)
                 add_column(term.entries + j * n,
                            term.factor * (term.vector[first + j - 1] - zero));
             }
           y[left] = left_row;
         }
-    }
-
-
-
-    /**
-     * $\sum x\cdot Ax$ over the linear cells of a run. A stiffness is a sum of
-     * squares of differences, the mass of one point to a cell of sums: as such
-     * the energy of a displacement that is large beside its strain, or of a
-     * velocity that alternates, keeps its digits.
-     */
-    template <typename Value>
-    double
-    linear_form(const RodMatrices::Run &run, const double *a, const Value &x)
-    {
-      const double LL = a[0], LR_RL = a[1] + a[2], RR = a[3];
-      const double size = 0.5 * std::abs(LR_RL), sign = LR_RL < 0. ? -1. : 1.;
-      const double rounding = 4. * std::numeric_limits<double>::epsilon();
-      double       sum      = 0.;
-      if (std::max(std::abs(LL - size), std::abs(RR - size)) <= rounding * size)
-        {
-#pragma omp simd reduction(+ : sum)
-          for (unsigned int i = run.begin; i < run.end; ++i)
-            {
-              const double joint = x(i + 1) + sign * x(i);
-              sum += joint * joint;
-            }
-          return size * sum;
-        }
-#pragma omp simd reduction(+ : sum)
-      for (unsigned int i = run.begin; i < run.end; ++i)
-        {
-          const double left = x(i), right = x(i + 1);
-          sum += right * (RR * right + LR_RL * left) + LL * left * left;
-        }
-      return sum;
-    }
-
-
-
-    /** Cells of any degree. */
-    template <unsigned int fixed_degree, typename Value>
-    double
-    form_of_cells(const RodLayout        &layout,
-                  const RodMatrices::Run &run,
-                  const double           *a,
-                  const bool              is_of_differences,
-                  const Value            &x)
-    {
-      const unsigned int p   = fixed_degree > 0 ? fixed_degree : layout.degree;
-      const unsigned int n   = p + 1;
-      double             sum = 0.;
-      for (unsigned int cell = run.begin; cell < run.end; ++cell)
-        {
-          const unsigned int first = cell * p + 1;
-          const double       left  = x(layout.left_vertex(cell));
-          const double       zero  = is_of_differences ? left : 0.;
-          for (unsigned int j = is_of_differences; j < n; ++j)
-            {
-              const double *const column  = a + j * n;
-              double              product = column[0] * (left - zero);
-              for (unsigned int i = 0; i < p; ++i)
-                product += column[i + 1] * (x(first + i) - zero);
-              sum += product * (j == 0 ? left : x(first + j - 1) - zero);
-            }
-        }
-      return sum;
-    }
-
-
-
-    template <typename Value>
-    double
-    sum_of_forms(const RodMatrices        &matrices,
-                 const RodMatrices::Matrix matrix,
-                 const Value              &x)
-    {
-      const RodLayout &layout = matrices.layout();
-      return with_fixed_degree(layout.degree, [&](const auto degree) {
-        double sum = 0.;
-        for (const RodMatrices::Run &run : matrices.runs())
-          {
-            const double *const a = matrices.entries(run, matrix);
-            if constexpr (degree.value == 1)
-              sum += linear_form(run, a, x);
-            else
-              sum += form_of_cells<degree.value>(
-                layout, run, a, matrices.is_of_differences(run, matrix), x);
-          }
-        return sum;
-      });
     }
   } // namespace
 
@@ -330,7 +263,8 @@ namespace ThermoContact
             of_run[k] = {entries(run, terms[k].matrix),
                          terms[k].vector,
                          terms[k].factor,
-                         is_of_differences(run, terms[k].matrix)};
+                         is_of_differences(run, terms[k].matrix),
+                         of_constant(run, terms[k].matrix)};
           if constexpr (degree.value != 1)
             add_cells<degree.value>(layout_, run, of_run, factor, base, y);
           else if (base == nullptr)
@@ -338,28 +272,6 @@ namespace ThermoContact
           else
             add_linear<n_terms, true>(run, of_run, factor, base, y);
         }
-    });
-  }
-
-
-
-  double
-  RodMatrices::form(const Matrix matrix, const double *x) const
-  {
-    return sum_of_forms(*this, matrix, [x](const unsigned int i) {
-      return x[i];
-    });
-  }
-
-
-
-  double
-  RodMatrices::form_of_difference(const Matrix  matrix,
-                                  const double *x,
-                                  const double *y) const
-  {
-    return sum_of_forms(*this, matrix, [x, y](const unsigned int i) {
-      return x[i] - y[i];
     });
   }
 

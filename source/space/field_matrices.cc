@@ -380,11 +380,7 @@ namespace ThermoContact
         cell->get_dof_indices(dofs);
         unconstrained.distribute_local_to_global(cell_matrix, dofs, stiffness);
         if (rod_cells)
-          rod_cells->add(RodMatrices::conduction,
-                         cell->active_cell_index(),
-                         Field::temperature,
-                         Field::temperature,
-                         cell_matrix);
+          rod_cells->add_exchange(cell->active_cell_index(), cell_matrix);
       });
     stiffness.compress(VectorOperation::add);
   }

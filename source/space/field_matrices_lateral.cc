@@ -27,11 +27,7 @@ namespace ThermoContact
                                                  dofs,
                                                  lateral_exchange);
         if (rod_cells)
-          rod_cells->add(RodMatrices::conduction,
-                         cell->active_cell_index(),
-                         Field::temperature,
-                         Field::temperature,
-                         cell_matrix);
+          rod_cells->add_exchange(cell->active_cell_index(), cell_matrix);
       });
     stiffness.compress(VectorOperation::add);
     lateral_exchange.compress(VectorOperation::add);

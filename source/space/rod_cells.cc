@@ -98,6 +98,17 @@ namespace ThermoContact
 
 
 
+  void
+  RodCells::add_exchange(const unsigned int        cell,
+                         const FullMatrix<double> &cell_matrix)
+  {
+    for (const auto matrix :
+         {RodMatrices::conduction, RodMatrices::heat_exchange})
+      add(matrix, cell, Field::temperature, Field::temperature, cell_matrix);
+  }
+
+
+
   std::unique_ptr<const RodMatrices>
   RodCells::make() const
   {

@@ -7,7 +7,8 @@
 // for each cell; D is such a matrix with the half below its diagonal times
 // -1/2, and the thermal stress its transpose. Stiffnesses are A^T A and D, with
 // the first columns of A and D such that rows add up to 0; conduction has 1/2
-// more at the end of the last cell, if that is a run of its own.
+// more at the end of the last cell, the heat exchange, if that is a run of its
+// own.
 //
 // 1. Products, combinations and forms, against sums over full matrices: to
 //    rounding, 1e-12 of the sum of the absolute values of their terms. Of cells
@@ -28,6 +29,10 @@
 // 4. 5 cells are one run if their entries are the same, or differ by rounding
 //    and 1e-14 is allowed; 5 if nothing is allowed, or if the entries grow by
 //    1.1 from cell to cell.
+// 5. Conduction of 1e5 times a stiffness and a heat exchange of 2^-7 in all
+//    pairs of nodes and of 1 at the last one: the product with the constant 0.7
+//    is the exchange alone to 1e-15, and so is the form, of 4 cells of degree 3
+//    0.49 (1 + 64/2^7). Where entries were added up it would be 1e-11.
 
 #include <thermocontact/rod/rod_factors.h>
 
@@ -150,8 +155,12 @@ namespace
           for (unsigned int j = 0; j < n; ++j)
             cell[RodMatrices::thermal_stress](j, i) =
               cell[RodMatrices::divergence](i, j);
+        cell[RodMatrices::heat_exchange] = 0.;
         if (c + 1 == layout.n_cells && c % group == 0)
-          cell[RodMatrices::conduction](1, 1) += 0.5;
+          {
+            cell[RodMatrices::conduction](1, 1) += 0.5;
+            cell[RodMatrices::heat_exchange](1, 1) = 0.5;
+          }
         rod.cells.push_back(cell);
         for (unsigned int m = 0; m < n_matrices; ++m)
           for (unsigned int i = 0; i < n; ++i)
@@ -451,6 +460,49 @@ namespace
             << n_runs(0., rounding) << ", graded " << n_runs(1e-14, 1.1)
             << std::endl;
   }
+
+
+  /** Case 5. */
+  void
+  test_exchange()
+  {
+    const RodLayout    layout{4, 3};
+    const unsigned int n          = layout.nodes_per_cell();
+    FullMatrix<double> conduction = random_cell(n, RodMatrices::stiffness);
+    const double       each       = std::pow(2., -7.);
+    const RodMatrices  rod(layout,
+                          0.,
+                          [&](const RodMatrices::Matrix m,
+                              const unsigned int        cell,
+                              const unsigned int        i,
+                              const unsigned int        j) {
+                            const double exchange =
+                              each + (cell == 3 && i == 1 && j == 1 ? 1. : 0.);
+                            return m == RodMatrices::heat_exchange ?
+                                      exchange :
+                                    m == RodMatrices::conduction ?
+                                      1e5 * conduction(i, j) + exchange :
+                                      0.;
+                          });
+    const Vector       constant(layout.n_nodes(), 0.7);
+    Vector             product(layout.n_nodes());
+    rod.combine<1>({{{1., RodMatrices::conduction, constant.data()}}},
+                   0.,
+                   nullptr,
+                   product.data());
+    double error = 0.;
+    for (unsigned int i = 0; i < product.size(); ++i)
+      {
+        const bool   is_inner_vertex = i == 1 || i == 4 || i == 7;
+        const double lost            = 4. * each * (is_inner_vertex ? 2. : 1.) +
+                            (i == layout.node(3, 1) ? 1. : 0.);
+        raise(error, std::abs(product[i] - 0.7 * lost));
+      }
+    const double form = rod.form(RodMatrices::conduction, constant.data());
+    raise(error, std::abs(form - 0.49 * (4. * 16. * each + 1.)));
+    deallog << "heat exchange: conduction of a constant in its bound "
+            << (error <= 1e-15 ? "yes" : "no") << std::endl;
+  }
 } // namespace
 
 
@@ -462,4 +514,5 @@ main()
   test_random();
   test_growth();
   test_runs();
+  test_exchange();
 }

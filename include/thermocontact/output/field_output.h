@@ -13,6 +13,7 @@
 
 #include <deal.II/lac/trilinos_parallel_block_vector.h>
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,17 @@ namespace ThermoContact
      */
     void
     write(const State &state);
+
+    /**
+     * The PVD files list all snapshots; to be called at the end of a run, and
+     * of one that fails. Replacing them costs more than a small snapshot, so
+     * that write() does it for the first one, and then once a second.
+     *
+     * @param only_due nothing within a second of the last time
+     * @return what is wrong, with the path, or nothing; on this rank
+     */
+    std::string
+    write_lists(const bool only_due = false);
 
     /** Times of the snapshots so far. */
     const std::vector<double> &
@@ -77,6 +89,7 @@ namespace ThermoContact
     SnapshotSeries                fields;
     std::optional<SnapshotSeries> contact_face; ///< if there is one
     std::optional<RodSnapshot>    rod_snapshot; ///< of a rod of few cells
+    std::chrono::steady_clock::time_point last_lists;
 
     /** Both, as far as they are there. */
     std::vector<SnapshotSeries *>

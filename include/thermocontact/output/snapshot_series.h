@@ -12,8 +12,8 @@ namespace ThermoContact
 {
   /**
    * VTU files of one kind at times, fields/NAME-NNNNN.vtu, and NAME.pvd, which
-   * lists them for ParaView. The PVD file is replaced in one piece after each
-   * snapshot, so that it can be opened while the run goes on.
+   * lists them for ParaView. The PVD file is replaced in one piece, so that it
+   * can be opened while the run goes on.
    *
    * All ranks know the times; files are written on one.
    */
@@ -43,9 +43,12 @@ namespace ThermoContact
     void
     add(const double time);
 
-    /** Writes the PVD file; returns what is wrong, or nothing. On one rank. */
+    /**
+     * Writes the PVD file if it lacks snapshots; returns what is wrong, or
+     * nothing. On one rank.
+     */
     std::string
-    write_pvd() const;
+    write_pvd();
 
     /** Goes on behind the snapshots at @p times. */
     void
@@ -56,7 +59,7 @@ namespace ThermoContact
      * what is wrong, or nothing. On one rank.
      */
     std::string
-    remove_later() const;
+    remove_later();
 
     /**
      * The snapshots so far survive a loss of power, as far as this rank has
@@ -71,6 +74,7 @@ namespace ThermoContact
     const Conversion    time_unit;
     std::vector<double> times_;
     std::string         entries;      ///< of the PVD file
+    unsigned int        n_listed = 0; ///< snapshots in it
     unsigned int        n_synced = 0; ///< snapshots
 
     /** File of snapshot @p i, from the output directory. */

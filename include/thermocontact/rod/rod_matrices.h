@@ -74,6 +74,7 @@ namespace ThermoContact
       momentum_mass,
       stiffness,
       viscous_stiffness,
+      heat_exchange, ///< the part of conduction that is lost at constant values
       n_matrices
     };
 
@@ -129,8 +130,12 @@ namespace ThermoContact
     {
       unsigned int begin;
       unsigned int end;
-      std::size_t  first_entry;   ///< of the first matrix
-      bool         loses_no_heat; ///< neither by its sides nor to an obstacle
+      std::size_t  first_entry; ///< of the first matrix
+
+      /** Conduction without the heat exchange is a stiffness. */
+      bool conducts_differences;
+
+      bool loses_heat; ///< by its sides or to an obstacle
     };
 
     const std::vector<Run> &
@@ -143,11 +148,24 @@ namespace ThermoContact
      * True if the product with a constant is zero in exact arithmetic, as that
      * of a stiffness: products of cells of higher degree are then those with
      * the differences to the left vertex, and entries whose sums are rounding
-     * leave no force on a rod that does not strain. Conduction is not one where
-     * it has a heat exchange, with the obstacle or along the rod.
+     * leave no force on a rod that does not strain. Of conduction it is what
+     * remains without the heat exchange, with the obstacle or along the rod.
      */
     bool
     is_of_differences(const Run &run, const Matrix matrix) const;
+
+    /**
+     * The product of a matrix of differences with the constant 1 in a cell of
+     * @p run, as sums of small entries; null if it is zero.
+     */
+    const double *
+    of_constant(const Run &run, const Matrix matrix) const
+    {
+      return matrix == conduction && run.loses_heat ?
+               losses_.data() +
+                 run.first_entry / n_matrices / layout_.nodes_per_cell() :
+               nullptr;
+    }
 
     /** The entries of a cell of @p run, column by column. */
     const double *
@@ -158,9 +176,14 @@ namespace ThermoContact
     }
 
   private:
+    /** What the run of the last entries loses. */
+    void
+    set_losses(Run &run);
+
     const RodLayout     layout_;
     std::vector<Run>    runs_;
     std::vector<double> entries_;
+    std::vector<double> losses_; ///< sums of rows of the exchange, by run
   };
 } // namespace ThermoContact
 

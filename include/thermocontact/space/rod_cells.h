@@ -50,6 +50,11 @@ namespace ThermoContact
                  const unsigned int        cell,
                  const FullMatrix<double> &cell_matrix);
 
+    /** Adds a heat exchange to the conduction. */
+    void
+    add_exchange(const unsigned int        cell,
+                 const FullMatrix<double> &cell_matrix);
+
     std::unique_ptr<const RodMatrices>
     make() const;
 
