@@ -59,4 +59,6 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
   "python3-matplotlib, python3-numpy, openmpi-bin")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview, python3-paraview, xvfb, python3-pandas, python3-meshio")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA
+  ${CMAKE_CURRENT_SOURCE_DIR}/cmake/debian/prerm)
 include(CPack)

@@ -153,12 +153,13 @@ namespace ThermoContact
           std::filesystem::remove(directory + "/" + name, error);
         }
     // The state that is restored has been seen: the next multiples are due.
-    const double time = simulation.record().time;
-    for (auto [interval, next] :
-         {std::make_pair(parameters.fields_interval, &next_fields),
-          std::make_pair(parameters.contact_interval, &next_contact),
-          std::make_pair(parameters.space_time_interval, &next_space_time),
-          std::make_pair(parameters.period, &next_period)})
+    const double                      time        = simulation.record().time;
+    const std::pair<double, double *> multiples[] = {
+      {parameters.fields_interval, &next_fields},
+      {parameters.contact_interval, &next_contact},
+      {parameters.space_time_interval, &next_space_time},
+      {parameters.period, &next_period}};
+    for (const auto &[interval, next] : multiples)
       if (interval > 0.)
         *next = whole_intervals(interval, time) + 1.;
     field_output.restore(progress.snapshot_times);
