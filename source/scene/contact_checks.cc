@@ -67,10 +67,6 @@ namespace ThermoContact
     if (scene.contact.gap + rear_gap <= 0.)
       refuse(text("above ", -scene.contact.gap, ", minus Contact/Gap"),
              "a larger one: the stops overlap");
-    if (scene.contact.law->is_rigid())
-      refuse_since("Contact/Condition = " + parameters.contact.condition,
-                   "Contact/Condition = normal compliance with a small "
-                   "Contact/Compliance: impacts are those of one wall");
     if (!scene.material.has_inertia())
       refuse_since("Model/Inertia = 0",
                    "a small Model/Inertia: an end without one may be at either "

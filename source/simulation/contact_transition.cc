@@ -84,9 +84,14 @@ namespace ThermoContact
   {
     if (body.scene.contact.has_mass())
       impulse += stop_contact_nodes(state.velocity);
+    const std::optional<double> &rear_gap = body.scene.contact.rear_gap;
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
-      state.displacement.begin()[entry] = body.contact_end().nodes()[node].gap;
+      {
+        const double gap = body.contact_end().nodes()[node].gap;
+        double      &u   = state.displacement.begin()[entry];
+        u = rear_gap && -u - *rear_gap > u - gap ? -*rear_gap : gap;
+      }
     const double old_energy = energy_terms.sum();
     energy_terms            = body.energy.energy(state);
     numerical_dissipation += old_energy - energy_terms.sum();

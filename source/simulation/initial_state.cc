@@ -112,7 +112,38 @@ namespace ThermoContact
           if (std::abs(given - node.gap) <= rounding ||
               (given < node.gap && projected > node.gap))
             projected = node.gap;
+          if (!body.scene.contact.rear_gap)
+            continue;
+          const double rear = -*body.scene.contact.rear_gap;
+          if (std::abs(given - rear) <=
+                1e-12 * std::max(std::abs(given), std::abs(rear)) ||
+              (given > rear && projected < rear))
+            projected = rear;
         }
+    }
+
+
+
+    /** Nor must a rigid stop behind the end of a rod. */
+    void
+    check_rear_penetration(const double displacement,
+                           const double reached,
+                           const double rear_gap)
+    {
+      if (displacement < -rear_gap)
+        throw InputError(text("Contact/Rear gap = ",
+                              rear_gap,
+                              ": the initial displacement ",
+                              displacement,
+                              " of the end penetrates the rigid stop\n  "
+                              "remedy:  a larger rear gap, or another Initial "
+                              "values/Displacement"));
+      if (reached < -rear_gap)
+        throw InputError(text("Contact/Rear gap = ",
+                              rear_gap,
+                              ": the prescribed first step of the paper would "
+                              "penetrate the rigid stop\n  remedy:  Time/Start "
+                              "= consistent, or a smaller Time/Step size"));
     }
 
 
@@ -134,6 +165,14 @@ namespace ThermoContact
       body.contact_end().get_values(Field::displacement,
                                     state.velocity,
                                     velocity);
+      const bool is_prescribed =
+        scene.has_prescribed_start && scene.parameters.time.end_time > 0.;
+      if (scene.contact.rear_gap) // a rod
+        check_rear_penetration(displacement[0],
+                               displacement[0] +
+                                 (is_prescribed ? first_step_size : 0.) *
+                                   velocity[0],
+                               *scene.contact.rear_gap);
       std::vector<double> penetration;
       body.contact_end().get_penetrations(state.displacement, penetration);
       const unsigned int deepest =
@@ -154,7 +193,7 @@ namespace ThermoContact
                      "Contact/Condition = normal compliance";
           throw InputError(message.str());
         }
-      if (scene.has_prescribed_start && scene.parameters.time.end_time > 0.)
+      if (is_prescribed)
         for (unsigned int i = 0; i < velocity.size(); ++i)
           if (penetration[i] + first_step_size * velocity[i] > 0.)
             {

@@ -10,11 +10,11 @@ namespace ThermoContact
   void
   RunHistory::add_maxima()
   {
-    max_penetration = std::max(max_penetration, record.penetration);
-    max_contact_force =
-      std::max(max_contact_force, std::abs(record.contact_force));
+    const double force = std::abs(record.contact_force); // of either stop
+    max_penetration    = std::max(max_penetration, record.penetration);
+    max_contact_force  = std::max(max_contact_force, force);
     penetration_peak.add(record.time, record.penetration);
-    force_peak.add(record.time, std::abs(record.contact_force));
+    force_peak.add(record.time, force);
   }
 
 

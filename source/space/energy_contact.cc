@@ -61,11 +61,18 @@ namespace ThermoContact
       elastic_pressures(state, end_pressure);
     double sum = 0.;
     for (unsigned int i = 0; i < pressure.size(); ++i)
-      sum += end.share(i) * law.numerical_dissipation(end_displacement[i] -
-                                                        old_end_displacement[i],
-                                                      old_penetration[i],
-                                                      old_pressure[i],
-                                                      pressure[i]);
+      {
+        const double change = end_displacement[i] - old_end_displacement[i];
+        sum +=
+          end.share(i) *
+          (rear_gap && pressure[i] < 0. ? // mirrored
+             law.numerical_dissipation(-change,
+                                       -old_end_displacement[i] - *rear_gap,
+                                       -old_pressure[i],
+                                       -pressure[i]) :
+             law.numerical_dissipation(
+               change, old_penetration[i], old_pressure[i], pressure[i]));
+      }
     return sum;
   }
 

@@ -6,6 +6,7 @@ FIXED = ("Time/Step size=0.01",)
 EULER = FIXED + ("Time/Scheme=backward euler",)
 REAR = "Contact/Rear gap"
 STOP = (REAR + "=0.2",)
+RIGID = ("Contact/Condition=rigid",)
 
 SCENES = [
     (REAR, (), REAR + "=0", REAR + "=1e-9", REAR + "=none"),
@@ -14,9 +15,14 @@ SCENES = [
     (REAR, STOP, "Contact/Gap=-0.2", "Contact/Gap=-0.1999"),
     (REAR, STOP, ("Dimension=2", "Mesh/Cells=1"), "Dimension=1",
      ("Dimension=2", "Mesh/Cells=1", REAR + "=none")),
-    (REAR, STOP, "Contact/Condition=rigid", "Contact/Condition=power law",
-     ("Contact/Condition=power law", "Contact/Damping=0.5"),
-     ("Contact/Condition=rigid", REAR + "=none")),
+    # rigid stops: where the end starts, and where the paper's first step leaves it
+    (REAR, STOP + RIGID, "Initial values/Displacement=-0.2001*x",
+     "Initial values/Displacement=-0.1999*x", "Initial values/Displacement=-0.2*x",
+     ("Initial values/Displacement=-0.2001*x", "Contact/Condition=power law"),
+     ("Initial values/Displacement=-0.2001*x", REAR + "=none")),
+    (REAR, STOP + RIGID + EULER, "Initial values/Velocity=-20.01*x",
+     "Initial values/Velocity=-19.99*x",
+     ("Initial values/Velocity=-20.01*x", "Time/Start=consistent")),
     (REAR, STOP, "Model/Inertia=0", "Model/Inertia=1e-6",
      ("Model/Inertia=0", REAR + "=none")),
     (REAR, FIXED, STOP + ("Time/Scheme=energy conserving",), STOP + ("Time/Scheme=sdirk2",),

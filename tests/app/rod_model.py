@@ -265,7 +265,8 @@ class Rod:
     def numerical_dissipation(self, old, new):
         """(M.24), of a backward Euler step"""
         theta, u, v = new.theta - old.theta, new.u - old.u, new.v - old.v
-        contact = (new.p * (self.g - old.u[-1]) if self.is_rigid else
+        contact = (new.p * ((self.g if new.p > 0 else -self.g_2) - old.u[-1])
+                   if self.is_rigid and new.p else
                    new.p * u[-1] - self.epsilon * (new.p**2 - old.p**2) / 2)
         return (theta @ self.M @ theta + self.b * v @ self.M_u @ v +
                 u @ self.S @ u) / 2 + (contact if self.has_obstacle else 0.0)

@@ -280,7 +280,7 @@ class Replay:
                 self.cache["impact"] = True
                 self.counters["factorizations"] += 1
                 self.counters["responses"] += 1
-        step.state.u[-1] = self.rod.g
+        step.state.u[-1] = self.rod.g if self.side > 0 else -self.rod.g_2
 
     def accept(self, step, size):
         """Takes the step, with what happens at its end if contact changes there."""

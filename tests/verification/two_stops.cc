@@ -6,18 +6,24 @@
 //    the other sign, gives the mirrored result to the last bit: displacements,
 //    velocity, stress, force and impulse negated, all else and the times of the
 //    events the same, their sides exchanged. Backward Euler with and sdirk4
-//    without fixed steps; linear, power law, with damping.
+//    without fixed steps; linear, power law, with damping, rigid.
 // 2. A rear stop that is out of reach changes no bit.
 // 3. One cell, lumped: a mass b/2 on a spring of stiffness 1, thrown with
 //    velocity 1, between stops at 0.1 and -0.2, m = 3/2: 1 = v^2 + 2 u^2 at the
 //    stops, so that it meets and leaves the front one with sqrt(0.98) and the
 //    rear one with sqrt(0.92), in turn; tolerance 1e-12: to 1e-8.
+//    Rigid stops at 0.1 and -0.05: the mass meets the front one with
+//    sqrt(0.98) and stops; it swings back from 0.1 and meets the rear one with
+//    -sqrt(2 (0.1^2 - 0.05^2)), stops and swings between -0.05 and 0.05, which
+//    keeps the energy 0.05^2/2. Impulses are b/2 times those velocities; what
+//    is lost is numerical dissipation: to 1e-7.
 // 4. Symmetric drive, traction 2 sin(3 t) and stops at 0.2 and -0.2, one cell,
 //    zeta = 1, steps of P/200: u(t + P/2) = -u(t) in the last of 20 periods,
 //    to 1e-10 (5e-15 measured), with contact at both stops. With zeta = 1/2
 //    that motion is not stable, and the rod ends in one of a mirrored pair.
 // 5. The audit of backward Euler of a rod that is thrown against both stops,
-//    damped power law: to 1e-11 of the largest term; energy never increases.
+//    damped power law, and rigid: to 1e-11 of the largest term; energy never
+//    increases.
 // 6. At rest at the rear stop: a = 0.05, theta_A = -10, k = 1, so that G =
 //    -0.375 by (M.10), g_2 = 0.2, eps = 1/2: p = -(0.375 - 0.2)/1.5 = -7/60, to
 //    1e-6, as the forecast says.
@@ -105,10 +111,9 @@ namespace
   void
   check_mirror()
   {
-    const Overrides scene{"Mesh/Cells=4",
-                          "Mesh/Degree=2",
-                          "Contact/Compliance=0.05",
-                          "Time/End time=3"};
+    const Overrides scene{"Mesh/Cells=4", "Mesh/Degree=2", "Time/End time=3"};
+    const Overrides elastic{"Contact/Compliance=0.05"};
+    const Overrides rigid{"Contact/Condition=rigid"};
     const Overrides thrown{"Contact/Gap=0.05",
                            "Contact/Rear gap=0.12",
                            "Model/Coupling=0.017",
@@ -123,8 +128,13 @@ namespace
     const Overrides power{"Contact/Condition=power law"};
     const Overrides damped{"Contact/Damping=0.3"};
     unsigned int    k = 0;
-    for (const Overrides &choice :
-         {Overrides(), euler, power, power + damped, euler + damped})
+    for (const Overrides &choice : {elastic,
+                                    elastic + euler,
+                                    elastic + power,
+                                    elastic + power + damped,
+                                    elastic + euler + damped,
+                                    rigid,
+                                    rigid + euler})
       {
         const Run one   = run(scene + choice + thrown);
         const Run other = run(scene + choice + mirrored);
@@ -132,7 +142,7 @@ namespace
                 << ", the same to the last bit " << are_mirrored(one, other)
                 << std::endl;
       }
-    const Overrides one_stop = scene + Overrides{"Contact/Gap=0.05"};
+    const Overrides one_stop = scene + elastic + Overrides{"Contact/Gap=0.05"};
     const Run       near     = run(one_stop);
     const Run       far      = run(one_stop + Overrides{"Contact/Rear gap=9"});
     bool            is_same  = near.rows.size() == far.rows.size();
@@ -186,6 +196,39 @@ namespace
 
 
   void
+  check_rigid_stops()
+  {
+    const Run    result = run(one_cell + Overrides{"Contact/Condition=rigid",
+                                                "Contact/Gap=0.1",
+                                                "Contact/Rear gap=0.05",
+                                                "Model/Viscosity=0",
+                                                "Mesh/Mass matrix=lumped",
+                                                "Initial values/Velocity=x",
+                                                "Time/Tolerance=1e-12",
+                                                "Time/End time=8"});
+    const double first  = std::sqrt(0.98);
+    const double second = -std::sqrt(0.015);
+    double       error  = result.events.size() == 4 ? 0. : 1.;
+    for (unsigned int i = 0; error < 1. && i < 4; ++i)
+      {
+        const ContactEvent &event = result.events[i];
+        raise(error, event.side == (i < 2 ? 1 : -1) ? 0. : 1.);
+        if (event.kind == ContactEvent::begin)
+          raise(error, std::abs(event.velocity - (i < 2 ? first : second)));
+      }
+    const StepRecord &last = result.rows.back();
+    raise(error, std::abs(last.contact_impulse - 0.5 * (first + second)));
+    raise(error, std::abs(last.energy - 0.5 * 0.05 * 0.05));
+    raise(error, std::abs(last.numerical_dissipation - (0.25 - last.energy)));
+    deallog << "rigid stops: impacts, impulse, energy to 1e-7 "
+            << (error < 1e-7) << std::endl;
+    if (!(error < 1e-7))
+      deallog << error << std::endl;
+  }
+
+
+
+  void
   check_symmetry()
   {
     const Run result =
@@ -216,13 +259,11 @@ namespace
 
 
   void
-  check_audit()
+  check_audit(const Overrides &stops)
   {
-    const Run result = run({"Mesh/Cells=3",
+    const Run result =
+      run(stops + Overrides{"Mesh/Cells=3",
                             "Mesh/Degree=2",
-                            "Contact/Condition=power law",
-                            "Contact/Damping=0.3",
-                            "Contact/Compliance=0.05",
                             "Contact/Gap=0.05",
                             "Contact/Rear gap=0.05",
                             "Initial values/Temperature=theta_A*(1-x/2)",
@@ -232,7 +273,7 @@ namespace
                             "Time/Start=consistent",
                             "Time/Step size=0.005",
                             "Time/End time=3"});
-    double    defect = 0., largest = 0., increase = 0.;
+    double defect = 0., largest = 0., increase = 0.;
     for (const StepRecord &r : result.rows)
       raise(largest, std::abs(r.energy));
     for (unsigned int i = 1; i < result.rows.size(); ++i)
@@ -286,7 +327,11 @@ main(int argc, char **argv)
   initlog();
   check_mirror();
   check_spring_and_mass();
+  check_rigid_stops();
   check_symmetry();
-  check_audit();
+  check_audit({"Contact/Condition=power law",
+               "Contact/Damping=0.3",
+               "Contact/Compliance=0.05"});
+  check_audit({"Contact/Condition=rigid"});
   check_rest();
 }
