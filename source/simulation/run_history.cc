@@ -6,13 +6,42 @@
 
 namespace ThermoContact
 {
-  void
-  RunHistory::add_maxima()
+  namespace
   {
-    max_penetration   = std::max(max_penetration, record.penetration);
-    max_contact_force = std::max(max_contact_force, record.contact_force);
-    penetration_peak.add(record.time, record.penetration);
-    force_peak.add(record.time, record.contact_force);
+    /**
+     * True if the velocity of the contact end is, to the order of the scheme,
+     * the rate of the penetration, on which alone the force depends.
+     */
+    bool
+    has_rates(const Scene &scene)
+    {
+      const ContactLaw &law = *scene.contact.law;
+      return scene.parameters.dimension == 1 && scene.scheme.order > 1 &&
+             !scene.scheme.has_midpoint_rule && !law.is_rigid() &&
+             law.damping() == 0.;
+    }
+  } // namespace
+
+
+
+  void
+  RunHistory::add_maxima(const Scene &scene)
+  {
+    max_penetration    = std::max(max_penetration, record.penetration);
+    max_contact_force  = std::max(max_contact_force, record.contact_force);
+    const double force = record.contact_force;
+    if (!has_rates(scene))
+      {
+        penetration_peak.add(record.time, record.penetration);
+        force_peak.add(record.time, force);
+        return;
+      }
+    penetration_peak.add(record.time, record.penetration, record.velocity_end);
+    force_peak.add(record.time,
+                   force,
+                   force > 0. ?
+                     record.velocity_end / scene.contact.law->tangent(force) :
+                     0.);
   }
 
 
