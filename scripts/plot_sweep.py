@@ -17,6 +17,7 @@ RESULTS = {"first_contact_time": "time of the first contact",
            "final_displacement_end": r"final displacement  $u(1, T)$",
            "final_temperature_end": r"final temperature  $\theta(1, T)$",
            "reached_state_of_rest": "state of rest"}
+WHOLE = ("contact_begins", "reached_state_of_rest")  # no ticks between them
 LEAST_MAP = 4  # values of each of two entries from which on there is a map
 
 
@@ -76,6 +77,13 @@ def curves_of(sweep, axis):
     return curves
 
 
+def whole_numbers(sweep, result):
+    """Ticks at some ten of the whole numbers that a result is between."""
+    values = [number(run[result]) for run in sweep.runs]
+    low, high = (int(limit(v for v in values if not math.isnan(v))) for limit in (min, max))
+    return range(low, high + 1, 1 + (high - low) // 10)
+
+
 def entry_label(name):
     return name.split("/")[-1].lower()
 
@@ -102,6 +110,8 @@ def draw_curves(figure, sweep, results, axis):
         panel.set_xscale(scale_of([number(run[axis]) for run in sweep.runs]))
         panel.set_xlabel(entry_label(axis))
         panel.set_ylabel(in_unit(RESULTS[name], sweep.units.get(name)))
+        if name in WHOLE:
+            panel.set_yticks(whole_numbers(sweep, name))
     legend = figure.add_subplot(grid[rows, :])
     legend.axis("off")
     if below:
@@ -132,8 +142,10 @@ def draw_maps(figure, sweep, results, axes):
             ticks(shown, [words[i] for i in shown], rotation=90 * vertical)
         panel.set_xlabel(entry_label(axes[0]))
         panel.set_ylabel(entry_label(axes[1]))
-        figure.colorbar(cells, ax=panel, label=in_unit(
+        bar = figure.colorbar(cells, ax=panel, label=in_unit(
             RESULTS[name], sweep.units.get(name)))
+        if name in WHOLE:
+            bar.set_ticks(whole_numbers(sweep, name))
     for panel in list(panels)[len(results):]:
         panel.axis("off")
 

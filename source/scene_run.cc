@@ -2,9 +2,11 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/interruption.h>
+#include <thermocontact/base/machine_memory.h>
 #include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
+#include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/output/checkpoint.h>
 #include <thermocontact/output/checkpointer.h>
@@ -89,11 +91,14 @@ namespace ThermoContact
     Checkpoint
     find_checkpoint(const std::string                        &directory,
                     const std::map<std::string, std::string> &entries,
-                    const double                              end_time,
+                    const Parameters                         &scene,
                     const MPI_Comm                            communicator)
     {
       Checkpoint checkpoint = read_checkpoint(directory, communicator);
-      check_compatibility(checkpoint, entries, end_time);
+      check_compatibility(checkpoint,
+                          entries,
+                          scene.time.end_time,
+                          QuantityUnits(scene));
       std::string fault;
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
         fault = find_short_file(directory, checkpoint.output);
@@ -270,11 +275,14 @@ namespace ThermoContact
     if (command.is_resumed)
       {
         lock.emplace(directory, true, communicator);
-        checkpoint = find_checkpoint(directory,
-                                     entries,
-                                     parameters.time.end_time,
-                                     communicator);
+        checkpoint =
+          find_checkpoint(directory, entries, parameters, communicator);
       }
+    if (dim > 1)
+      check_memory(Scene(parameters),
+                   Utilities::MPI::n_mpi_processes(communicator),
+                   machine_memory(),
+                   share_of_ranks_here(communicator));
     Simulation<dim> simulation(parameters, communicator);
     if (checkpoint)
       restore(simulation, *checkpoint);

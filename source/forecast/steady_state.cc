@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/input/quantity_units.h>
 #include <thermocontact/method/bracketed_root.h>
 
 #include <deal.II/base/utilities.h>
@@ -160,9 +161,11 @@ namespace ThermoContact
         !material.has_viscosity())
       forecast.remark =
         text("damped by heat conduction alone, over times of the order of ",
-             significant(2. * (material.inertia + 0.4) /
-                           std::pow(material.thermal_stress, 2),
-                         1));
+             QuantityUnits(scene.parameters)
+               .text("time",
+                     2. * (material.inertia + 0.4) /
+                       std::pow(material.thermal_stress, 2),
+                     1));
     return forecast;
   }
 } // namespace ThermoContact

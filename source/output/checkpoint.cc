@@ -3,6 +3,7 @@
 #include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/rank_faults.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/output/checkpoint.h>
 #include <thermocontact/output/checkpoint_file.h>
@@ -142,7 +143,8 @@ namespace ThermoContact
   void
   check_compatibility(const Checkpoint                         &checkpoint,
                       const std::map<std::string, std::string> &parameters,
-                      const double                              end_time)
+                      const double                              end_time,
+                      const QuantityUnits                      &units)
   {
     for (const auto &[path, value] : parameters)
       {
@@ -160,11 +162,12 @@ namespace ThermoContact
       }
     if (end_time < checkpoint.time)
       {
-        std::ostringstream message;
-        message << "Time/End time = " << end_time
-                << ": the checkpoint is at t = " << checkpoint.time
-                << "\n  allowed: with --resume, a time from there on";
-        throw InputError(message.str());
+        throw InputError(text("Time/End time = ",
+                              end_time,
+                              ": the checkpoint is at t = ",
+                              units.text_for_entry("time", checkpoint.time),
+                              "\n  allowed: with --resume, a time from there "
+                              "on"));
       }
   }
 } // namespace ThermoContact

@@ -5,6 +5,7 @@
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/forecast/steady_state.h>
 #include <thermocontact/output/output_units.h>
+#include <thermocontact/report/memory_report.h>
 #include <thermocontact/report/scene_report.h>
 #include <thermocontact/scene/coarser_scenes.h>
 #include <thermocontact/scene/scene_terms.h>
@@ -342,7 +343,10 @@ namespace ThermoContact
     log.line("  body      " + describe_body(simulation));
     log.line("  unknowns  " + describe_unknowns(simulation));
     if (dim > 1)
-      log.line("  solver    " + describe_linear_solver(scene.linear_solver));
+      {
+        log.line("  solver    " + describe_linear_solver(scene.linear_solver));
+        report_memory(scene, simulation.discretization().communicator(), log);
+      }
     log.line("  terms     " + join_words(scene_terms(scene)));
     if (scene.fields.has_displacement)
       log.line(text("  model     ",

@@ -92,7 +92,7 @@ namespace ThermoContact
       return vertices;
     for (unsigned int j = 0; j < n_outer; ++j)
       {
-        double *const to_inner = &cell.vertices_to_inner[j * n_inner];
+        double *const to_inner = cell.vertices_to_inner.data() + j * n_inner;
         for (unsigned int k = 0; k < n_inner; ++k)
           for (unsigned int i = 0; i < n_inner; ++i)
             to_inner[i] +=

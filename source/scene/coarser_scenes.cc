@@ -3,6 +3,8 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/scene/coarser_scenes.h>
 
+#include <cmath>
+
 namespace ThermoContact
 {
   namespace
@@ -11,6 +13,9 @@ namespace ThermoContact
 
     /** Degrees that can be lowered twice and still be of some order. */
     constexpr unsigned int smallest_high_degree = 4;
+
+    /** By which the error falls at most from one degree to the next. */
+    constexpr double smallest_rate_of_degrees = 0.03;
 
     bool
     has_joined_steps_and_cells(const Parameters &parameters)
@@ -132,9 +137,11 @@ namespace ThermoContact
       {
         // products with powers of ten may miss by rounding
         const double largest = largest_tolerance * (1. + 1e-12);
-        if (10. * time.tolerance > largest)
-          return {with_tolerance(parameters, 0.1, 0.5, 1.5)};
-        scenes.push_back(with_tolerance(parameters, 10., 2., 0.5));
+        // near the largest tolerance larger ones may not change the steps
+        if (100. * time.tolerance > largest)
+          scenes.push_back(with_tolerance(parameters, 0.1, 0.5, 1.5));
+        if (10. * time.tolerance <= largest)
+          scenes.push_back(with_tolerance(parameters, 10., 2., 0.5));
         if (100. * time.tolerance <= largest)
           scenes.push_back(with_tolerance(parameters, 100., 4., 0.05));
         return scenes;
@@ -155,9 +162,13 @@ namespace ThermoContact
     for (unsigned int n = 0; n < 2; ++n)
       {
         MeshParameters &mesh = scene.parameters.mesh;
+        scene.smallest_rate  = smallest_rate_of_degrees;
         if (parameters.mesh.degree >= smallest_high_degree)
           --mesh.degree;
-        else if (!halve_cells(scene.parameters))
+        else if (halve_cells(scene.parameters))
+          // the error of the displacement is of this order
+          scene.smallest_rate = std::pow(0.5, mesh.degree + 1);
+        else
           {
             if (mesh.degree == 1)
               break;

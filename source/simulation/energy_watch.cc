@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/input/quantity_units.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/simulation/energy_watch.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace ThermoContact
 {
@@ -103,11 +104,16 @@ namespace ThermoContact
     if (!is_active || has_warned || created <= allowed)
       return "";
     has_warned = true;
-    std::ostringstream message;
-    message << "step " << step << ", t = " << time
-            << ": the scheme has created the energy " << created
-            << ", more than its accuracy explains (" << allowed
-            << "); remedy: " << remedy_for(scene);
-    return message.str();
+    const QuantityUnits units(scene.parameters);
+    return text("step ",
+                step,
+                ", t = ",
+                units.text("time", time),
+                ": the scheme has created the energy ",
+                units.text("energy", created),
+                ", more than its accuracy explains (",
+                units.text("energy", allowed),
+                "); remedy: ",
+                remedy_for(scene));
   }
 } // namespace ThermoContact

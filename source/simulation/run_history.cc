@@ -7,14 +7,43 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /**
+     * True if the velocity of the contact end is, to the order of the scheme,
+     * the rate of the penetration, on which alone the force depends. Behind a
+     * rear stop it is not.
+     */
+    bool
+    has_rates(const Scene &scene)
+    {
+      const ContactLaw &law = *scene.contact.law;
+      return scene.parameters.dimension == 1 && scene.scheme.order > 1 &&
+             !scene.scheme.has_midpoint_rule && !law.is_rigid() &&
+             law.damping() == 0. && !scene.contact.rear_gap;
+    }
+  } // namespace
+
+
+
   void
-  RunHistory::add_maxima()
+  RunHistory::add_maxima(const Scene &scene)
   {
     const double force = std::abs(record.contact_force); // of either stop
     max_penetration    = std::max(max_penetration, record.penetration);
     max_contact_force  = std::max(max_contact_force, force);
-    penetration_peak.add(record.time, record.penetration);
-    force_peak.add(record.time, force);
+    if (!has_rates(scene))
+      {
+        penetration_peak.add(record.time, record.penetration);
+        force_peak.add(record.time, force);
+        return;
+      }
+    penetration_peak.add(record.time, record.penetration, record.velocity_end);
+    force_peak.add(record.time,
+                   force,
+                   force > 0. ?
+                     record.velocity_end / scene.contact.law->tangent(force) :
+                     0.);
   }
 
 

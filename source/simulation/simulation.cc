@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/input/quantity_units.h>
 #include <thermocontact/scene/mass_checks.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/simulation/load_jump.h>
@@ -81,7 +82,7 @@ namespace ThermoContact
     tracker.start(state_, history_.events);
     history_.max_penetration   = record.penetration;
     history_.max_contact_force = std::abs(record.contact_force);
-    history_.add_maxima();
+    history_.add_maxima(scene_);
   }
 
 
@@ -154,7 +155,8 @@ namespace ThermoContact
     ++history_.n_rejected_steps;
     if ((!result.failure.empty() || !controller.is_accurate(attempt.error)) &&
         controller.is_exhausted(time_step, state_.time))
-      give_up(time_step, describe_exhaustion(attempt, result.failure));
+      give_up(time_step,
+              describe_exhaustion(attempt, result.failure, parameters()));
     return false;
   }
 
@@ -167,7 +169,7 @@ namespace ThermoContact
     state_.swap(result.state);
     measurements.measure(state_, load_time(), history_.record);
     history_.add_step(time_step, result);
-    history_.add_maxima();
+    history_.add_maxima(scene_);
     error_norm.add(result.energy);
     mesh_watch.add(state_, record());
     if (result.is_prescribed)
@@ -325,30 +327,14 @@ namespace ThermoContact
       }
     result.agree(discretization().communicator());
     if (!result.failure.empty())
-      throw ComputationError(text(
-        "the loads jump at t = ", result.state.time, ": ", result.failure));
+      throw ComputationError(
+        text("the loads jump at t = ",
+             QuantityUnits(parameters()).text("time", result.state.time),
+             ": ",
+             result.failure));
     if (has_jumped)
       tracker.jump(result.state, history_.events);
     return has_jumped;
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::make_up_for_jump()
-  {
-    StepResult result;
-    result.state  = state_;
-    result.energy = record().energy_terms;
-    if (state_.time == state_.jump_time || !jump(result))
-      return;
-    state_.swap(result.state);
-    measurements.measure(state_, load_time(), history_.record);
-    history_.add_jump(result);
-    history_.add_maxima();
-    error_norm.add(result.energy);
-    controller.restart_after_jump();
   }
 
 
@@ -369,12 +355,13 @@ namespace ThermoContact
   Simulation<dim>::give_up(const TimeStep    &time_step,
                            const std::string &reason) const
   {
+    const QuantityUnits units(parameters());
     throw ComputationError(text("step ",
                                 record().step + 1,
                                 ", from t = ",
-                                state_.time,
+                                units.text("time", state_.time),
                                 " to ",
-                                time_step.end,
+                                units.text("time", time_step.end),
                                 ": ",
                                 reason));
   }

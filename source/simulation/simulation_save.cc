@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// What a Simulation saves of itself, for checkpoints.
+// What a Simulation saves of itself, for checkpoints, and how it goes on.
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/parts_file.h>
 #include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/input/quantity_units.h>
 #include <thermocontact/simulation/simulation.h>
 #include <thermocontact/space/node_values.h>
 
@@ -97,7 +98,7 @@ namespace ThermoContact
     if (n != n_ranks)
       history_.warnings.push_back(
         text("resumed at t = ",
-             state_.time,
+             QuantityUnits(parameters()).text("time", state_.time),
              " on another number of ranks, ",
              n,
              " instead of ",
@@ -109,11 +110,31 @@ namespace ThermoContact
 
 
 
-#define INSTANTIATE(dim)                           \
-  template SavedRun Simulation<dim>::save() const; \
-  template void     Simulation<dim>::restore(      \
-    const std::string &,                       \
-    const unsigned int,                        \
+  template <int dim>
+  void
+  Simulation<dim>::make_up_for_jump()
+  {
+    StepResult result;
+    result.state  = state_;
+    result.energy = record().energy_terms;
+    if (state_.time == state_.jump_time || !jump(result))
+      return;
+    state_.swap(result.state);
+    measurements.measure(state_, load_time(), history_.record);
+    history_.add_jump(result);
+    history_.add_maxima(scene_);
+    error_norm.add(result.energy);
+    controller.restart_after_jump();
+  }
+
+
+
+#define INSTANTIATE(dim)                                 \
+  template SavedRun Simulation<dim>::save() const;       \
+  template void     Simulation<dim>::make_up_for_jump(); \
+  template void     Simulation<dim>::restore(            \
+    const std::string &,                             \
+    const unsigned int,                              \
     const std::function<bool(std::string &)> &)
 
   INSTANTIATE(1);

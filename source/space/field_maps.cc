@@ -15,6 +15,26 @@ namespace ThermoContact
 
 
 
+    /** What the scene does not have can be named all the same, not used. */
+    void
+    fill_absent(FieldMaps &maps)
+    {
+      for (auto *const map : {&maps.heat_mass,
+                              &maps.conduction,
+                              &maps.divergence,
+                              &maps.thermal_stress,
+                              &maps.momentum_mass,
+                              &maps.stiffness,
+                              &maps.viscous_stiffness,
+                              &maps.lateral_exchange})
+        if (*map == nullptr)
+          *map = std::make_unique<FunctionMap>([](Vector &, const Vector &) {
+            AssertThrow(false, dealii::ExcInternalError());
+          });
+    }
+
+
+
     template <int dim>
     FieldMaps
     make_maps(const Scene &scene, const FieldMatrices<dim> &matrices)
@@ -105,17 +125,22 @@ namespace ThermoContact
                   const RodMatrices             *rod,
                   const MatrixFreeOperator<dim> *products)
   {
+    FieldMaps maps;
     if (rod != nullptr)
       {
-        FieldMaps maps = make_maps(*rod);
+        maps = make_maps(*rod);
         if (scene.heat.has_lateral_exchange())
           maps.lateral_exchange = map(matrices->lateral_exchange.block(0, 0));
-        return maps;
       }
-    if constexpr (dim > 1)
-      if (products != nullptr)
-        return make_maps(*products);
-    return make_maps(scene, *matrices);
+    else if (products != nullptr)
+      {
+        if constexpr (dim > 1)
+          maps = make_maps(*products);
+      }
+    else
+      maps = make_maps(scene, *matrices);
+    fill_absent(maps);
+    return maps;
   }
 
 

@@ -4,6 +4,7 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/parameter_text.h>
+#include <thermocontact/input/quantity_units.h>
 #include <thermocontact/space/load_scan.h>
 
 #include <algorithm>
@@ -184,11 +185,13 @@ namespace ThermoContact
     /** Adds what a load does in time to the history. */
     void
     scan(const Load               &load,
-         const TimeParameters     &time,
+         const Parameters         &parameters,
          LoadHistory              &history,
          std::vector<std::string> &warnings)
     {
-      std::vector<double> named = numbers_in(load.expression);
+      const TimeParameters &time = parameters.time;
+      const QuantityUnits   units(parameters);
+      std::vector<double>   named = numbers_in(load.expression);
       named.insert(named.end(),
                    time.break_points.begin(),
                    time.break_points.end());
@@ -198,7 +201,7 @@ namespace ThermoContact
                               " = ",
                               quote(load.expression),
                               ": is not finite at t = ",
-                              scanned.time,
+                              units.text_for_entry("time", scanned.time),
                               "\n  allowed: functions that are continuous"
                               "\n  remedy:  a function that is finite up to "
                               "Time/End time"));
@@ -209,7 +212,7 @@ namespace ThermoContact
                                   " = ",
                                   quote(load.expression),
                                   ": jumps at t = ",
-                                  at.time,
+                                  units.text_for_entry("time", at.time),
                                   "\n  allowed: functions that are continuous"
                                   "\n  remedy:  ",
                                   load.no_jump));
@@ -221,7 +224,7 @@ namespace ThermoContact
           text(load.path,
                scanned.is_infinite ? " is not finite at t = " :
                                      " changes too fast near t = ",
-               scanned.time,
+               units.text_for_entry("time", scanned.time),
                scanned.is_infinite ? "" : " to be seen before the run",
                ": steps do not look for its jumps and pulses (Time/Break "
                "points and Time/Maximum step size help them)"));
@@ -244,7 +247,7 @@ namespace ThermoContact
     for (const Load &load : loads)
       if (time.end_time > 0. &&
           (time.has_error_control() || !load.no_jump.empty()))
-        scan(load, time, history, warnings);
+        scan(load, scene.parameters, history, warnings);
     history.add_breaks(time.break_points);
     history.end_at(time.end_time);
     return history;

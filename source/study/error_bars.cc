@@ -18,8 +18,8 @@ namespace ThermoContact
   {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-    /** A mesh is not trusted to converge faster from one to the next. */
-    constexpr double smallest_rate = 0.03;
+    /** Where errors hardly fall from mesh to mesh, more is not known. */
+    constexpr double largest_factor = 2.;
 
 
 
@@ -110,7 +110,7 @@ namespace ThermoContact
           for (unsigned int k = 0; differences && k < n_key_errors; ++k)
             {
               const double bar = scene.weight * (*differences)[k];
-              // what the coarsest one misses tells nothing
+              // what a coarser one misses tells nothing
               if (is_first)
                 bars[k] = bar;
               else if (bar > bars[k])
@@ -128,29 +128,63 @@ namespace ThermoContact
 
 
 
+    /** By what the error of a result falls from mesh to mesh. */
+    double
+    rate(const double near, const double far, const double smallest)
+    {
+      // a rate only where the coarser mesh is worse
+      return far > near ? std::max(near / far, smallest) : 1.;
+    }
+
+
+
+    /**
+     * The largest rate of the results that differ by more than their errors in
+     * time; 0: there is none.
+     */
+    double
+    largest_rate(const KeyValues &near,
+                 const KeyValues &far,
+                 const KeyValues &time,
+                 const double     smallest)
+    {
+      double largest = 0.;
+      for (unsigned int k = 0; k < n_key_errors; ++k)
+        if (near[k] > 2. * time[k] && far[k] > 0.)
+          largest = std::max(largest, rate(near[k], far[k], smallest));
+      return largest;
+    }
+
+
+
     /** (M.89) of what differences there are. */
     template <int dim>
     KeyValues
-    space_errors(const Simulation<dim> &simulation, Repeats<dim> &repeats)
+    space_errors(const Simulation<dim> &simulation,
+                 const KeyValues       &time,
+                 Repeats<dim>          &repeats)
     {
       KeyValues bars;
       bars.fill(unknown);
       const auto scenes = coarser_in_space(simulation.parameters());
       if (scenes.empty())
         return bars;
-      const auto first = repeats.differences(scenes[0]);
-      if (!first)
+      const auto near = repeats.differences(scenes[0]);
+      if (!near)
         return bars;
-      const auto second =
-        scenes.size() > 1 ? repeats.differences(scenes[1]) : std::nullopt;
+      KeyValues far = bars;
+      if (scenes.size() > 1)
+        far = repeats.differences(scenes[1]).value_or(far);
+      const double smallest = scenes[0].smallest_rate;
+      const double largest  = largest_rate(*near, far, time, smallest);
       for (unsigned int k = 0; k < n_key_errors; ++k)
         {
-          const double near = (*first)[k];
-          const double far  = second ? (*second)[k] : unknown;
-          // a rate only where the coarser mesh is worse
-          const double rate =
-            far > near ? std::max(near / far, smallest_rate) : 1.;
-          bars[k] = rate * near;
+          const double own    = rate((*near)[k], far[k], smallest);
+          const double common = std::max(own, std::sqrt(own * largest));
+          // what follows a geometric sequence of differences
+          const double factor =
+            common < 1. ? common / (1. - common) : largest_factor;
+          bars[k] = std::min(factor, largest_factor) * (*near)[k];
         }
       return bars;
     }
@@ -167,7 +201,7 @@ namespace ThermoContact
     KeyErrors    errors;
     Repeats<dim> repeats(simulation, look_up, log, errors);
     errors.time            = time_errors(simulation, repeats);
-    errors.space           = space_errors(simulation, repeats);
+    errors.space           = space_errors(simulation, errors.time, repeats);
     const KeyValues values = key_values(simulation);
     for (unsigned int k = 0; k < n_key_errors; ++k)
       if (std::isnan(values[k]))

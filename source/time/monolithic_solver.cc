@@ -8,20 +8,14 @@
 
 namespace ThermoContact
 {
-  namespace
+  unsigned int
+  n_kept_factorizations(const unsigned int dim, const std::size_t n_unknowns)
   {
-    /** As many factorisations as small scenes profit from, and large ones
-     * have memory for. */
-    template <int dim>
-    unsigned int
-    cache_size(const types::global_dof_index n_unknowns)
-    {
-      return n_unknowns < 1000                   ? 64 :
-             n_unknowns < (dim == 2 ? 10000 : 0) ? 32 :
-             n_unknowns < 100000                 ? 8 :
-                                                   2;
-    }
-  } // namespace
+    return n_unknowns < 1000                   ? 64 :
+           n_unknowns < (dim == 2 ? 10000 : 0) ? 32 :
+           n_unknowns < 100000                 ? 8 :
+                                                 2;
+  }
 
 
 
@@ -33,7 +27,7 @@ namespace ThermoContact
     , damped_contact(body.law())
     , exchange_solver(body.law(), exchange)
     , max_factorizations(
-        cache_size<dim>(body.discretization.dof_handler().n_dofs()))
+        n_kept_factorizations(dim, body.discretization.dof_handler().n_dofs()))
     , heat_rhs(body.discretization.make_vector(Field::temperature))
     , momentum_rhs(body.discretization.make_vector(Field::displacement))
   {}

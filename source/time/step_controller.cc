@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/input/quantity_units.h>
 #include <thermocontact/time/step_controller.h>
 
 #include <algorithm>
@@ -38,11 +39,13 @@ namespace ThermoContact
 
 
   std::string
-  describe_exhaustion(const StepAttempt &attempt, const std::string &failure)
+  describe_exhaustion(const StepAttempt &attempt,
+                      const std::string &failure,
+                      const Parameters  &parameters)
   {
     std::ostringstream message;
     message << "no step is accepted, the last one tried had size "
-            << attempt.size << ": ";
+            << QuantityUnits(parameters).text("time", attempt.size) << ": ";
     if (failure.empty())
       message
         << "its error is " << attempt.error

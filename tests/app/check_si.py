@@ -194,9 +194,58 @@ def check_resume():
         faults.append(f"resumed without units: {message}")
 
 
+def check_message(what, expected, found):
+    if expected not in found:
+        faults.append(f"{what}: {expected!r} is not in {found!r}")
+
+
+def check_messages():
+    """Times in minutes, 0.05 for one of the scene, beside those of entries."""
+    failing = ["Sources/Heat source=sqrt(0.201-t)", "Time/End time=0.4", "Time/Tolerance=0.1",
+               "Contact/Gap=1", "Mesh/Cells=3", *(
+                   f"Time/{name} step size=2e-3" for name in ("First", "Minimum", "Maximum"))]
+    status, screen, message = run("--output", "failing", *settings([*SCALES, *failing]),
+                                  "scene.prm")
+    if status != 1:
+        faults.append(f"a source that is not finite: status {status}")
+    # times at which loads are looked at are 0.4/2^15 apart
+    not_finite = re.search(r"is not finite at t = (\S+) min \(nondimensional: (\S+)\)", screen)
+    if not not_finite or not 0.20099 < float(not_finite[2]) < 0.20102 or abs(
+            float(not_finite[1]) / float(not_finite[2]) - 0.05) > 1e-6:
+        faults.append(f"a source that is not finite: {screen}")
+    # 100 steps of 2e-3 end at 0.2, and the next one behind the end of the source
+    check_message("failed step", "step 101, from t = 0.01 min to 0.0101 min: no step is "
+                  "accepted, the last one tried had size 0.0001 min: ", message)
+    steps = [*SCALES, "Time/Step size=0.01", "Output/Checkpoint interval=3600"]
+    execute("parts", *steps, "Time/End time=0.04")
+    message = run("--output", "parts", "--resume", *settings([*steps, "Time/End time=0.02"]),
+                  "scene.prm")[2]
+    check_message("end time", "Time/End time = 0.02: the checkpoint is at t = 0.002 min "
+                  "(nondimensional: 0.04)", message)
+    # an impact with fixed steps creates energy, (M.9)
+    create = ["Model/Fields=displacement", "Model/Viscosity=0", "Contact/Condition=rigid",
+              "Contact/Massless nodes=off", "Initial values/Velocity=x", "Mesh/Cells=4",
+              "Mesh/Degree=5", "Time/Scheme=sdirk2", "Time/Step size=0.1", "Time/End time=20",
+              "Time/Locate contact events=false", "Output/Fields interval=0"]
+    pattern = (r"t = (\S+)( min)?: the scheme has created the energy (\S+?)( J)?, more than "
+               r"its accuracy explains \((\S+?)( J)?\)")
+    plain, found = (re.search(pattern, execute("creates", *create, *extra))
+                    for extra in ((), SCALES))
+    for i, (factor, unit) in enumerate((MINUTES[::2], JOULE[::2], JOULE[::2])):
+        number, word = found.groups()[2 * i:2 * i + 2]
+        if word != f" {unit}" or plain[2 * i + 2] or abs(
+                float(number) / (factor * float(plain[2 * i + 1])) - 1) > 1e-5:
+            faults.append(f"energy that is created: {found[0]}, not {plain[0]}")
+    # 2 (b + 0.4)/a^2 for b = 1, a = 0.5 is 11.2
+    screen = run("--check", *settings([*SCALES, "Model/Viscosity=0", "Model/Coupling=0.5"]),
+                 "scene.prm")[1]
+    check_message("decay", "over times of the order of 0.6 min", screen)
+
+
 Path("scene.prm").write_text("# defaults\n", encoding="utf-8")
 counts = [check_scene("rod", *COMMON, "Contact/Rear gap=0.02"), check_scene("strip", *COMMON, *STRIP)]
 check_study()
 check_resume()
+check_messages()
 print("columns and VTU files:", counts)
 print("\n".join(faults) or "as by hand")

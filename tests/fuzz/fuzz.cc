@@ -3,20 +3,18 @@
 // usage: thermocontact_fuzz MINUTES FIRST_NUMBER DIRECTORY
 //        thermocontact_fuzz --print NUMBER
 //
-// Reads mutated parameter files as --check does: many in one process, and a new
-// process after one that died. Each file has a number from which --print makes
-// it again. A file must be accepted or refused with a short message in UTF-8;
-// what is accepted must be written and read back the same. Everything else is a
-// finding: another exception, the end of the process (the sanitizers end it),
-// 20 seconds for one file, a file written. It is saved in DIRECTORY as
+// Reads mutated parameter files, scenes and rods in units, as --check and
+// --units do: many in one process, and a new process after one that died. One
+// in eight of the rods that are accepted takes its first steps, too, with all
+// its files. Each file has a number from which --print makes it again. A file
+// must be accepted or refused with a short message in UTF-8; what is accepted
+// must be written and read back the same. Everything else is a finding: another
+// exception, the end of the process (the sanitizers end it), 20 seconds for one
+// file, a file written where none belongs. It is saved in DIRECTORY as
 // finding-NUMBER.prm and .txt. Exit status 1 if there is any.
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/input/parameter_file.h>
-#include <thermocontact/input/units.h>
-#include <thermocontact/output/output_directory.h>
-#include <thermocontact/simulation/simulation.h>
-#include <thermocontact/study/study.h>
+#include <thermocontact/input/parameter_text.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -35,6 +33,7 @@
 #include <sstream>
 
 #include "mutations.h"
+#include "reading.h"
 
 namespace ThermoContact
 {
@@ -47,8 +46,8 @@ namespace ThermoContact
     {
       volatile unsigned long number;
       volatile double        begin; ///< of that file, CPU seconds
-      volatile unsigned long n_accepted, n_large, n_refused, n_failed,
-        n_findings;
+      volatile unsigned long n_accepted, n_large, n_rods_in_units, n_studies,
+        n_begun, n_refused, n_failed, n_findings;
     };
 
 
@@ -62,117 +61,6 @@ namespace ThermoContact
       if (clock_getcpuclockid(process, &clock) == 0)
         clock_gettime(clock, &time);
       return time.tv_sec + 1e-9 * time.tv_nsec;
-    }
-
-
-
-    std::vector<std::string>
-    valid_files()
-    {
-      std::vector<fs::path> paths;
-      for (const auto &entry : fs::recursive_directory_iterator(PRM_DIR))
-        if (entry.path().extension() == ".prm")
-          paths.push_back(entry.path());
-      std::sort(paths.begin(), paths.end());
-      std::vector<std::string> texts;
-      for (const fs::path &path : paths)
-        texts.push_back(read_text(path));
-
-      Parameters       parameters;
-      ParameterHandler prm;
-      parameters.add_parameters(prm);
-      for (const bool is_plane : {false, true})
-        {
-          if (is_plane)
-            prm.set("Dimension", "2");
-          std::ostringstream all;
-          write_entries(declared_entries(prm), {}, all);
-          texts.push_back(all.str());
-        }
-      return texts;
-    }
-
-
-
-    /** Matrices that take long, and are not what is tested here. */
-    bool
-    is_large(const Parameters &parameters)
-    {
-      const MeshParameters &mesh = parameters.mesh;
-      const double          n_cells =
-        std::ldexp(mesh.cells, mesh.refinements) *
-        std::pow(std::ldexp(mesh.cells_across, mesh.refinements),
-                 parameters.dimension - 1.);
-      const double n_per_cell =
-        std::pow(mesh.degree + 1., parameters.dimension) *
-        (1. + parameters.dimension);
-      return n_cells * n_per_cell * n_per_cell > 2e6;
-    }
-
-
-
-    void
-    check_scene(const Parameters &parameters)
-    {
-      if (parameters.dimension == 1)
-        Simulation<1>(parameters, MPI_COMM_SELF);
-      else if (parameters.dimension == 2)
-        Simulation<2>(parameters, MPI_COMM_SELF);
-      else
-        Simulation<3>(parameters, MPI_COMM_SELF);
-    }
-
-
-
-    /** The entries of a parameter file, as used.prm repeats them. */
-    std::string
-    rewrite(const std::string &text)
-    {
-      Parameters       parameters;
-      ParameterHandler prm;
-      parameters.add_parameters(prm);
-      std::istringstream stream(text);
-      assign_entries(read_assignments(stream, "again.prm"), prm);
-      std::ostringstream written;
-      write_entries(declared_entries(prm), {}, written);
-      return written.str();
-    }
-
-
-
-    /** What main() does for --check, and for --units. */
-    void
-    check(const std::string &text, Progress &progress)
-    {
-      Parameters       parameters;
-      ParameterHandler prm;
-      parameters.add_parameters(prm);
-      std::istringstream stream(text);
-      const auto         assignments = read_assignments(stream, "fuzz.prm");
-      assign_entries(assignments, prm);
-      try
-        {
-          if (parameters.study.is_active())
-            Study(assignments, parameters.study);
-          else
-            {
-              check_unused_entries(parameters, prm);
-              check_scene(parameters);
-              if (is_large(parameters))
-                ++progress.n_large;
-              else
-                check_scene(parameters);
-            }
-          if (!parameters.output.directory.empty())
-            check_output_directory(parameters.output.directory, MPI_COMM_SELF);
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(complete_message(error.what(), assignments, prm));
-        }
-      const std::string written = rewrite(text);
-      if (rewrite(written) != written)
-        throw std::logic_error("used.prm reads differently:\n" + written);
     }
 
 
@@ -219,6 +107,7 @@ namespace ThermoContact
         return std::distance(fs::directory_iterator("."),
                              fs::directory_iterator());
       };
+      const std::string scratch = directory + "/scratch";
       while (true)
         {
           const unsigned long number = progress.number;
@@ -227,8 +116,13 @@ namespace ThermoContact
           std::string fault;
           try
             {
-              check(text, progress);
+              const Reading reading =
+                read_as_program(text, number % 8 == 0 ? scratch : "");
               ++progress.n_accepted;
+              progress.n_large += reading.is_large;
+              progress.n_rods_in_units += reading.is_rod_in_units;
+              progress.n_studies += reading.is_study;
+              progress.n_begun += reading.has_begun;
             }
           catch (const InputError &error)
             {
@@ -261,8 +155,11 @@ namespace ThermoContact
     {
       std::cout << progress.number - first << " files: " << progress.n_accepted
                 << " accepted (" << progress.n_large
-                << " without their matrices, too large), " << progress.n_refused
-                << " refused, " << progress.n_failed
+                << " without their matrices, too large; "
+                << progress.n_rods_in_units << " rods in units, "
+                << progress.n_studies << " studies; " << progress.n_begun
+                << " began to run), " << progress.n_refused << " refused, "
+                << progress.n_failed
                 << " failed; findings: " << progress.n_findings << std::endl;
     }
 

@@ -33,7 +33,8 @@ PICTURES = {"Histories": "figure", "Contact": "contact", "Energy audit":
             "first contact": "first-contact", "End": "last",
             "Start of all experiments": "first",
             "Fields over space and time": "space-time",
-            "Pressure and gap": "contact-face"}
+            "Pressure and gap": "contact-face", "Key results": "results",
+            "Time in contact": "results", "Each period": "bifurcation"}
 STAND_IN = r"""#!/bin/sh
 # Writes its arguments, a line each: the program into its output directory, a
 # script into each of its pictures.

@@ -116,13 +116,15 @@ namespace ThermoContact
    * differ.
    *
    * @param parameters path and value of every parameter of that run
+   * @param units of messages
    * @throw InputError naming what differs, or an end time before the
    *   checkpoint
    */
   void
   check_compatibility(const Checkpoint                         &checkpoint,
                       const std::map<std::string, std::string> &parameters,
-                      const double                              end_time);
+                      const double                              end_time,
+                      const QuantityUnits                      &units);
 } // namespace ThermoContact
 
 #endif

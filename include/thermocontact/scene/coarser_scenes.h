@@ -16,15 +16,20 @@ namespace ThermoContact
     Parameters  parameters;
     std::string words; ///< the entries that differ, "Section/Entry = value"
 
-    /** Of the difference in the error bar, (M.88). */
+    /** In time: of the difference in the error bar, (M.88). */
     double weight = 1.;
+
+    /** In space: no error is trusted to fall faster from this mesh on, (M.89).
+     */
+    double smallest_rate = 0.;
   };
 
 
 
   /**
    * Scenes with larger steps, whose differences to @p parameters tell the error
-   * in time; a smaller one where larger ones are not allowed or do not differ.
+   * in time; with smaller ones where larger ones are not allowed, or tell
+   * little.
    * None where space and time cannot be told apart, because steps and cells
    * belong together.
    */

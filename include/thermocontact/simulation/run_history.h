@@ -52,7 +52,7 @@ namespace ThermoContact
 
     /** Takes the quantities of the present state into the largest so far. */
     void
-    add_maxima();
+    add_maxima(const Scene &scene);
 
     /** Books a step that is accepted, with its cost; not what it measures. */
     void

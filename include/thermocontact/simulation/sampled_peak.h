@@ -3,36 +3,31 @@
 #ifndef thermocontact_simulation_sampled_peak_h
 #define thermocontact_simulation_sampled_peak_h
 
-#include <algorithm>
+#include <limits>
 
 namespace ThermoContact
 {
   /**
    * The largest value of a quantity that is known at step ends, and what it may
-   * have been between them: the vertex of the parabola through the largest
-   * value and its neighbours, (M.87). Arithmetic only.
+   * have been between them, (M.87): with rates the largest value of the cubics
+   * that have the values and the rates of the ends of a step; without them the
+   * vertex of the parabola through the largest value and its neighbours.
+   * Arithmetic only.
    */
   class SampledPeak
   {
   public:
-    /** Takes the next value; of one time the last one counts. */
+    /**
+     * Takes the next value; of one time the last one counts.
+     *
+     * @param rate of the quantity there, per unit of time; NaN: not known. The
+     *   cubic of a step is that of its ends with positive values: what is zero
+     *   without contact has no rate there
+     */
     void
-    add(const double time, const double value)
-    {
-      if (n_samples > 0 && time == now.time)
-        --n_samples; // replaced
-      else
-        {
-          before = last;
-          last   = now;
-        }
-      now = {time, value};
-      ++n_samples;
-      if (n_samples == 1 || value >= largest)
-        largest = estimate_ = value;
-      else if (n_samples > 2 && last.value == largest)
-        estimate_ = vertex();
-    }
+    add(const double time,
+        const double value,
+        const double rate = std::numeric_limits<double>::quiet_NaN());
 
     /** Not below the largest value. */
     double
@@ -53,12 +48,13 @@ namespace ThermoContact
     {
       double time  = 0.;
       double value = 0.;
+      double rate  = 0.;
 
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &time &value;
+        archive &time &value &rate;
       }
     };
 
@@ -67,18 +63,13 @@ namespace ThermoContact
     double       largest   = 0.;
     double       estimate_ = 0.;
 
+    /** Of the parabola through all three samples. */
     double
-    vertex() const
-    {
-      const double rise =
-        (last.value - before.value) / (last.time - before.time);
-      const double fall = (now.value - last.value) / (now.time - last.time);
-      const double curvature = (fall - rise) / (now.time - before.time);
-      if (!(curvature < 0.))
-        return std::max(largest, estimate_);
-      const double slope = rise + curvature * (last.time - before.time);
-      return std::max(last.value - slope * slope / (4. * curvature), estimate_);
-    }
+    vertex() const;
+
+    /** Of the cubic between the last two. */
+    double
+    top_of_step() const;
   };
 } // namespace ThermoContact
 

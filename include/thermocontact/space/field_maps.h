@@ -16,7 +16,8 @@ namespace ThermoContact
 
 
 
-  /** Products with the field matrices; those of absent fields mean nothing. */
+  /** Products with the field matrices; those of absent fields must not be used.
+   */
   struct FieldMaps
   {
     std::unique_ptr<const LinearMap> heat_mass, conduction, divergence,

@@ -17,6 +17,15 @@
 namespace ThermoContact
 {
   /**
+   * Step sizes whose factors are kept: as many as small bodies profit from, and
+   * large ones have memory for.
+   */
+  unsigned int
+  n_kept_factorizations(const unsigned int dim, const std::size_t n_unknowns);
+
+
+
+  /**
    * The monolithic stage: both fields at once and contact exactly, doc/model.md
    * (M.15)-(M.18), with a heat exchange that depends on it, (M.56), (M.57). One
    * factorisation per stage length; those used last are kept, since

@@ -32,7 +32,9 @@ namespace ThermoContact
    * @param failure why it could not be computed, or empty
    */
   std::string
-  describe_exhaustion(const StepAttempt &attempt, const std::string &failure);
+  describe_exhaustion(const StepAttempt &attempt,
+                      const std::string &failure,
+                      const Parameters  &parameters);
 
 
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_forecast_expected_memory_h
+#define thermocontact_forecast_expected_memory_h
+
+#include <thermocontact/scene/scene.h>
+
+namespace ThermoContact
+{
+  /**
+   * Memory of all processes of a run in two or three dimensions, bytes, within
+   * a factor of about two, doc/bodies.md: what a process takes before it
+   * computes anything, and what the body takes; of the direct solver mostly the
+   * factors of the step sizes that are kept.
+   */
+  double
+  expected_memory(const Scene &scene, const unsigned int n_ranks);
+
+  /**
+   * Refuses a body that would not fit if its forecast were twice too large.
+   *
+   * @param available bytes
+   * @param share of the processes that have to do with these
+   * @throw InputError with the remedy
+   */
+  void
+  check_memory(const Scene       &scene,
+               const unsigned int n_ranks,
+               const double       available,
+               const double       share);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_input_quantity_units_h
+#define thermocontact_input_quantity_units_h
+
+#include <thermocontact/base/conversion.h>
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/input/parameters.h>
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace ThermoContact
+{
+  /**
+   * In which units files, screen and messages have the quantities of a scene:
+   * SI units if there are Scales and Output/SI is true, else none. The only
+   * place that decides. What is kept for other runs of the program, checkpoints
+   * and space-time.columns, is nondimensional.
+   *
+   * Kinds of quantities are words: "time", "length" (of displacements),
+   * "position", "velocity", "stress", "force", "force × time", "force ×
+   * length", "temperature", "temperature difference", "heat flux", "energy";
+   * "s" and "MB" of the computer; "" a number.
+   */
+  class QuantityUnits
+  {
+  public:
+    /** @param parameters that check_scales() has found complete */
+    explicit QuantityUnits(const Parameters &parameters);
+
+    bool
+    is_si() const
+    {
+      return !conversions.empty();
+    }
+
+    /** Of a kind of quantity. */
+    const Conversion &
+    of(const std::string_view kind) const;
+
+    /** A number of this kind in a sentence, with its unit. */
+    std::string
+    text(const std::string_view kind,
+         const double           value,
+         const unsigned int     digits = few_digits) const;
+
+    /**
+     * The same for who needs it in a parameter file, too, whose entries have no
+     * units: "0.25 ms (nondimensional: 1.2e-09)".
+     */
+    std::string
+    text_for_entry(const std::string_view kind, const double value) const;
+
+    /** The units in words; nothing if there are none. */
+    std::string
+    description() const;
+
+  private:
+    std::map<std::string, Conversion, std::less<>> conversions; ///< by kind
+    const Conversion                               as_it_is;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/machine_memory.h>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace ThermoContact
+{
+  double
+  machine_memory()
+  {
+    double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                   static_cast<double>(sysconf(_SC_PAGESIZE));
+    // a file that is not there, or says "max", gives no number
+    std::ifstream container("/sys/fs/cgroup/memory.max");
+    if (double limit = 0.; container >> limit && limit > 0.)
+      bytes = std::min(bytes, limit);
+    rlimit limit;
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+      bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));
+    return bytes;
+  }
+
+
+
+  double
+  share_of_ranks_here(const MPI_Comm communicator)
+  {
+    int n_ranks = 1, n_here = 1, rank = 0;
+    MPI_Comm_size(communicator, &n_ranks);
+    MPI_Comm_rank(communicator, &rank);
+    MPI_Comm here;
+    MPI_Comm_split_type(
+      communicator, MPI_COMM_TYPE_SHARED, rank, MPI_INFO_NULL, &here);
+    MPI_Comm_size(here, &n_here);
+    MPI_Comm_free(&here);
+    return static_cast<double>(n_here) / n_ranks;
+  }
+} // namespace ThermoContact

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/method/bracketed_root.h>
+#include <thermocontact/method/cubic_hermite.h>
+#include <thermocontact/simulation/sampled_peak.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  void
+  SampledPeak::add(const double time, const double value, const double rate)
+  {
+    if (n_samples > 0 && time == now.time)
+      --n_samples; // replaced
+    else
+      {
+        before = last;
+        last   = now;
+      }
+    now = {time, value, rate};
+    ++n_samples;
+    const bool is_largest = n_samples == 1 || value >= largest;
+    if (is_largest)
+      largest = value;
+    if (!std::isnan(rate))
+      estimate_ = std::max({estimate_, value, top_of_step()});
+    else if (is_largest)
+      estimate_ = value;
+    else if (n_samples > 2 && last.value == largest)
+      estimate_ = std::max(estimate_, vertex());
+  }
+
+
+
+  double
+  SampledPeak::vertex() const
+  {
+    const double rise = (last.value - before.value) / (last.time - before.time);
+    const double fall = (now.value - last.value) / (now.time - last.time);
+    const double curvature = (fall - rise) / (now.time - before.time);
+    if (!(curvature < 0.))
+      return largest;
+    const double slope = rise + curvature * (last.time - before.time);
+    return last.value - slope * slope / (4. * curvature);
+  }
+
+
+
+  double
+  SampledPeak::top_of_step() const
+  {
+    if (n_samples < 2 || !(last.value > 0. && now.value > 0.) ||
+        !(last.rate > 0. && now.rate < 0.))
+      return largest;
+    const double       size = now.time - last.time;
+    const CubicHermite cubic(last.value,
+                             size * last.rate,
+                             now.value,
+                             size * now.rate);
+    const double       x =
+      bracketed_root([&cubic](const double x) { return cubic.slope(x); },
+                     0.,
+                     1.)
+        .first;
+    return cubic.value(x);
+  }
+} // namespace ThermoContact
