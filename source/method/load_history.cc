@@ -61,12 +61,20 @@ namespace ThermoContact
                      });
     std::vector<LoadBreak> result;
     for (const LoadBreak &b : breaks)
-      if (result.empty() || b.time - result.back().time > same_time * b.time)
-        result.push_back(b);
-      else if (b.is_jump && !result.back().is_jump)
-        result.back() = b;
-      else if (b.is_jump)
-        result.back().new_time = std::max(result.back().new_time, b.new_time);
+      {
+        if (result.empty() || b.time - result.back().time > same_time * b.time)
+          {
+            result.push_back(b);
+            continue;
+          }
+        LoadBreak   &last      = result.back();
+        const double node_step = std::max(last.node_step, b.node_step);
+        if (b.is_jump && !last.is_jump)
+          last = b;
+        else if (b.is_jump)
+          last.new_time = std::max(last.new_time, b.new_time);
+        last.node_step = node_step;
+      }
     return result;
   }
 

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/simulation/load_jump.h>
+#include <thermocontact/space/load_scan.h>
 #include <thermocontact/time/contact_equilibrium.h>
 
 #include <algorithm>
@@ -12,32 +13,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /**
-     * Length of the stage in which equilibrium is restored, in parts of the
-     * time that heat takes through the body and of $T$: neither heat nor
-     * momentum go far in it, and rates are within the range of numbers.
-     */
-    constexpr double direct_jump_length = 1e-11;
-
-    /**
-     * The same without matrices: iterations measure what the heat of the jump
-     * leaves unsolved by the heat that flows in the stage.
-     */
-    constexpr double iterative_jump_length = 1e-7;
-
-
-
-    double
-    jump_length(const Scene &scene)
-    {
-      const double end_time = scene.parameters.time.end_time;
-      return (scene.linear_solver.has_matrices() ? direct_jump_length :
-                                                   iterative_jump_length) *
-             (end_time > 0. ? std::min(end_time, 1.) : 1.);
-    }
-
-
-
     /** Parts of the time by which a load is looked at beside a jump. */
     constexpr double beside_jump = 1e-12;
 
@@ -93,7 +68,7 @@ namespace ThermoContact
       Vector heat_load = body.discretization.make_vector(Field::temperature);
       Vector momentum_load =
         body.discretization.make_vector(Field::displacement);
-      const double length = jump_length(body.scene);
+      const double length = jump_length(body.scene, 0.);
       StageRates   rates;
       rates.temperature_rate = heat_load;
       rates.velocity         = momentum_load;

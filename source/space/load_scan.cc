@@ -18,6 +18,20 @@ namespace ThermoContact
     /** More numbers of an expression are not looked at one by one. */
     constexpr unsigned int max_named_times = 100;
 
+    /**
+     * Length of the stage in which equilibrium is restored, or nodes go to a
+     * new value, in parts of the time that heat takes through the body and of
+     * $T$: neither heat nor momentum go far in it, and rates are within the
+     * range of numbers.
+     */
+    constexpr double direct_jump_length = 1e-11;
+
+    /**
+     * The same without matrices: iterations measure what the heat of the jump
+     * leaves unsolved by the heat that flows in the stage.
+     */
+    constexpr double iterative_jump_length = 1e-7;
+
 
 
     bool
@@ -85,7 +99,10 @@ namespace ThermoContact
       LoadSample  sample;
 
       /** Nothing can follow a jump of it; said to the user. */
-      std::string no_jump;
+      std::string no_jump = "";
+
+      /** Nodes have it for their value. */
+      bool is_of_nodes = false;
     };
 
 
@@ -138,8 +155,7 @@ namespace ThermoContact
                            sample_of<dim>(data,
                                           *function,
                                           is_on_end,
-                                          scene.parameters.mesh.width),
-                           ""});
+                                          scene.parameters.mesh.width)});
       };
       add("Sources/Heat source",
           sources.heat_source,
@@ -169,7 +185,8 @@ namespace ThermoContact
                            const TimeFunction &drive,
                            const std::string  &no_jump) {
         if (depends_on_time(drive.text()))
-          loads.push_back({path, drive.text(), sample_of(drive), no_jump});
+          loads.push_back(
+            {path, drive.text(), sample_of(drive), no_jump, true});
       };
       if (scene.sources.has_driven_temperature)
         add("Boundary/Fixed end temperature", *scene.heat.fixed_end_drive, "");
@@ -185,17 +202,17 @@ namespace ThermoContact
     /** Adds what a load does in time to the history. */
     void
     scan(const Load               &load,
-         const Parameters         &parameters,
+         const Scene              &scene,
          LoadHistory              &history,
          std::vector<std::string> &warnings)
     {
-      const TimeParameters &time = parameters.time;
-      const QuantityUnits   units(parameters);
+      const TimeParameters &time  = scene.parameters.time;
+      const QuantityUnits   units(scene.parameters);
       std::vector<double>   named = numbers_in(load.expression);
       named.insert(named.end(),
                    time.break_points.begin(),
                    time.break_points.end());
-      const ScannedLoad scanned = scan_load(load.sample, time.end_time, named);
+      ScannedLoad scanned = scan_load(load.sample, time.end_time, named);
       if (!load.no_jump.empty() && scanned.is_infinite)
         throw InputError(text(load.path,
                               " = ",
@@ -218,6 +235,10 @@ namespace ThermoContact
                                   load.no_jump));
       if (!time.has_error_control())
         return;
+      if (load.is_of_nodes)
+        for (LoadBreak &at : scanned.history.breaks)
+          if (at.is_jump)
+            at.node_step = jump_length(scene, at.time);
       history.add(scanned.history);
       if (!scanned.is_resolved)
         warnings.push_back(
@@ -230,6 +251,18 @@ namespace ThermoContact
                "points and Time/Maximum step size help them)"));
     }
   } // namespace
+
+
+
+  double
+  jump_length(const Scene &scene, const double time)
+  {
+    const double end_time = scene.parameters.time.end_time;
+    const double scale    = end_time > 0. ? std::min(end_time, 1.) : 1.;
+    return (scene.linear_solver.has_matrices() ? direct_jump_length :
+                                                 iterative_jump_length) *
+           std::max(scale, time);
+  }
 
 
 
@@ -247,7 +280,7 @@ namespace ThermoContact
     for (const Load &load : loads)
       if (time.end_time > 0. &&
           (time.has_error_control() || !load.no_jump.empty()))
-        scan(load, scene.parameters, history, warnings);
+        scan(load, scene, history, warnings);
     history.add_breaks(time.break_points);
     history.end_at(time.end_time);
     return history;

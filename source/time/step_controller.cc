@@ -141,6 +141,14 @@ namespace ThermoContact
         step.end  = time + step.size;
         step.target = TimeStep::load;
       }
+    if (const LoadBreak *begin = loads.break_at(time);
+        has_error_control && begin != nullptr && begin->node_step > 0.)
+      {
+        step.size   = std::min(std::max(begin->node_step, minimum_size), size);
+        step.end    = time + step.size;
+        step.target = TimeStep::load;
+        step.is_of_nodes = true;
+      }
     const double margin = multiple_slack * step.size;
     const auto   end_at = [&](const double end, const TimeStep::Target target) {
       const double remainder = end - time;
@@ -215,7 +223,7 @@ namespace ThermoContact
   StepController::accept(const TimeStep &step, const double error)
   {
     event_time.reset();
-    if (!has_error_control)
+    if (!has_error_control || step.is_of_nodes)
       return;
 
     const double e = std::max(error, 1e-10); // an error of zero says nothing

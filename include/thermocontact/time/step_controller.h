@@ -57,6 +57,10 @@ namespace ThermoContact
 
     /** Times whose loads are those within the step at its begin and end. */
     double first_loads = 0., last_loads = 0.;
+
+    /** In it nodes follow a jump of what their value is; it has no other use.
+     */
+    bool is_of_nodes = false;
   };
 
 
@@ -92,7 +96,8 @@ namespace ThermoContact
    * kept, rounded down to a rung of the ladder so that sizes, and their
    * factorisations, come back. Steps of both kinds are shortened to end at $T$,
    * at a contact event, where loads are not smooth, at output times if these
-   * are to be hit; error-controlled steps besides to what the loads allow. The
+   * are to be hit; error-controlled steps besides to what the loads allow, and
+   * after a jump of what nodes have for their value to a length of its own. The
    * size from which the next step is derived is not affected.
    */
   class StepController
