@@ -7,6 +7,26 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /** The heat exchange of gaps and pressures that are not of a stage. */
+    template <int dim>
+    void
+    set_exchange_of_law(const Body<dim> &body, State &state)
+    {
+      const HeatExchange &exchange = *body.scene.heat.exchange;
+      if (exchange.is_constant() || !body.scene.fields.has_temperature)
+        return;
+      std::vector<double> penetration;
+      body.contact_end().get_penetrations(state.displacement, penetration);
+      for (unsigned int i = 0; i < penetration.size(); ++i)
+        state.exchange_coefficient[i] =
+          exchange.coefficient(penetration[i], state.contact_pressure[i]);
+    }
+  } // namespace
+
+
+
   template <int dim>
   ContactTransition<dim>::ContactTransition(Body<dim>             &body,
                                             QuasiStaticStart<dim> &quasi_static)
@@ -86,6 +106,7 @@ namespace ThermoContact
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
       state.displacement.begin()[entry] = body.contact_end().nodes()[node].gap;
+    set_exchange_of_law(body, state);
     const double old_energy = energy_terms.sum();
     energy_terms            = body.energy.energy(state);
     numerical_dissipation += old_energy - energy_terms.sum();
@@ -133,6 +154,7 @@ namespace ThermoContact
       }
     if (!changed)
       return;
+    set_exchange_of_law(body, result.state);
     const double old_energy = result.energy.sum();
     result.energy           = body.energy.energy(result.state);
     result.numerical_dissipation += old_energy - result.energy.sum();
