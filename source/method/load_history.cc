@@ -101,6 +101,13 @@ namespace ThermoContact
   void
   LoadHistory::end_at(const double end_time)
   {
+    // sin(t) > 0 jumps at the first number that is not zero
+    for (LoadBreak &b : breaks)
+      if (b.time <= same_time * same_time * end_time)
+        {
+          b.time     = 0.;
+          b.old_time = 0.;
+        }
     for (LoadBreak &b : breaks)
       if (b.time < end_time && end_time - b.time <= same_time * end_time)
         {

@@ -181,7 +181,7 @@ namespace ThermoContact
       const std::string w = frequency(), t0 = moment();
       set("Boundary/Fixed end displacement",
           size + pick({"*sin(" + w + "*t)",
-                       "*(1-cos(" + w + "*t))",
+                       "*sin(" + w + "*t)^2",
                        "*t^2*exp(-" + w + "*t)",
                        "*max(0,t-" + t0 + ")"}));
     }
