@@ -123,6 +123,7 @@ namespace ThermoContact
     if (!body.scene.material.has_inertia())
       {
         quasi_static.complete(result.state, result.closed_nodes);
+        set_exchange_of_law(body, result.state);
         return;
       }
     if (body.scene.linear_solver.has_matrices() && contact_stiffness_.empty())
@@ -131,6 +132,7 @@ namespace ThermoContact
                               contact_stiffness_,
                               result.closed_nodes,
                               result.state);
+    set_exchange_of_law(body, result.state);
   }
 
 

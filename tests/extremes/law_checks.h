@@ -62,8 +62,8 @@ namespace ThermoContact
    * What the laws of a damped obstacle (M.82) and of a heat exchange that
    * depends on the contact (M.57) leave to wish for in the present state, in
    * units of what is allowed. Penetrations are known to 1e-12 of the
-   * displacements, velocities of massless nodes and static bodies to those over
-   * the step.
+   * displacements, velocities of massless nodes and of bodies without inertia
+   * to those over the step.
    */
   template <int dim>
   std::map<std::string, double>
@@ -93,7 +93,10 @@ namespace ThermoContact
           1e-12 *
           std::max({scales.displacement, std::abs(end.nodes()[i].gap), p});
         const double dv =
-          scene.contact.is_in_equilibrium && dt > 0. ? ds / dt : 0.;
+          (scene.contact.is_in_equilibrium || !scene.material.has_inertia()) &&
+              dt > 0. ?
+            ds / dt :
+            0.;
         if (is_damped && !is_moved)
           raise(misses["pressure of the damped law"],
                 miss_of_range(p,

@@ -156,10 +156,11 @@ namespace ThermoContact
         return;
       if (happens(0.6))
         {
+          const double exponent =
+            happens(0.4) ? std::stod(pick({"1", "1.5", "2", "3", "10"})) :
+                           log_uniform(1., 10.);
           set("Contact/Condition", "power law");
-          set("Contact/Exponent",
-              happens(0.4) ? pick({"1", "1.5", "2", "3", "10"}) :
-                             text(log_uniform(1., 10.)));
+          set("Contact/Exponent", std::min(exponent, largest_exponent()));
         }
       if (!happens(0.4))
         return;
@@ -167,6 +168,17 @@ namespace ThermoContact
       if (value("Contact/Massless nodes", "") == "on" &&
           number("Model/Viscosity", 0.2) == 0.)
         set("Contact/Massless nodes", "off");
+    }
+
+    /** With which pressures have squares that are numbers. */
+    double
+    largest_exponent() const
+    {
+      const double penetration = std::max(
+        {1., u_end - number("Contact/Gap", 0.), std::abs(velocity) * duration});
+      const double digits =
+        std::log10(penetration / number("Contact/Compliance", 0.01));
+      return digits > 0. ? std::max(1., std::floor(100. / digits)) : 10.;
     }
 
     /** Starts at zero; no jump. */

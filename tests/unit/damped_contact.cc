@@ -77,8 +77,10 @@ namespace
     DampedContact(*hard).solve(response,
                                {1e-3, {1., 1.}, {1.5, 1.5}, {}},
                                pressure);
-    deallog << "hard " << pressure_alone(*hard, 1e-3, 1., 1.5, 1.) << ", two "
-            << pressure[0] << ' ' << pressure[1] << std::endl;
+    const auto factor_of_rounding = make_law(1e-24, 1., 49.); // 1 - 49 (1/49)
+    deallog << "hard " << pressure_alone(*hard, 1e-3, 1., 1.5, 1.) << ", "
+            << pressure_alone(*factor_of_rounding, 1e-3, 1., 2. - 1. / 49., 1.)
+            << ", two " << pressure[0] << ' ' << pressure[1] << std::endl;
     deallog << "held " << pressure_alone(*law, 1., 0.25, -0.75, 1., true)
             << ", let go " << pressure_alone(*law, 1., 1., -2., 1., true)
             << ", held in contact "
