@@ -5,11 +5,16 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/number_or_word.h>
+#include <thermocontact/input/parameter_text.h>
 #include <thermocontact/input/scales.h>
+#include <thermocontact/input/time_function.h>
 #include <thermocontact/input/units.h>
 #include <thermocontact/input/words_of_kinds.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/patterns.h>
+
+#include <cmath>
 
 namespace ThermoContact
 {
@@ -22,6 +27,9 @@ namespace ThermoContact
     const Double not_negative(0., 1e30);
     const Double any_sign(-1e30, 1e30);
     const Double temperature(-273.15, 1e6);
+
+    /** Intervals of the run at whose ends temperatures are looked at. */
+    constexpr unsigned int n_temperature_checks = 97;
 
     /** Colder than any rod but in a cryostat: rather degrees Celsius. */
     constexpr double lowest_plain_kelvin = 150.;
@@ -57,6 +65,7 @@ namespace ThermoContact
     add_rod(prm);
     add_temperatures(prm);
     add_obstacle(prm);
+    add_sides(prm);
     add_loads(prm);
 
     prm.enter_subsection("Time");
@@ -133,13 +142,33 @@ namespace ThermoContact
                       initial_temperature,
                       "Temperature of the rod at t = 0.",
                       temperature);
-    prm.add_parameter("Fixed end",
-                      fixed_end_temperature,
-                      "Temperature of the fixed end.",
-                      temperature);
-    prm.add_parameter("Obstacle",
-                      obstacle_temperature,
-                      "Temperature of the obstacle.",
+    const auto add_varying = [&prm](const std::string &name,
+                                    const std::string &text,
+                                    double            &value,
+                                    std::string       &in_time) {
+      add_number_or_expression(
+        prm,
+        name,
+        value,
+        "t",
+        text + "; an expression in t, which is in the unit of times.",
+        [&](const double number, const std::string &expression) {
+          value   = number;
+          in_time = expression;
+        },
+        true);
+    };
+    add_varying("Fixed end",
+                "Temperature of the fixed end",
+                fixed_end_temperature,
+                fixed_end_expression);
+    add_varying("Obstacle",
+                "Temperature of the obstacle",
+                obstacle_temperature,
+                obstacle_expression);
+    prm.add_parameter("Surroundings",
+                      surrounding_temperature,
+                      "Temperature of the surroundings of the lateral sides.",
                       temperature);
     prm.leave_subsection();
   }
@@ -168,11 +197,21 @@ namespace ThermoContact
       prm,
       "Stiffness",
       "infinity",
-      "Stiffness of the obstacle, force over penetration, N/m; infinity: "
-      "rigid.",
+      "Stiffness of the obstacle, force over penetration, N/m, or over its "
+      "power Exponent, N/m^m; infinity: rigid.",
       [this](const double *value) {
         stiffness = value ? std::optional<double>(*value) : std::nullopt;
       });
+    prm.add_parameter("Exponent",
+                      exponent,
+                      "Exponent m: force = Stiffness * penetration^m; 1.5 is "
+                      "Hertz's contact of a rounded end.",
+                      Double(1., 10.));
+    prm.add_parameter("Damping",
+                      damping,
+                      "Damping of the obstacle, s/m: its force is multiplied "
+                      "by 1 + Damping times the velocity into it.",
+                      not_negative);
     prm.add_parameter("Exchange coefficient",
                       exchange_coefficient,
                       "Heat exchange between the end and the obstacle, "
@@ -184,9 +223,31 @@ namespace ThermoContact
 
 
   void
+  RodInUnits::add_sides(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Sides");
+    prm.add_parameter("Exchange coefficient",
+                      side_coefficient,
+                      "Heat exchange between the lateral sides and their "
+                      "surroundings, W/(m^2 K); 0: none.",
+                      not_negative);
+    prm.add_parameter("Perimeter",
+                      perimeter,
+                      "Perimeter of the cross-section, m.",
+                      positive);
+    prm.leave_subsection();
+  }
+
+
+
+  void
   RodInUnits::add_loads(ParameterHandler &prm)
   {
     prm.enter_subsection("Loads");
+    prm.add_parameter("Base motion",
+                      base_motion,
+                      "Displacement of the fixed end, m, zero at t = 0: an "
+                      "expression in t, which is in the unit of times.");
     prm.add_parameter("Initial velocity",
                       initial_velocity,
                       "Velocity of the contact end at t = 0, m/s, towards the "
@@ -237,36 +298,109 @@ namespace ThermoContact
 
 
   void
-  RodInUnits::check() const
+  RodInUnits::check_temperature(const std::string &name,
+                                const double       number,
+                                const std::string &expression) const
   {
-    for (const auto &[name, value] :
-         {std::make_pair("Reference", reference_temperature),
-          std::make_pair("Initial", initial_temperature),
-          std::make_pair("Fixed end", fixed_end_temperature),
-          std::make_pair("Obstacle", obstacle_temperature)})
+    const std::string path = "Temperatures/" + name;
+    const auto        look = [&](const double value) {
+      const std::string entry =
+        text(path, " = ", expression.empty() ? text(value) : quote(expression));
+      if (!(in_kelvin(value) > 0.))
+        throw InputError(entry +
+                         "\n  allowed: above absolute zero\n  remedy:  "
+                                "Temperatures/Unit = C if it is in degrees Celsius");
+      if (temperature_unit == "automatic" && value < lowest_plain_kelvin)
+        throw InputError(
+          text(entry,
+               ": ",
+               value,
+               " K is ",
+               value - 273.15,
+               " °C; which one is meant?\n  allowed: from ",
+               lowest_plain_kelvin,
+               " on, or any with Temperatures/Unit\n  remedy:  "
+                      "Temperatures/Unit = C if all are in degrees Celsius, K if "
+                      "they are in kelvin"));
+    };
+    if (expression.empty())
+      look(number);
+    else
       {
-        const std::string entry = text("Temperatures/", name, " = ", value);
-        if (!(in_kelvin(value) > 0.))
-          throw InputError(entry +
-                           "\n  allowed: above absolute zero\n  remedy:  "
-                           "Temperatures/Unit = C if it is in degrees Celsius");
-        if (temperature_unit == "automatic" && value < lowest_plain_kelvin)
-          throw InputError(
-            text(entry,
-                 ": ",
-                 value,
-                 " K is ",
-                 value - 273.15,
-                 " °C; which one is meant?\n  allowed: from ",
-                 lowest_plain_kelvin,
-                 " on, or any with Temperatures/Unit\n  remedy:  "
-                 "Temperatures/Unit = C if all are in degrees Celsius, K if "
-                 "they are in kelvin"));
+        const TimeFunction function({path, expression});
+        for (unsigned int i = 0; i <= n_temperature_checks; ++i)
+          look(function.value(end_time * i / n_temperature_checks));
       }
+  }
+
+
+
+  void
+  RodInUnits::check_obstacle() const
+  {
     if (stiffness && !(*stiffness > 0.))
       throw InputError(text("Obstacle/Stiffness = ",
                             significant(*stiffness, 12),
                             "\n  allowed: positive, or infinity\n  remedy:  a "
                             "large Gap for no obstacle"));
+    if (stiffness)
+      return;
+    const std::string remedy =
+      ", since Obstacle/Stiffness = infinity\n  remedy:  a stiffness, or a "
+      "rigid obstacle without a law";
+    if (exponent != 1.)
+      throw InputError(
+        text("Obstacle/Exponent = ", exponent, "\n  allowed: 1", remedy));
+    if (damping != 0.)
+      throw InputError(
+        text("Obstacle/Damping = ", damping, "\n  allowed: 0", remedy));
+  }
+
+
+
+  void
+  RodInUnits::check_sides() const
+  {
+    const double of_circle = 2. * std::sqrt(dealii::numbers::PI * area);
+    if (side_coefficient > 0. && perimeter < 0.999 * of_circle)
+      throw InputError(text("Sides/Perimeter = ",
+                            perimeter,
+                            "\n  allowed: at least ",
+                            significant(of_circle, 4),
+                            " m, that of a circle of Rod/Cross-section area\n"
+                            "  remedy:  metres and square metres"));
+  }
+
+
+
+  void
+  RodInUnits::check_base_motion() const
+  {
+    if (!has_moving_base())
+      return;
+    const TimeFunction motion({"Loads/Base motion", base_motion});
+    if (std::abs(motion.value(0.)) > 1e-12 * motion.largest_value(end_time))
+      throw InputError(text("Loads/Base motion = ",
+                            quote(base_motion),
+                            "\n  allowed: zero at t = 0, where it is ",
+                            motion.value(0.),
+                            "\n  remedy:  subtract that: displacements are "
+                            "relative to where the end is at the start"));
+  }
+
+
+
+  void
+  RodInUnits::check() const
+  {
+    check_temperature("Reference", reference_temperature, "");
+    check_temperature("Initial", initial_temperature, "");
+    check_temperature("Fixed end", fixed_end_temperature, fixed_end_expression);
+    check_temperature("Obstacle", obstacle_temperature, obstacle_expression);
+    if (side_coefficient > 0.)
+      check_temperature("Surroundings", surrounding_temperature, "");
+    check_obstacle();
+    check_sides();
+    check_base_motion();
   }
 } // namespace ThermoContact

@@ -3,11 +3,12 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/scales.h>
+#include <thermocontact/input/scene_text.h>
 #include <thermocontact/input/unit_scene.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <regex>
 #include <utility>
 
 namespace ThermoContact
@@ -88,90 +89,6 @@ namespace ThermoContact
 
 
 
-    /** A parameter file that grows by entries. */
-    class SceneText
-    {
-    public:
-      /** @param own of the user, which stand behind the others */
-      explicit SceneText(const std::vector<Assignment> &own)
-      {
-        for (const Assignment &assignment : own)
-          values[assignment.path] = assignment.value;
-      }
-
-      /** Adds an entry that is not the user's to set. */
-      void
-      set(const std::string &path,
-          const std::string &value,
-          const std::string &comment = "")
-      {
-        if (values.count(path) > 0)
-          throw InputError(path +
-                           ": the rod in units decides it\n  remedy:  change "
-                           "the rod, or the scene that --units prints");
-        add(path, value, comment);
-      }
-
-      /** Adds an entry unless the user has set it. */
-      void
-      suggest(const std::string &path, const std::string &value)
-      {
-        if (values.count(path) == 0)
-          add(path, value, "");
-      }
-
-      /** True if the user has set an entry of this section. */
-      bool
-      has_own(const std::string &section) const
-      {
-        const auto next = values.lower_bound(section + "/");
-        return next != values.end() && next->first.rfind(section + "/", 0) == 0;
-      }
-
-      /** All of it. */
-      std::string
-      str()
-      {
-        for (const auto &[path, value] : values)
-          add(path, value, "");
-        std::string all;
-        for (const auto &[section, lines] : sections)
-          all += section.empty() ?
-                   lines :
-                   "subsection " + section + '\n' + lines + "end\n";
-        return all;
-      }
-
-    private:
-      std::map<std::string, std::string>               values; ///< of the user
-      std::vector<std::pair<std::string, std::string>> sections;
-
-      void
-      add(const std::string &path,
-          const std::string &value,
-          const std::string &comment)
-      {
-        const auto        slash = path.find('/');
-        const std::string section =
-          slash == std::string::npos ? "" : path.substr(0, slash);
-        auto found = std::find_if(sections.begin(),
-                                  sections.end(),
-                                  [&](const auto &known) {
-                                    return known.first == section;
-                                  });
-        if (found == sections.end())
-          found =
-            sections.insert(section.empty() ? sections.begin() : sections.end(),
-                            {section, ""});
-        found->second += (section.empty() ? "set " : "  set ") +
-                         path.substr(section.empty() ? 0 : slash + 1) + " = " +
-                         value + (comment.empty() ? "" : " # " + comment) +
-                         '\n';
-      }
-    };
-
-
-
     /** Which terms the scene has. */
     struct Terms
     {
@@ -180,8 +97,8 @@ namespace ThermoContact
       Terms(const RodInUnits &rod, const ScaledRod &scaled)
       {
         const bool drops = rod.small_terms == "dropped";
-        inertia =
-          !(drops && scaled.inertia < small_term) || rod.initial_velocity != 0.;
+        inertia          = !(drops && scaled.inertia < small_term) ||
+                  rod.initial_velocity != 0. || rod.has_moving_base();
         viscosity = !(drops && scaled.viscosity < small_term);
       }
     };
@@ -209,37 +126,119 @@ namespace ThermoContact
 
 
 
+    /** An expression of the file in the time of the scene. */
+    std::string
+    in_scene_time(const RodInUnits &rod, const std::string &expression)
+    {
+      static const std::regex time("\\bt\\b");
+      const double factor = UnitScales(rod).time / rod.in_seconds(1.);
+      return std::regex_replace(expression, time, "(" + number(factor) + "*t)");
+    }
+
+
+
+    std::string
+    time_unit_of_file(const RodInUnits &rod)
+    {
+      return rod.time_unit == "automatic" ? "s" : rod.time_unit;
+    }
+
+
+
+    /** One of the surroundings of the rod, with what the file says. */
+    void
+    add_temperature(const RodInUnits  &rod,
+                    const std::string &path,
+                    const std::string &symbol,
+                    const double       scaled_value,
+                    const double       value,
+                    const std::string &expression,
+                    SceneText         &scene)
+    {
+      const std::string unit =
+        temperature_unit(
+          rod.temperature_unit == "automatic" ? "K" : rod.temperature_unit)
+          .symbol;
+      if (expression.empty())
+        scene.set(path,
+                  number(scaled_value),
+                  symbol + "; " + number(value) + ' ' + unit);
+      else
+        scene.set(path,
+                  "((" + in_scene_time(rod, expression) + ") - (" +
+                    number(rod.reference_temperature) + "))/" +
+                    number(UnitScales(rod).temperature),
+                  symbol + "; " + expression + ' ' + unit + ", t in " +
+                    time_unit_of_file(rod));
+    }
+
+
+
     void
     add_surroundings(const RodInUnits &rod,
                      const ScaledRod  &scaled,
                      SceneText        &scene)
     {
-      const auto add_temperature = [&](const std::string &path,
-                                       const std::string &symbol,
-                                       const double       scaled_value,
-                                       const double       value) {
-        const std::string &unit = rod.temperature_unit;
-        scene.set(path,
-                  number(scaled_value),
-                  symbol + "; " + number(value) + ' ' +
-                    temperature_unit(unit == "automatic" ? "K" : unit).symbol);
-      };
-      add_temperature("Boundary/Fixed end temperature",
+      add_temperature(rod,
+                      "Boundary/Fixed end temperature",
                       "theta_A",
                       scaled.fixed_end_temperature,
-                      rod.fixed_end_temperature);
+                      rod.fixed_end_temperature,
+                      rod.fixed_end_expression,
+                      scene);
+      if (rod.has_moving_base())
+        scene.set("Boundary/Fixed end displacement",
+                  "(" + in_scene_time(rod, rod.base_motion) + ")/" +
+                    number(rod.length),
+                  "u_A; " + rod.base_motion + " m, t in " +
+                    time_unit_of_file(rod));
       scene.set("Boundary/Heat exchange", number(scaled.heat_exchange), "k");
       if (scaled.heat_exchange > 0.)
-        add_temperature("Boundary/Obstacle temperature",
+        add_temperature(rod,
+                        "Boundary/Obstacle temperature",
                         "theta_obs",
                         scaled.obstacle_temperature,
-                        rod.obstacle_temperature);
+                        rod.obstacle_temperature,
+                        rod.obstacle_expression,
+                        scene);
+      if (scaled.lateral_exchange > 0.)
+        {
+          scene.set("Boundary/Lateral heat exchange",
+                    number(scaled.lateral_exchange),
+                    "m");
+          add_temperature(rod,
+                          "Boundary/Ambient temperature",
+                          "theta_inf",
+                          scaled.ambient_temperature,
+                          rod.surrounding_temperature,
+                          "",
+                          scene);
+        }
+    }
+
+
+
+    void
+    add_obstacle(const RodInUnits &rod,
+                 const ScaledRod  &scaled,
+                 SceneText        &scene)
+    {
+      const bool is_power_law = rod.exponent != 1.;
+      if (!rod.stiffness)
+        scene.set("Contact/Condition", "rigid");
+      else if (is_power_law)
+        scene.set("Contact/Condition", "power law");
       if (rod.stiffness)
         scene.set("Contact/Compliance",
                   number(scaled.compliance),
-                  "epsilon; " + number(*rod.stiffness) + " N/m");
-      else
-        scene.set("Contact/Condition", "rigid");
+                  "epsilon; " + number(*rod.stiffness) + " N/m" +
+                    (is_power_law ? "^" + number(rod.exponent) : ""));
+      if (is_power_law)
+        scene.set("Contact/Exponent", number(rod.exponent), "m");
+      if (rod.damping != 0.)
+        scene.set("Contact/Damping",
+                  number(scaled.damping),
+                  "c; " + number(rod.damping) + " s/m");
       scene.set("Contact/Gap",
                 number(scaled.gap),
                 "g; " + number(rod.gap) + " m");
@@ -247,10 +246,13 @@ namespace ThermoContact
         scene.set("Contact/Rear gap",
                   number(scaled.rear_gap),
                   "g_2; " + number(*rod.rear_gap) + " m");
-      add_temperature("Initial values/Temperature",
+      add_temperature(rod,
+                      "Initial values/Temperature",
                       "theta_0",
                       scaled.initial_temperature,
-                      rod.initial_temperature);
+                      rod.initial_temperature,
+                      "",
+                      scene);
     }
 
 
@@ -321,13 +323,13 @@ namespace ThermoContact
                scene);
       scene.set("Time/End time",
                 number(scaled.end_time),
-                "T; " + number(rod.end_time) + ' ' +
-                  (rod.time_unit == "automatic" ? "s" : rod.time_unit));
+                "T; " + number(rod.end_time) + ' ' + time_unit_of_file(rod));
       if (!breaks.empty())
         scene.suggest("Time/Break points",
                       breaks[0] + (breaks.size() > 1 ? " ; " + breaks[1] : ""));
       const double wave = std::sqrt(scaled.inertia);
       if (scaled.initial_velocity == 0. || terms.viscosity ||
+          rod.has_moving_base() || rod.exponent != 1. || rod.damping != 0. ||
           scaled.heat_source != 0. || scaled.body_force != 0. ||
           scaled.end_time > waves_of_impact * wave || scene.has_own("Time") ||
           scene.has_own("Mesh"))
@@ -378,6 +380,7 @@ namespace ThermoContact
       scene.set("Title", rod.title);
     add_model(scaled, terms, scene);
     add_surroundings(rod, scaled, scene);
+    add_obstacle(rod, scaled, scene);
     add_motion(rod, scaled, terms, scene);
     add_times(rod, scaled, terms, scene);
     scene.suggest("Output/Fields interval",

@@ -17,17 +17,27 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Refuses to take a value of the example for one that is not given. */
+    /**
+     * Refuses to take a value of the example for one that is not given.
+     *
+     * @param loses_heat through the lateral sides
+     */
     void
     check_complete(const std::string             &file_name,
                    const std::vector<Assignment> &assignments,
-                   const ParameterHandler        &prm)
+                   const ParameterHandler        &prm,
+                   const bool                     loses_heat)
     {
-      const auto is_optional = [](const std::string &path) {
+      const auto is_optional = [loses_heat](const std::string &path) {
         return path == "Title" || path == "Small terms" ||
                path == "Rod/Lateral sides" || path == "Temperatures/Unit" ||
                path == "Time/Unit" || path == "Obstacle/Rear gap" ||
-               path.rfind("Loads/", 0) == 0;
+               path == "Obstacle/Exponent" ||
+               path == "Obstacle/Damping" ||
+               path == "Sides/Exchange coefficient" ||
+               path.rfind("Loads/", 0) == 0 ||
+               (!loses_heat && (path == "Sides/Perimeter" ||
+                                path == "Temperatures/Surroundings"));
       };
       for (const DeclaredEntry &entry : declared_entries(prm))
         if (!is_optional(entry.path) &&
@@ -134,9 +144,15 @@ namespace ThermoContact
     coupling  = rod.expansion() * scales.temperature;
     inertia   = rod.density * scales.velocity * scales.velocity / scales.stress;
     viscosity = rod.viscosity / (scales.stress * scales.time);
-    heat_exchange = rod.exchange_coefficient * rod.length / rod.conductivity;
-    compliance =
-      rod.stiffness ? scales.force / (*rod.stiffness * scales.length) : 0.;
+    heat_exchange    = rod.exchange_coefficient * rod.length / rod.conductivity;
+    compliance       = rod.stiffness ?
+                         std::pow(scales.force / *rod.stiffness, 1. / rod.exponent) /
+                     scales.length :
+                         0.;
+    damping          = rod.damping * scales.velocity;
+    lateral_exchange = rod.side_coefficient * rod.perimeter * rod.length *
+                       rod.length / (rod.conductivity * rod.area);
+    ambient_temperature   = scale_temperature(rod.surrounding_temperature);
     gap                   = rod.gap / scales.length;
     rear_gap              = rod.rear_gap.value_or(0.) / scales.length;
     fixed_end_temperature = scale_temperature(rod.fixed_end_temperature);
@@ -181,7 +197,7 @@ namespace ThermoContact
       else if (!assignment.is_section())
         of_scene.push_back(assignment);
     assign_entries(of_rod, prm);
-    check_complete(file_name, of_rod, prm);
+    check_complete(file_name, of_rod, prm, rod.side_coefficient > 0.);
     try
       {
         rod.check();

@@ -65,9 +65,13 @@ namespace ThermoContact
         const auto excess = [&](const double v) {
           return v + receptance * pressure(i, v) - free_velocity;
         };
-        const double v = bracketed_root(excess, low, free_velocity).first;
-        // of the two the one that loses less by the rounding of v
-        return receptance * stiffness(i, v, 0.) > 1. ?
+        // 1 - c (1/c) may be rounding, which a hard obstacle takes for contact
+        if (excess(low) >= 0.)
+          return (free_velocity - low) / receptance;
+        const auto [v, above] = bracketed_root(excess, low, free_velocity);
+        // of the two the one that loses less by the rounding of v, also next
+        // to the velocity at which the pressure begins
+        return receptance * (pressure(i, above) - pressure(i, v)) > above - v ?
                  (free_velocity - v) / receptance :
                  pressure(i, v);
       }

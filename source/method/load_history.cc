@@ -109,6 +109,18 @@ namespace ThermoContact
   void
   LoadHistory::end_at(const double end_time)
   {
+    // sin(t) > 0 jumps at the first number that is not zero
+    const double start = same_time * same_time * end_time;
+    for (LoadBreak &b : breaks)
+      if (b.time <= start)
+        {
+          b.time     = 0.;
+          b.old_time = 0.;
+        }
+    while (stretches.size() > 1 && stretches.front().end <= start)
+      stretches.erase(stretches.begin());
+    if (!stretches.empty())
+      stretches.front().begin = 0.;
     for (LoadBreak &b : breaks)
       if (b.time < end_time && end_time - b.time <= same_time * end_time)
         {

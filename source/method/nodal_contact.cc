@@ -39,18 +39,14 @@ namespace ThermoContact
 
 
 
-    /** Pressures and defects. */
+    /** Defects of the pressures. */
     void
-    evaluate(const NodalLaws           &laws,
-             const FullMatrix<double>  &response,
-             const std::vector<double> &free_x,
-             Nodes                     &nodes)
+    measure(const FullMatrix<double>  &response,
+            const std::vector<double> &free_x,
+            Nodes                     &nodes)
     {
       const unsigned int n = nodes.x.size();
-      nodes.pressure.resize(n);
       nodes.defect.resize(n);
-      for (unsigned int i = 0; i < n; ++i)
-        nodes.pressure[i] = laws.pressure(i, nodes.x[i]);
       nodes.largest_defect = nodes.scale = 0.;
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -66,6 +62,21 @@ namespace ThermoContact
                                   std::abs(nodes.x[i]),
                                   std::abs(by_pressure)});
         }
+    }
+
+
+
+    /** Pressures of the law, and defects. */
+    void
+    evaluate(const NodalLaws           &laws,
+             const FullMatrix<double>  &response,
+             const std::vector<double> &free_x,
+             Nodes                     &nodes)
+    {
+      nodes.pressure.resize(nodes.x.size());
+      for (unsigned int i = 0; i < nodes.x.size(); ++i)
+        nodes.pressure[i] = laws.pressure(i, nodes.x[i]);
+      measure(response, free_x, nodes);
     }
 
 
@@ -156,8 +167,9 @@ namespace ThermoContact
           }
         if (!is_better)
           {
+            // with its pressures, which that of a rounded x may be far from
             sweep(laws, response, free_x, nodes);
-            evaluate(laws, response, free_x, nodes);
+            measure(response, free_x, nodes);
           }
       }
     throw ComputationError("the pressures of " + std::to_string(n) +

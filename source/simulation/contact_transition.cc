@@ -8,6 +8,26 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /** The heat exchange of gaps and pressures that are not of a stage. */
+    template <int dim>
+    void
+    set_exchange_of_law(const Body<dim> &body, State &state)
+    {
+      const HeatExchange &exchange = *body.scene.heat.exchange;
+      if (exchange.is_constant() || !body.scene.fields.has_temperature)
+        return;
+      std::vector<double> penetration;
+      body.contact_end().get_penetrations(state.displacement, penetration);
+      for (unsigned int i = 0; i < penetration.size(); ++i)
+        state.exchange_coefficient[i] =
+          exchange.coefficient(penetration[i], state.contact_pressure[i]);
+    }
+  } // namespace
+
+
+
   template <int dim>
   ContactTransition<dim>::ContactTransition(Body<dim>             &body,
                                             QuasiStaticStart<dim> &quasi_static)
@@ -92,6 +112,7 @@ namespace ThermoContact
         double      &u   = state.displacement.begin()[entry];
         u = rear_gap && -u - *rear_gap > u - gap ? -*rear_gap : gap;
       }
+    set_exchange_of_law(body, state);
     const double old_energy = energy_terms.sum();
     energy_terms            = body.energy.energy(state);
     numerical_dissipation += old_energy - energy_terms.sum();
@@ -108,6 +129,7 @@ namespace ThermoContact
     if (!body.scene.material.has_inertia())
       {
         quasi_static.complete(result.state, result.closed_nodes);
+        set_exchange_of_law(body, result.state);
         return;
       }
     if (body.scene.linear_solver.has_matrices() && contact_stiffness_.empty())
@@ -116,6 +138,7 @@ namespace ThermoContact
                               contact_stiffness_,
                               result.closed_nodes,
                               result.state);
+    set_exchange_of_law(body, result.state);
   }
 
 
@@ -159,6 +182,7 @@ namespace ThermoContact
       }
     if (!changed)
       return;
+    set_exchange_of_law(body, result.state);
     const double old_energy = result.energy.sum();
     result.energy           = body.energy.energy(result.state);
     result.numerical_dissipation += old_energy - result.energy.sum();

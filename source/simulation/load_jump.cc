@@ -105,18 +105,28 @@ namespace ThermoContact
 
   namespace
   {
-    /** Moves contact nodes alone; returns the work of the loads. */
+    /** The heat exchange of the gaps and pressures after the jump. */
     template <int dim>
-    double
-    move_nodes(Body<dim> &body, State &state)
+    void
+    set_new_exchange(const Body<dim> &body, State &state)
     {
-      const Vector        way = move_contact_nodes(body, state);
       std::vector<double> penetration;
       body.contact_end().get_penetrations(state.displacement, penetration);
       for (unsigned int i = 0; i < penetration.size(); ++i)
         state.exchange_coefficient[i] =
           body.scene.heat.exchange->coefficient(penetration[i],
                                                 state.contact_pressure[i]);
+    }
+
+
+
+    /** Moves contact nodes alone; returns the work of the loads. */
+    template <int dim>
+    double
+    move_nodes(Body<dim> &body, State &state)
+    {
+      const Vector way = move_contact_nodes(body, state);
+      set_new_exchange(body, state);
       Vector heat_load = body.discretization.make_vector(Field::temperature);
       Vector momentum_load(way);
       body.loads.assemble(state.time, heat_load, momentum_load);
@@ -138,6 +148,7 @@ namespace ThermoContact
       if (!is_static && !body.scene.contact.is_in_equilibrium)
         {
           quasi_static.complete(state, is_closed);
+          set_new_exchange(body, state);
           return 0.; // nothing moves
         }
       if (!is_static && !body.scene.linear_solver.has_matrices())

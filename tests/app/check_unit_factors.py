@@ -9,6 +9,8 @@ D = kappa/(rho c), and Theta the temperature above the reference at which
 M (beta Theta)^2 = beta^2 M^2 theta_ref/(rho c):
   unit of time L^2/D, b = (D/L)^2 rho/M, zeta = eta D/(L^2 M), a = beta Theta,
   k = h L/kappa, epsilon = (M A/L)/stiffness.
+A stiffness in N/m^m has epsilon = (M A/stiffness)^(1/m)/L, a damping in s/m
+c = damping L/(L^2/D), sides m = h P/(A rho c) L^2/D with their perimeter P.
 Terms below 1e-6 are dropped unless they are to be kept. Then each number is
 falsified once: the comparison must notice. At last each line of the file is left out: that
 is refused, but for the title and the two that choose.
@@ -26,7 +28,9 @@ ROD = dict(L=0.3, A=2e-5, rho=8900.0, E=1.2e11, nu=0.34, sides="free", eta=7e3,
            alpha=17e-6, kappa=390.0, c=385.0, ref=290.0, initial=310.0,
            fixed=350.0, obstacle=270.0, gap=1e-4, rear=None, stiffness=3e7, h=900.0,
            t=500.0, small="dropped", v=0.0, force=0.0, power=0.0,
-           force_time=math.inf, power_time=math.inf, time_unit=None, celsius=False)
+           force_time=math.inf, power_time=math.inf, time_unit=None, celsius=False,
+           m=1.0, damping=0.0, h_sides=0.0, perimeter=0.05, around=285.0,
+           base=None, fixed_in_time=None, obstacle_in_time=None)
 SECONDS = {"ms": 1e-3, "min": 60.0}
 
 
@@ -80,6 +84,14 @@ RODS = {
     "thrown, in ms by itself": {**ROD, "v": -0.4, "t": 2e-3},
     "thrown, damped": {**ROD, "v": 0.4, "t": 2e-3, "small": "kept"},
     "thrown between stops": {**ROD, "v": 0.4, "t": 2e-3, "small": "kept", "rear": 3e-5},
+    # Hertz and Hunt-Crossley, in N/m^1.5 and s/m, and sides that lose heat
+    "thrown at a rounded stop": {**ROD, "v": 0.4, "t": 2e-3, "m": 1.5,
+                                 "stiffness": 2e10, "damping": 0.3},
+    "damped, cooled": {**ROD, **CONFINED, "damping": 7.0, "h_sides": 12.0},
+    # expressions in the units of the file
+    "driven": {**ROD, "time_unit": "ms", "celsius": True, "t": 2e-3, "v": 0.4,
+               "h_sides": 12.0, "base": "2e-6*sin(3*t)",
+               "fixed_in_time": "40+9*cos(5*t)", "obstacle_in_time": "if(t<1,30,50)"},
 }
 
 
@@ -96,8 +108,9 @@ def shown(rod, kelvin):
 def loads(rod):
     if not (rod["v"] or rod["power"] or rod["force"]):
         return ""
+    base = f"  set Base motion = {rod['base']}\n" if rod["base"] else ""
     return f"""subsection Loads
-  set Initial velocity = {rod["v"]!r}
+{base}  set Initial velocity = {rod["v"]!r}
   set Body force = {rod["force"]!r}
   set Body force duration = {duration(rod, rod["force_time"])}
   set Heater power = {rod["power"]!r}
@@ -113,6 +126,15 @@ def rear_gap(rod):
 def si_file(rod):
     unit = f"  set Unit = {rod['time_unit']}\n" if rod["time_unit"] else ""
     degrees = "  set Unit = C\n" if rod["celsius"] else ""
+    around = (f"  set Surroundings = {shown(rod, rod['around'])!r}\n"
+              if rod["h_sides"] else "")
+    law = (f"  set Exponent = {rod['m']!r}\n  set Damping = {rod['damping']!r}\n"
+           if rod["m"] != 1 or rod["damping"] else "")
+    sides = f"""subsection Sides
+  set Exchange coefficient = {rod["h_sides"]!r}
+  set Perimeter = {rod["perimeter"]!r}
+end
+""" if rod["h_sides"] else ""
     return f"""set Title = rod
 set Small terms = {rod["small"]}
 subsection Rod
@@ -130,15 +152,15 @@ end
 subsection Temperatures
 {degrees}  set Reference = {shown(rod, rod["ref"])!r}
   set Initial = {shown(rod, rod["initial"])!r}
-  set Fixed end = {shown(rod, rod["fixed"])!r}
-  set Obstacle = {shown(rod, rod["obstacle"])!r}
-end
+  set Fixed end = {rod["fixed_in_time"] or repr(shown(rod, rod["fixed"]))}
+  set Obstacle = {rod["obstacle_in_time"] or repr(shown(rod, rod["obstacle"]))}
+{around}end
 subsection Obstacle
   set Gap = {rod["gap"]!r}{rear_gap(rod)}
   set Stiffness = {rod["stiffness"]}
-  set Exchange coefficient = {rod["h"]!r}
+{law}  set Exchange coefficient = {rod["h"]!r}
 end
-{loads(rod)}subsection Time
+{sides}{loads(rod)}subsection Time
 {unit}  set End time = {duration(rod, rod["t"])}
 end
 """
@@ -190,7 +212,7 @@ def expected_scene(rod):
             ("Inertia", "b", (diffusivity / L)**2 * rod["rho"] / M),
             ("Viscosity", "zeta", rod["eta"] * diffusivity / (L**2 * M))):
         kept[symbol] = rod["small"] == "kept" or value >= 1e-6 or (
-            symbol == "b" and rod["v"] != 0)
+            symbol == "b" and bool(rod["v"] or rod["base"]))
         if kept[symbol]:
             yield f"set {entry} = {{}} # {symbol}", value
         else:
@@ -200,19 +222,37 @@ def expected_scene(rod):
     yield "end",
     yield "subsection Boundary",
     degree = "\u00b0C" if rod["celsius"] else "K"
-    yield (f"set Fixed end temperature = {{}} # theta_A; {{}} {degree}",
-           (rod["fixed"] - rod["ref"]) / Theta, shown(rod, rod["fixed"]))
+    yield expected_temperature(rod, "Fixed end temperature", "theta_A", "fixed")
+    if rod["base"]:
+        yield (f"set Fixed end displacement = ({in_scene_time(rod, rod['base'])})/{{}} # "
+               f"u_A; {escaped(rod['base'])} m, t in {rod['time_unit']}",
+               *numbers_of(rod, rod["base"]), L, *numbers_of(rod, rod["base"], False))
     yield "set Heat exchange = {} # k", rod["h"] * L / rod["kappa"]
     if rod["h"] > 0:
-        yield (f"set Obstacle temperature = {{}} # theta_obs; {{}} {degree}",
-               (rod["obstacle"] - rod["ref"]) / Theta, shown(rod, rod["obstacle"]))
+        yield expected_temperature(rod, "Obstacle temperature", "theta_obs", "obstacle")
+    if rod["h_sides"] > 0:
+        # what the sides take from a length dx, over what it holds, per time L^2/D
+        yield ("set Lateral heat exchange = {} # m",
+               rod["h_sides"] * rod["perimeter"] / (rod["A"] * rod["rho"] * rod["c"])
+               * time)
+        yield (f"set Ambient temperature = {{}} # theta_inf; {{}} {degree}",
+               (rod["around"] - rod["ref"]) / Theta, shown(rod, rod["around"]))
     yield "end",
     yield "subsection Contact",
     if rod["stiffness"] == "infinity":
         yield "set Condition = rigid",
     else:
-        yield ("set Compliance = {} # epsilon; {} N/m",
-               M * rod["A"] / L / rod["stiffness"], rod["stiffness"])
+        power = rod["m"]
+        if power != 1:
+            yield "set Condition = power law",
+        # the penetration over L at which stiffness * penetration^m is M A
+        yield ("set Compliance = {} # epsilon; {} N/m" + f"^{power}" * (power != 1),
+               (M * rod["A"] / rod["stiffness"])**(1 / power) / L, rod["stiffness"])
+        if power != 1:
+            yield "set Exponent = {} # m", power
+        if rod["damping"]:
+            yield ("set Damping = {} # c; {} s/m", rod["damping"] * L / time,
+                   rod["damping"])
     yield "set Gap = {} # g; {} m", rod["gap"] / L, rod["gap"]
     if rod["rear"] is not None:
         yield "set Rear gap = {} # g_2; {} m", rod["rear"] / L, rod["rear"]
@@ -238,7 +278,8 @@ def expected_scene(rod):
     if ends:
         yield "set Break points = " + " ; ".join("{}" for _ in ends), *ends
     wave = math.sqrt(rod["rho"] / M) * L  # seconds
-    if rod["v"] and not kept["zeta"] and rod["t"] < 100 * wave:
+    if (rod["v"] and not kept["zeta"] and rod["t"] < 100 * wave and rod["m"] == 1
+            and not rod["damping"] and not rod["base"]):
         yield "set Scheme = energy conserving",
         yield "set Step size = {}", wave / time / 2000
         yield "end",
@@ -262,6 +303,39 @@ def expected_scene(rod):
     yield "end",
 
 
+NUMBER = r"(?<![\w.])\d[\d.]*(?:e[+-]?\d+)?"
+
+
+def escaped(expression):
+    """With {} for each of its numbers."""
+    return re.sub(NUMBER, "{}", expression)
+
+
+def in_scene_time(rod, expression):
+    return re.sub(r"\bt\b", "({}*t)", escaped(expression))
+
+
+def numbers_of(rod, expression, is_scaled=True):
+    """Its numbers in order, and, in scene time, the factor of each t."""
+    factor = scales(rod)[1] / SECONDS.get(rod["time_unit"], 1.0)
+    for match in re.finditer(NUMBER + (r"|\bt\b" if is_scaled else ""), expression):
+        yield factor if match[0] == "t" else float(match[0])
+
+
+def expected_temperature(rod, entry, symbol, name):
+    """A number or an expression, in the scene and in the file."""
+    Theta = scales(rod)[2]
+    degree = "\u00b0C" if rod["celsius"] else "K"
+    expression = rod[name + "_in_time"]
+    if not expression:
+        return (f"set {entry} = {{}} # {symbol}; {{}} {degree}",
+                (rod[name] - rod["ref"]) / Theta, shown(rod, rod[name]))
+    return (f"set {entry} = (({in_scene_time(rod, expression)}) - ({{}}))/{{}} # "
+            f"{symbol}; {escaped(expression)} {degree}, t in {rod['time_unit']}",
+            *numbers_of(rod, expression), shown(rod, rod["ref"]), Theta,
+            *numbers_of(rod, expression, False))
+
+
 def expected_loads(rod):
     """Power over volume and heat capacity, force over stiffness; until they end."""
     diffusivity, time, Theta = scales(rod)
@@ -275,8 +349,8 @@ def expected_loads(rod):
             ("Body force", "f", rod["force"] * rod["L"] / modulus(rod),
              rod["force"], rod["force_time"], "N/m^3")):
         if end < rod["t"]:
-            yield (f"set {entry} = if(t < {{}}, {{}}, 0) # {symbol}; {{}} {unit}",
-                   end / time, value, given)
+            yield (f"set {entry} = if(t < {{}}, {{}}, {{}}) # {symbol}; {{}} {unit}",
+                   end / time, value, 0, given)
         else:
             yield f"set {entry} = {{}} # {symbol}; {{}} {unit}", value, given
     yield "end",
@@ -299,7 +373,7 @@ def differences(text, expected):
 
 def falsified(text):
     """The text with each of its numbers, in turn, off by a millionth."""
-    for match in re.finditer(r"(?<=[ =])-?\d[\d.]*(e[+-]?\d+)?(?=[ ,\n*])", text):
+    for match in re.finditer(r"(?<=[ =(+/,<*])-?\d[\d.]*(e[+-]?\d+)?(?=[ ,\n*+)/;])", text):
         wrong = repr(float(match[0]) * (1 + 1e-6) or 1e-6)
         yield text[:match.start()] + wrong + text[match.end():]
 
@@ -351,11 +425,20 @@ def main():
                      ("Unit = s", "Unit = days"),
                      ("subsection Rod", "subsection Model\n  set Inertia = 1\nend\n"
                       "subsection Rod"),
+                     ("= 0.0001\n  set Stiffness = 30000000.0",
+                      "= 0.0001\n  set Stiffness = infinity\n  set Damping = 0.1"),
+                     ("subsection Rod", "subsection Sides\n  set Exchange coefficient "
+                      "= 9\n  set Perimeter = 0.015\nend\nsubsection Rod"),
+                     ("subsection Rod", "subsection Loads\n  set Base motion = "
+                      "cos(t)\nend\nsubsection Rod"),
                      ("subsection Rod", "subsection Mesh\n  set Cels = 1\nend\n"
                       "subsection Rod")):
         status, _, message = answer(si_file({**ROD, "time_unit": "s"}).replace(old, new))
         print(message.rstrip())
         print("exit status", status)
+    status, _, message = answer(si_file({**ROD, "h_sides": 9.0, "perimeter": 0.015}))
+    print(message.rstrip())
+    print("exit status", status)
 
 
 main()

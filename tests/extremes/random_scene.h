@@ -35,13 +35,7 @@ namespace ThermoContact
     TestScene
     draw()
     {
-      draw_model();
-      draw_mesh();
-      draw_time();
-      draw_boundary();
-      draw_initial_values();
-      draw_contact();
-      draw_sources();
+      draw_all();
       remove_unused();
       return scene;
     }
@@ -114,6 +108,7 @@ namespace ThermoContact
     void
     set(const std::string &path, const std::string &value)
     {
+      unset(path);
       scene.overrides.push_back(path + "=" + value);
     }
 
@@ -121,6 +116,29 @@ namespace ThermoContact
     set(const std::string &path, const double value)
     {
       set(path, text(value));
+    }
+
+    /** The default is left. */
+    void
+    unset(const std::string &path)
+    {
+      scene.overrides.erase(std::remove_if(scene.overrides.begin(),
+                                           scene.overrides.end(),
+                                           [&](const std::string &text) {
+                                             return text.rfind(path + "=", 0) ==
+                                                    0;
+                                           }),
+                            scene.overrides.end());
+    }
+
+    /** What is drawn for an entry, or else @p otherwise. */
+    std::string
+    value(const std::string &path, const std::string &otherwise) const
+    {
+      for (const std::string &text : scene.overrides)
+        if (text.rfind(path + "=", 0) == 0)
+          return text.substr(path.size() + 1);
+      return otherwise;
     }
 
     /** Entries that the scene cannot use would be refused. */
@@ -133,14 +151,20 @@ namespace ThermoContact
       for (const std::string &text : scene.overrides)
         assign_entries({parse_override(text)}, prm);
       for (const UnusedEntry &entry : unused_entries(parameters))
-        scene.overrides.erase(std::remove_if(scene.overrides.begin(),
-                                             scene.overrides.end(),
-                                             [&](const std::string &text) {
-                                               return text.rfind(entry.path +
-                                                                   "=",
-                                                                 0) == 0;
-                                             }),
-                              scene.overrides.end());
+        unset(entry.path);
+    }
+
+    /** What contradicts itself, and would be refused, is not drawn. */
+    void
+    draw_all()
+    {
+      draw_model();
+      draw_mesh();
+      draw_time();
+      draw_boundary();
+      draw_initial_values();
+      draw_contact();
+      draw_sources();
     }
 
   private:

@@ -35,6 +35,28 @@ namespace ThermoContact
          "Time/Step size=0.01",
          "Time/Start=paper",
          "Model/Inertia=0"});
+    const Overrides by_contact = {"Boundary/Heat exchange=1+gap"};
+    const Overrides shaken     = {"Boundary/Fixed end displacement=sin(t)"};
+    add("Time/Scheme", conserving + Overrides{"Contact/Condition=power law"});
+    add("Contact/Damping", conserving + Overrides{"Contact/Damping=1e6"});
+    add("Boundary/Heat exchange", conserving + by_contact);
+    add("Boundary/Heat exchange",
+        by_contact + Overrides{"Contact/Condition=none"});
+    add("Boundary/Obstacle temperature",
+        by_contact + Overrides{"Boundary/Obstacle temperature=sin(t)"});
+    add("Boundary/Fixed end displacement", conserving + shaken);
+    add("Boundary/Fixed end displacement",
+        shaken + Overrides{"Time/Scheme=backward euler",
+                           "Time/Step size=0.01",
+                           "Time/Start=paper"});
+    add("Mesh/Mass matrix",
+        {"Mesh/Mass matrix=midpoint", "Time/Step size=0.01"});
+    add("Mesh/Mass matrix",
+        conserving + Overrides{"Mesh/Mass matrix=midpoint", "Mesh/Degree=1"});
+    add("Contact/Damping",
+        {"Contact/Damping=1e6",
+         "Contact/Massless nodes=on",
+         "Model/Viscosity=0"});
     add("Contact/Gap", {"Model/Fields=temperature", "Contact/Gap=1"});
     add("Model/Coupling", {"Model/Fields=displacement", "Model/Coupling=1"});
   }
@@ -58,8 +80,12 @@ namespace ThermoContact
                              "Boundary/Heat exchange",
                              "Boundary/Fixed end temperature",
                              "Boundary/Obstacle temperature",
+                             "Boundary/Lateral heat exchange",
+                             "Boundary/Ambient temperature",
                              "Contact/Compliance",
                              "Contact/Gap",
+                             "Contact/Damping",
+                             "Contact/Exponent",
                              "Mesh/Grading",
                              "Time/Step size",
                              "Time/End time"})
@@ -70,7 +96,12 @@ namespace ThermoContact
     for (const char *path : {"Model/Inertia",
                              "Model/Viscosity",
                              "Boundary/Heat exchange",
+                             "Boundary/Lateral heat exchange",
                              "Contact/Compliance",
+                             "Contact/Damping",
+                             "Contact/Exponent",
+                             "Output/Period",
+                             "Time/Break points",
                              "Mesh/Grading",
                              "Mesh/Cells",
                              "Mesh/Degree",
@@ -82,6 +113,13 @@ namespace ThermoContact
     add("Mesh/Degree=0");
     add("Time/Step size=0");
     add("Time/Step size=1e-9", "1e9 steps");
+    add("Contact/Exponent=11");
+    add("Boundary/Heat exchange=gap-1e-3");
+    add("Boundary/Heat exchange=1/pressure");
+    add("Boundary/Fixed end displacement=1+t");
+    add("Boundary/Fixed end displacement=sqrt(t)");
+    add("Boundary/Fixed end displacement=if(t<1,0,1)");
+    add("Boundary/Fixed end temperature=1/t");
     add("Initial values/Temperature=1/(x-x)");
     add("Initial values/Displacement=1");
     add_contradictions(scenes);

@@ -32,6 +32,9 @@ namespace ThermoContact
 
     /** Accepted steps after which the checks have seen enough. */
     unsigned int max_steps = 400;
+
+    /** Written down, as opposed to drawn. */
+    bool is_of_table = false;
   };
 
 

@@ -103,14 +103,31 @@ namespace ThermoContact
 
 
 
+  /** The variable times a factor in place of it. */
+  inline void
+  replace_name(const std::string &name,
+               const double       factor,
+               std::string       &expression)
+  {
+    std::ostringstream text;
+    text << std::setprecision(17) << "(" << factor << "*" << name << ")";
+    for (std::size_t at = expression.find(name); at != std::string::npos;
+         at             = expression.find(name, at + text.str().size()))
+      expression.replace(at, name.size(), text.str());
+  }
+
+
+
   /**
    * The scene with thermal and mechanical data multiplied by a factor each. An
-   * expression that is 0 stays absent.
+   * expression that is 0 stays absent. (epsilon p^(1/m) is a displacement, and
+   * c v a number.)
    */
   inline Parameters
   scaled(Parameters parameters, const double thermal, const double mechanical)
   {
-    const double theta_A = parameters.boundary.fixed_end_temperature;
+    // in expressions, where it may be one itself
+    const double theta_A = Scene(parameters).heat.fixed_end_temperature;
     const auto   scale   = [theta_A](const double factor, std::string &text) {
       if (text != "0")
         text = times(factor, text, theta_A);
@@ -122,11 +139,25 @@ namespace ThermoContact
     scale(thermal, parameters.sources.end_heat_flux);
     scale(mechanical, parameters.sources.body_force);
     scale(mechanical, parameters.sources.end_traction);
-    parameters.boundary.fixed_end_temperature *= thermal;
-    parameters.boundary.obstacle_temperature *= thermal;
+    BoundaryParameters &boundary = parameters.boundary;
+    boundary.fixed_end_temperature *= thermal;
+    boundary.obstacle_temperature *= thermal;
+    boundary.ambient_temperature *= thermal;
+    scale(mechanical, boundary.fixed_end_displacement);
+    if (!boundary.fixed_end_expression.empty())
+      scale(thermal, boundary.fixed_end_expression);
+    if (!boundary.obstacle_expression.empty())
+      scale(thermal, boundary.obstacle_expression);
+    if (!boundary.exchange_expression.empty())
+      for (const char *name : {"gap", "pressure"})
+        replace_name(name, 1. / mechanical, boundary.exchange_expression);
     parameters.contact.gap *= mechanical;
     if (!parameters.contact.gap_expression.empty())
       scale(mechanical, parameters.contact.gap_expression);
+    if (parameters.contact.condition == "power law")
+      parameters.contact.compliance *=
+        std::pow(mechanical, 1. - 1. / parameters.contact.exponent);
+    parameters.contact.damping /= mechanical;
     return parameters;
   }
 
@@ -170,25 +201,55 @@ namespace ThermoContact
 
 
 
+  /** Temperatures of a rod at rest, (M.7), (M.103): its end and its mean. */
+  struct TemperaturesAtRest
+  {
+    double end, mean;
+
+    TemperaturesAtRest(const BoundaryParameters &b,
+                       const double              left,
+                       const double              k)
+    {
+      const double c  = k / (k + 1.);
+      const double mu = std::sqrt(b.lateral_heat_exchange);
+      const double outside =
+        b.lateral_heat_exchange > 0. ? b.ambient_temperature : 0.;
+      const double cosine    = std::cosh(mu);
+      const double sine      = mu > 0. ? std::sinh(mu) / mu : 1.;
+      const double C         = mu > 0. ? (cosine - 1.) / (mu * mu) : 0.5;
+      const double N         = (1. - c) * cosine + c * sine;
+      const double theta_A   = left - outside;
+      const double theta_obs = b.obstacle_temperature - outside;
+      end = outside + ((1. - c) * theta_A + c * theta_obs * sine) / N;
+      mean =
+        outside + (((1. - c) * sine + c * C) * theta_A + c * C * theta_obs) / N;
+    }
+  };
+
+
+
   /**
-   * Distance of the last state from (M.10), relative to the largest values of
-   * the run and the displacements that its largest temperature and velocity
-   * would cause.
+   * Distance of the last state from (M.10), with the heat exchange of its own
+   * gap and pressure, relative to the largest values of the run and the
+   * displacements that its largest temperature and velocity would cause.
    */
   inline double
   distance_from_steady_state(const RunResult &run, const Parameters &parameters)
   {
-    const double a        = parameters.model.coupling;
-    const double k        = parameters.boundary.heat_exchange;
-    const double c        = k / (k + 1.);
-    const double left     = parameters.boundary.fixed_end_temperature;
-    const double drop     = left - parameters.boundary.obstacle_temperature;
-    const double free_end = a * (left - 0.5 * c * drop);
+    const Scene              scene(parameters);
+    const StepRecord        &last = run.last;
+    const double             a    = parameters.model.coupling;
+    const TemperaturesAtRest rest(
+      parameters.boundary,
+      scene.heat.fixed_end_drive ?
+        scene.heat.fixed_end_drive->value(last.time) :
+        scene.heat.fixed_end_temperature,
+      scene.heat.exchange->coefficient(
+        scene.contact.law->is_active() ? -last.gap : 0., last.contact_force));
+    const double free_end = a * rest.mean;
     const double pressure =
-      Scene(parameters)
-        .contact.law->local_pressure(free_end - parameters.contact.gap, 1.);
-    const StepRecord &last = run.last;
-    const double      length =
+      scene.contact.law->local_pressure(free_end - parameters.contact.gap, 1.);
+    const double length =
       std::max({run.scales.displacement,
                 std::abs(a) * run.scales.temperature,
                 std::sqrt(parameters.model.inertia) * run.scales.velocity});
@@ -197,8 +258,7 @@ namespace ThermoContact
           std::abs(last.displacement_end - (free_end - pressure)) / length);
     raise(distance, std::abs(last.contact_force - pressure) / length);
     raise(distance,
-          std::abs(last.temperature_end - (left - c * drop)) /
-            run.scales.temperature);
+          std::abs(last.temperature_end - rest.end) / run.scales.temperature);
     raise(distance, std::abs(last.velocity_end) / run.scales.velocity);
     return distance;
   }

@@ -7,7 +7,9 @@
 //    the free velocity 5/2. Start 1, v = -1/4: s = 3/4, p = 3/2 * 1/2 = 3/4, so
 //    that the response 1 leaves it of 1/2. Start 3, v = -1: 1 + c v < 0, p = 0
 //    at s = 2. Start 1 with tau = 0, v = 1/2: p = 2 * 2 = 4, free velocity 1
-//    with the response 1/8.
+//    with the response 1/8. An obstacle so hard, phi = 1e24, that all
+//    velocities but -1/c, to rounding, make too large a pressure: start 1 and
+//    the response 1 leave it of 3/2 if p = 2, one node alone and two.
 // 2. A node that is held, start 1/4, tau = 1: v = -1/2 gives s = -1/4 and p =
 //    -1/2 [1 - 2/4] = -1/4, so that the response 1 leaves it of -3/4. At the
 //    start 1 the factor is 0: p = 0 for the free velocity -2.
@@ -68,6 +70,17 @@ namespace
             << ", in place " << pressure_alone(*law, 0., 1., 1., 0.125)
             << ", before " << pressure_alone(*law, 1., -1., 0.5, 1.)
             << std::endl;
+    const auto         hard = make_law(1e-24, 1., 2.);
+    FullMatrix<double> response(2, 2);
+    response(0, 0) = response(1, 1) = 1.;
+    std::vector<double> pressure;
+    DampedContact(*hard).solve(response,
+                               {1e-3, {1., 1.}, {1.5, 1.5}, {}},
+                               pressure);
+    const auto factor_of_rounding = make_law(1e-24, 1., 49.); // 1 - 49 (1/49)
+    deallog << "hard " << pressure_alone(*hard, 1e-3, 1., 1.5, 1.) << ", "
+            << pressure_alone(*factor_of_rounding, 1e-3, 1., 2. - 1. / 49., 1.)
+            << ", two " << pressure[0] << ' ' << pressure[1] << std::endl;
     deallog << "held " << pressure_alone(*law, 1., 0.25, -0.75, 1., true)
             << ", let go " << pressure_alone(*law, 1., 1., -2., 1., true)
             << ", held in contact "

@@ -213,6 +213,13 @@ namespace
     deallog << "at the end: " << (last.time == end)
             << (last.old_time == std::nextafter(0.3, 0.))
             << (last.new_time == end) << std::endl;
+    LoadHistory at_start;
+    at_start.add_breaks({1e-322, 1e-9});
+    at_start.end_at(end);
+    const LoadBreak &first = at_start.breaks.at(0);
+    deallog << "at the start: " << (first.time == 0. && first.old_time == 0.)
+            << (first.new_time > 1e-322) << (at_start.breaks[1].time == 1e-9)
+            << std::endl;
     deallog << "two jumps: "
             << scan(
                  [](const double t) {

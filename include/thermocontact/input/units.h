@@ -48,17 +48,26 @@ namespace ThermoContact
     std::string temperature_unit      = "automatic";
     double      reference_temperature = 293.15; ///< of the rod without stress
     double      initial_temperature   = 293.15;
-    double      fixed_end_temperature = 393.15;
-    double      obstacle_temperature  = 293.15;
+    double      fixed_end_temperature = 393.15;   ///< a number,
+    std::string fixed_end_expression;             ///< or else in t
+    double      obstacle_temperature = 293.15;    ///< a number,
+    std::string obstacle_expression;              ///< or else in t
+    double      surrounding_temperature = 293.15; ///< if the sides lose heat
 
     double                gap = 5e-4;                  ///< m
     std::optional<double> rear_gap;                    ///< m; none: one stop
-    std::optional<double> stiffness;                   ///< N/m; none: rigid
+    std::optional<double> stiffness;                   ///< N/m^m; none: rigid
+    double                exponent             = 1.;   ///< m
+    double                damping              = 0.;   ///< s/m
     double                exchange_coefficient = 100.; ///< W/(m^2 K)
 
-    double      initial_velocity = 0.; ///< m/s, of the contact end
-    LoadInUnits body_force;            ///< N/m^3
-    LoadInUnits heater;                ///< W
+    double side_coefficient = 0.;   ///< W/(m^2 K), of the lateral sides
+    double perimeter        = 0.04; ///< m; if they lose heat
+
+    std::string base_motion      = "0"; ///< m, in t
+    double      initial_velocity = 0.;  ///< m/s, of the contact end
+    LoadInUnits body_force;             ///< N/m^3
+    LoadInUnits heater;                 ///< W
 
     std::string time_unit = "automatic";
     double      end_time  = 129600.;
@@ -90,15 +99,39 @@ namespace ThermoContact
     double
     in_seconds(const double time) const;
 
+    /** The fixed end moves. */
+    bool
+    has_moving_base() const
+    {
+      return base_motion != "0";
+    }
+
     /**
      * @throw InputError for temperatures that are not above zero kelvin, or
      *   that may be degrees Celsius, as the file does not say that they are
-     *   kelvin; for an obstacle without stiffness
+     *   kelvin; for an obstacle without stiffness, or a rigid one with a law;
+     *   for a perimeter that no cross-section of that area has; for
+     *   expressions that are none, or a base that starts elsewhere
      */
     void
     check() const;
 
   private:
+    /** The temperature of one entry; in expressions at many times. */
+    void
+    check_temperature(const std::string &name,
+                      const double       value,
+                      const std::string &expression) const;
+
+    void
+    check_obstacle() const;
+
+    void
+    check_sides() const;
+
+    void
+    check_base_motion() const;
+
     void
     add_rod(dealii::ParameterHandler &prm);
 
@@ -107,6 +140,9 @@ namespace ThermoContact
 
     void
     add_obstacle(dealii::ParameterHandler &prm);
+
+    void
+    add_sides(dealii::ParameterHandler &prm);
 
     void
     add_loads(dealii::ParameterHandler &prm);
@@ -131,7 +167,7 @@ namespace ThermoContact
 
 
 
-  /** The coefficients of the model, doc/units.md (U.4), (U.5). */
+  /** The coefficients of the model, doc/units.md (U.4), (U.5), (U.6). */
   struct ScaledRod
   {
     double coupling;              ///< $a$
@@ -139,6 +175,9 @@ namespace ThermoContact
     double viscosity;             ///< $\zeta$
     double heat_exchange;         ///< $k$
     double compliance;            ///< $\varepsilon$; 0: rigid
+    double damping;               ///< $c$
+    double lateral_exchange;      ///< $m$ of the sides
+    double ambient_temperature;   ///< $\theta_\infty$
     double gap;                   ///< $g$
     double rear_gap;              ///< $g_2$, if there is a rear stop
     double fixed_end_temperature; ///< $\theta_A$
