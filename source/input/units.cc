@@ -32,8 +32,7 @@ namespace ThermoContact
         return path == "Title" || path == "Small terms" ||
                path == "Rod/Lateral sides" || path == "Temperatures/Unit" ||
                path == "Time/Unit" || path == "Obstacle/Rear gap" ||
-               path == "Obstacle/Exponent" ||
-               path == "Obstacle/Damping" ||
+               path == "Obstacle/Exponent" || path == "Obstacle/Damping" ||
                path == "Sides/Exchange coefficient" ||
                path.rfind("Loads/", 0) == 0 ||
                (!loses_heat && (path == "Sides/Perimeter" ||

@@ -206,7 +206,7 @@ namespace ThermoContact
          LoadHistory              &history,
          std::vector<std::string> &warnings)
     {
-      const TimeParameters &time  = scene.parameters.time;
+      const TimeParameters &time = scene.parameters.time;
       const QuantityUnits   units(scene.parameters);
       std::vector<double>   named = numbers_in(load.expression);
       named.insert(named.end(),
