@@ -6,9 +6,9 @@
 // cell matrices A^T A + I/2, of two kinds in turn by groups of cells, or one
 // for each cell; D is such a matrix with the half below its diagonal times
 // -1/2, and the thermal stress its transpose. Stiffnesses are A^T A and D, with
-// the first columns of A and D such that rows add up to 0; conduction has 1/2
-// more at the end of the last cell, the heat exchange, if that is a run of its
-// own.
+// the first columns of A and D such that rows add up to 0; conduction has the
+// heat exchange besides, and 1/2 of that at the end of the last cell, if it is
+// a run of its own.
 //
 // 1. Products, combinations and forms, against sums over full matrices: to
 //    rounding, 1e-12 of the sum of the absolute values of their terms. Of cells
@@ -149,17 +149,20 @@ namespace
     for (unsigned int c = 0; c < layout.n_cells; ++c)
       {
         if (c % group == 0)
-          for (unsigned int m = 0; m < n_matrices; ++m)
-            cell[m] = random_cell(n, m);
+          {
+            for (unsigned int m = 0; m < n_matrices; ++m)
+              cell[m] = random_cell(n, m);
+            cell[RodMatrices::conduction].add(1.,
+                                              cell[RodMatrices::heat_exchange]);
+          }
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
             cell[RodMatrices::thermal_stress](j, i) =
               cell[RodMatrices::divergence](i, j);
-        cell[RodMatrices::heat_exchange] = 0.;
         if (c + 1 == layout.n_cells && c % group == 0)
           {
             cell[RodMatrices::conduction](1, 1) += 0.5;
-            cell[RodMatrices::heat_exchange](1, 1) = 0.5;
+            cell[RodMatrices::heat_exchange](1, 1) += 0.5;
           }
         rod.cells.push_back(cell);
         for (unsigned int m = 0; m < n_matrices; ++m)
