@@ -190,17 +190,27 @@ def check_build(top):
 
 
 def check_foreign_clone(top):
-    """A clone that is not writable; root may write everywhere and is left out."""
-    if os.getuid() == 0:
-        return
-    project = Project(top)
-    top.chmod(0o555)
-    result, calls = project.run("build", "--tree", "Release",
-                                XDG_CACHE_HOME="/somewhere")
-    top.chmod(0o755)
-    check("a clone that is not writable", result.stdout.startswith(
-        "/somewhere/thermocontact/") and result.stdout.endswith("/release\n"),
-          result.stdout)
+    """A clone that cannot be written by who builds, or where somebody else has built:
+    all of it, its trees, one of them. Root may write everywhere and is nobody here."""
+    Project(top)
+    as_nobody = {"user": 65534, "group": 65534} if os.getuid() == 0 else {}
+    top.parent.chmod(0o755)  # of the scratch directory of root
+    (top / "build/release").mkdir(parents=True)
+    folders = (top, top / "build", top / "build/release", top / "build/debug")
+    for closed, n_elsewhere in ((folders[0], 2), (folders[1], 2), (folders[2], 1), (None, 0)):
+        for folder in folders[:3]:
+            folder.chmod(0o555 if folder == closed else 0o777)
+        trees = [subprocess.run(
+            [top / "scripts/build", "--tree", name], capture_output=True, text=True,
+            check=False, env={**os.environ, "XDG_CACHE_HOME": "/somewhere"},
+            **as_nobody).stdout.strip() for name in ("Release", "Debug")]
+        elsewhere = [tree for tree in trees if tree.startswith("/somewhere/thermocontact/")]
+        check(f"a clone that cannot be written, {closed and closed.relative_to(top.parent)}",
+              len(elsewhere) == n_elsewhere and elsewhere == trees[:n_elsewhere] and
+              [Path(tree).name for tree in trees] == ["release", "debug"] and
+              trees[n_elsewhere:] == [str(f) for f in folders[2 + n_elsewhere:]], str(trees))
+    for folder in folders[:3]:
+        folder.chmod(0o755)
 
 
 def check_help():
