@@ -92,18 +92,24 @@ namespace ThermoContact
         const double ds =
           1e-12 *
           std::max({scales.displacement, std::abs(end.nodes()[i].gap), p});
-        const double dv =
-          (scene.contact.is_in_equilibrium || !scene.material.has_inertia()) &&
-              dt > 0. ?
-            ds / dt :
-            0.;
+        double dv = 1e-12 * scales.velocity;
+        if ((scene.contact.is_in_equilibrium ||
+             !scene.material.has_inertia()) &&
+            dt > 0.)
+          dv += ds / dt;
+        // without inertia it is what is left of velocities of all forces
+        if (!scene.material.has_inertia() && scene.material.has_viscosity())
+          dv += 1e-12 *
+                (std::abs(scene.material.thermal_stress) * scales.temperature +
+                 scales.displacement + p) /
+                scene.material.viscosity;
         if (is_damped && !is_moved)
           raise(misses["pressure of the damped law"],
                 miss_of_range(p,
                               penetration[i],
                               ds,
                               velocity[i],
-                              dv + 1e-12 * scales.velocity,
+                              dv,
                               [&](const double s, const double v) {
                                 return law.damped_pressure(s, v);
                               }));

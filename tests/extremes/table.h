@@ -374,8 +374,10 @@ namespace ThermoContact
     add_two_dimensional(scenes);
     add_warnings(scenes);
     add_refusals(scenes);
-    for (TestScene &scene : scenes)
-      scene.is_of_table = true;
+    // there are seven schemes, so that each parameter has both
+    for (unsigned int i = 0; i < scenes.size(); ++i)
+      scenes[i].variations =
+        i % 2 == 0 ? TestScene::scaling_alone : TestScene::sign_alone;
     return scenes;
   }
 } // namespace ThermoContact

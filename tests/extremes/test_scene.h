@@ -33,8 +33,15 @@ namespace ThermoContact
     /** Accepted steps after which the checks have seen enough. */
     unsigned int max_steps = 400;
 
-    /** Written down, as opposed to drawn. */
-    bool is_of_table = false;
+    /** Which variations of it are to be the same. */
+    enum Variations
+    {
+      all,
+      scaling_alone,
+      sign_alone
+    };
+
+    Variations variations = all;
   };
 
 

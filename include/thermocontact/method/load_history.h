@@ -75,7 +75,9 @@ namespace ThermoContact
     void
     add(const LoadHistory &other);
 
-    /** Breaks that are too close to the end to be told apart from it are there.
+    /**
+     * Breaks that are too close to the end, or to the start, to be told apart
+     * from it are there.
      */
     void
     end_at(const double end_time);
