@@ -81,10 +81,11 @@ def check_rod(reference, prm):
     shutil.rmtree(directory)
 
 
-def check_resumed(reference, prm, first, then):
-    """Half of the time on some ranks, the rest on others."""
+def check_resumed(reference, prm, half, first, then):
+    """Half of the time on some ranks, which half holds with its status, the rest on others."""
     directory = Path("resumed")
-    status = [run(first, directory, prm, "--set", "Time/End time=0.1")[0]]
+    shutil.copytree(half[0], directory)
+    status = [half[1]]
     end, screen = run(then, directory, "--resume", prm)
     status.append(end)
     warnings = json.loads((directory / "summary.json").read_text())["warnings"]
@@ -119,8 +120,15 @@ def main():
     if json.loads((reference / "summary.json").read_text())["dimension"] == 1:
         check_rod(reference, "scene.prm")
     else:
+        halves = {}
+        for ranks in (1, 2):
+            directory = Path(f"half-{ranks}")
+            halves[ranks] = directory, run(ranks, directory, "scene.prm",
+                                           "--set", "Time/End time=0.1")[0]
         for first, then in ((1, 1), (2, 2), (1, 2), (2, 1), (2, 3)):
-            check_resumed(reference, "scene.prm", first, then)
+            check_resumed(reference, "scene.prm", halves[first], first, then)
+        for directory, _ in halves.values():
+            shutil.rmtree(directory)
     os.remove("scene.prm")
 
 

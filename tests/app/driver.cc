@@ -158,6 +158,7 @@ main(int, char **argv)
     arguments.emplace_back("FILE");
 
   setenv("THERMOCONTACT", PROGRAM, 1); // for the scripts
+  setenv("THERMOCONTACT_FORKS", FORKS, 1);
   for (const std::string &line : marked_lines(test, "#% "))
     if (const std::string shell_command = replace_all(line, "PRM", prm_dir);
         std::system(shell_command.c_str()) != 0)

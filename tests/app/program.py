@@ -1,10 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs of the program, for the scripts check_*.py."""
+import json
 import os
 import re
 import subprocess
 import tempfile
+import threading
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+_OF_THREAD = threading.local()
+
+
+def _forks():
+    """The process that runs the program for this thread (forks.cc)."""
+    if not hasattr(_OF_THREAD, "forks"):
+        _OF_THREAD.forks = subprocess.Popen(
+            [os.environ["THERMOCONTACT_FORKS"]], stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE, text=True)
+    return _OF_THREAD.forks
 
 
 def run(*arguments, memory=None, file_size=None):
@@ -12,21 +26,22 @@ def run(*arguments, memory=None, file_size=None):
 
     memory, file_size: limits in bytes.
     """
-    limits = [f"--{kind}={limit}" for kind, limit in
-              (("as", memory), ("fsize", file_size)) if limit is not None]
     # single processes of Open MPI that run at the same time disturb each other
     # in a common directory
     with tempfile.TemporaryDirectory() as directory:
-        environment = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1",
-                           OMPI_MCA_btl="self",
-                           OMPI_MCA_orte_tmpdir_base=directory)
-        process = subprocess.run(
-            ["prlimit", *limits, os.environ["THERMOCONTACT"],
-             *map(str, arguments)],
-            capture_output=True, text=True, env=environment, check=False)
-    message = process.stderr.partition("thermocontact: ")[2]
-    return (process.returncode, process.stdout,
-            re.sub(r"^command line: ", "", message))
+        screen, message = Path(directory, "stdout"), Path(directory, "stderr")
+        forks = _forks()
+        print(json.dumps({
+            "arguments": [str(argument) for argument in arguments],
+            "environment": {"OMPI_MCA_ess_singleton_isolated": "1",
+                            "OMPI_MCA_btl": "self",
+                            "OMPI_MCA_orte_tmpdir_base": directory},
+            "stdout": str(screen), "stderr": str(message),
+            "memory": memory, "file_size": file_size}),
+            file=forks.stdin, flush=True)
+        status = int(forks.stdout.readline())
+        words = message.read_text().partition("thermocontact: ")[2]
+        return status, screen.read_text(), re.sub(r"^command line: ", "", words)
 
 
 def for_all(function, arguments):
