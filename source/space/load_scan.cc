@@ -208,7 +208,10 @@ namespace ThermoContact
     {
       const TimeParameters &time = scene.parameters.time;
       const QuantityUnits   units(scene.parameters);
-      std::vector<double>   named = numbers_in(load.expression);
+      const auto            words = [&units](const double at) {
+        return units.text_for_entry("time", at);
+      };
+      std::vector<double> named = numbers_in(load.expression);
       named.insert(named.end(),
                    time.break_points.begin(),
                    time.break_points.end());
@@ -218,7 +221,7 @@ namespace ThermoContact
                               " = ",
                               quote(load.expression),
                               ": is not finite at t = ",
-                              units.text_for_entry("time", scanned.time),
+                              words(scanned.time),
                               "\n  allowed: functions that are continuous"
                               "\n  remedy:  a function that is finite up to "
                               "Time/End time"));
@@ -229,7 +232,7 @@ namespace ThermoContact
                                   " = ",
                                   quote(load.expression),
                                   ": jumps at t = ",
-                                  units.text_for_entry("time", at.time),
+                                  words(at.time),
                                   "\n  allowed: functions that are continuous"
                                   "\n  remedy:  ",
                                   load.no_jump));
@@ -245,7 +248,7 @@ namespace ThermoContact
           text(load.path,
                scanned.is_infinite ? " is not finite at t = " :
                                      " changes too fast near t = ",
-               units.text_for_entry("time", scanned.time),
+               words(scanned.time),
                scanned.is_infinite ? "" : " to be seen before the run",
                ": steps do not look for its jumps and pulses (Time/Break "
                "points and Time/Maximum step size help them)"));
