@@ -324,7 +324,8 @@ def check_errors(run):
     if not run.has_table("steps"):
         return
     s, errors = run.steps, numpy.array(replay_of(run).errors)
-    if not numpy.allclose(s["error"], errors, rtol=2e-5, atol=1e-9, equal_nan=True):
+    # at an event the last digit of the pressure decides whether the contact node counts: 1e-6
+    if not numpy.allclose(s["error"], errors, rtol=2e-5, atol=2e-6, equal_nan=True):
         yield "not the error that the replay has"
     modes, allowed = replay_of(run).modes, 1.0
     for i, (error, accepted, reason) in enumerate(zip(s["error"], s["accepted"],
