@@ -33,20 +33,28 @@ namespace ThermoContact
 
 
 
-    /** Whether the sum of all differences is what rounding leaves of zero. */
+    /**
+     * Whether the entries without the others add up to what rounding leaves of
+     * zero. Others that are larger than what remains are not: a rod whose end
+     * has the temperature of the obstacle would exchange the rounding of that
+     * of the vertex behind it.
+     */
     bool
     add_up_to_zero(const double      *entries,
                    const double      *others,
                    const unsigned int n_entries)
     {
-      double sum = 0., largest = 0.;
+      double sum = 0., largest = 0., largest_other = 0.;
       for (unsigned int i = 0; i < n_entries; ++i)
         {
           sum += entries[i] - others[i];
-          largest = std::max(largest, std::abs(entries[i]));
+          largest       = std::max(largest, std::abs(entries[i] - others[i]));
+          largest_other = std::max(largest_other, std::abs(others[i]));
         }
-      return std::abs(sum) <=
-             n_entries * std::numeric_limits<double>::epsilon() * largest;
+      return largest_other <= largest &&
+             std::abs(sum) <= n_entries *
+                                std::numeric_limits<double>::epsilon() *
+                                (largest + largest_other);
     }
   } // namespace
 
