@@ -391,12 +391,10 @@ namespace ThermoContact
 
 
 
-#define INSTANTIATE(dim) \
-  template void report_scene<dim>(const Simulation<dim> &, Log &)
-
-  INSTANTIATE(1);
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template void
+  report_scene<1>(const Simulation<1> &, Log &);
+  template void
+  report_scene<2>(const Simulation<2> &, Log &);
+  template void
+  report_scene<3>(const Simulation<3> &, Log &);
 } // namespace ThermoContact

@@ -21,15 +21,13 @@ namespace ThermoContact
       }
     now = {time, value, rate};
     ++n_samples;
-    const bool is_largest = n_samples == 1 || value >= largest;
-    if (is_largest)
-      largest = value;
+    if (n_samples == 1 || value >= largest)
+      largest = of_parabola = value;
+    else if (n_samples > 2 && last.value == largest &&
+             (std::isnan(rate) || !(before.value > 0.)))
+      of_parabola = std::max(of_parabola, vertex());
     if (!std::isnan(rate))
-      estimate_ = std::max({estimate_, value, top_of_step()});
-    else if (is_largest)
-      estimate_ = value;
-    else if (n_samples > 2 && last.value == largest)
-      estimate_ = std::max(estimate_, vertex());
+      of_cubics = std::max(of_cubics, top_of_step());
   }
 
 

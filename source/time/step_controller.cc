@@ -144,9 +144,10 @@ namespace ThermoContact
     if (const LoadBreak *begin = loads.break_at(time);
         has_error_control && begin != nullptr && begin->node_step > 0.)
       {
-        step.size   = std::min(std::max(begin->node_step, minimum_size), size);
-        step.end    = time + step.size;
-        step.target = TimeStep::load;
+        // a jump, which has a length only for the sake of the nodes' equation
+        step.size        = std::min(begin->node_step, size);
+        step.end         = time + step.size;
+        step.target      = TimeStep::load;
         step.is_of_nodes = true;
       }
     const double margin = multiple_slack * step.size;

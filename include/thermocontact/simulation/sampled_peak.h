@@ -3,6 +3,7 @@
 #ifndef thermocontact_simulation_sampled_peak_h
 #define thermocontact_simulation_sampled_peak_h
 
+#include <algorithm>
 #include <limits>
 
 namespace ThermoContact
@@ -10,8 +11,9 @@ namespace ThermoContact
   /**
    * The largest value of a quantity that is known at step ends, and what it may
    * have been between them, (M.87): with rates the largest value of the cubics
-   * that have the values and the rates of the ends of a step; without them the
-   * vertex of the parabola through the largest value and its neighbours.
+   * that have the values and the rates of the ends of a step; without them, or
+   * where the step before the largest value has no cubic, the vertex of the
+   * parabola through the largest value and its neighbours.
    * Arithmetic only.
    */
   class SampledPeak
@@ -33,14 +35,14 @@ namespace ThermoContact
     double
     estimate() const
     {
-      return estimate_;
+      return std::max(of_parabola, of_cubics);
     }
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &before &last &now &n_samples &largest &estimate_;
+      archive &before &last &now &n_samples &largest &of_parabola &of_cubics;
     }
 
   private:
@@ -59,9 +61,10 @@ namespace ThermoContact
     };
 
     Sample       before, last, now;
-    unsigned int n_samples = 0;
-    double       largest   = 0.;
-    double       estimate_ = 0.;
+    unsigned int n_samples   = 0;
+    double       largest     = 0.;
+    double       of_parabola = 0.; ///< not below the largest
+    double       of_cubics   = 0.;
 
     /** Of the parabola through all three samples. */
     double
