@@ -309,7 +309,7 @@ namespace
                                              {"Model/Inertia=1",
                                               "Model/Viscosity=0.1",
                                               "Initial values/Velocity=x",
-                                              "Mesh/Cells=2",
+                                              "Mesh/Cells=8",
                                               "Mesh/Degree=3",
                                               "Time/Tolerance=1e-5",
                                               "Time/End time=13"}),
