@@ -55,11 +55,13 @@ namespace ThermoContact
   EventLocator::EventLocator(const ContactLaw  &law,
                              const bool         is_active,
                              const ContactNodes nodes,
-                             const double       tolerance)
+                             const double       tolerance,
+                             const bool         has_small_changes)
     : law(law)
     , is_active(is_active)
     , nodes(nodes)
     , tolerance(tolerance)
+    , has_small_changes(has_small_changes)
     , mode_(ContactMode::unilateral)
     , is_in_contact(false)
   {}
@@ -88,7 +90,7 @@ namespace ThermoContact
     present                     = initial;
     mode_                       = mode_of(initial);
     is_in_contact               = false;
-    waiting.reset();
+    waiting.clear();
     events.clear();
     largest = Scales();
     largest.add(initial);
@@ -177,7 +179,7 @@ namespace ThermoContact
                      law.penetration(std::sqrt(2. * scales.energy)));
       }
     const bool has_small_impulse =
-      has_mass && !law.is_rigid() &&
+      has_small_changes && has_mass && !law.is_rigid() &&
       law.energy(law.pressure(std::abs(s))) *
           (1. + law.damping() * std::abs(rate)) <=
         0.1 * std::abs(rate) * tolerance * scales.momentum;
@@ -295,21 +297,21 @@ namespace ThermoContact
                                 const double change_of_velocity,
                                 const int    new_side)
   {
-    if (waiting)
+    if (!waiting.empty())
       {
-        waiting.reset();
+        waiting.clear();
         hold_nothing();
         return false;
       }
     const bool begins = mode_ == ContactMode::open;
     if (begins)
       turn_to(new_side);
-    waiting = {time,
-               begins ? ContactEvent::begin : ContactEvent::end,
-               side *
-                 (present.velocity[foremost(present)] + change_of_velocity),
-               side};
-    mode_   = begins ? ContactMode::closed : ContactMode::open;
+    waiting = {
+      {time,
+       begins ? ContactEvent::begin : ContactEvent::end,
+       side * (present.velocity[foremost(present)] + change_of_velocity),
+       side}};
+    mode_ = begins ? ContactMode::closed : ContactMode::open;
     return true;
   }
 
@@ -358,9 +360,9 @@ namespace ThermoContact
                        const Finding             &finding,
                        std::vector<ContactEvent> &events)
   {
-    if (waiting)
-      add_event(*waiting, events);
-    waiting.reset();
+    for (const ContactEvent &event : waiting)
+      add_event(event, events);
+    waiting.clear();
     if (mode_ == ContactMode::open && finding.kind == Finding::at_end)
       turn_to(finding.side);
     if (mode_ == ContactMode::unilateral)

@@ -31,6 +31,17 @@ namespace ThermoContact
 
 
 
+  void
+  EventLocator::let_go(const ContactValues &stopped)
+  {
+    present = seen_from(stopped, side);
+    waiting.push_back(
+      {waiting.back().time, ContactEvent::end, stopped.velocity.front(), side});
+    mode_ = ContactMode::open;
+  }
+
+
+
   EventLocator::Finding
   EventLocator::examine(const ContactValues &next,
                         const bool           is_aimed,

@@ -29,7 +29,9 @@ namespace ThermoContact
               body.scene.contact.nodes,
               body.scene.parameters.time.has_error_control() ?
                 body.scene.parameters.time.tolerance :
-                fixed_step_tolerance)
+                fixed_step_tolerance,
+              !body.scene.fields.has_temperature ||
+                body.scene.heat.exchange->is_constant())
     , n_retakes(0)
   {}
 
@@ -96,6 +98,16 @@ namespace ThermoContact
   ContactTracker<dim>::switch_state(const State       &accepted,
                                     const EnergyTerms &energy)
   {
+    if (impacted && body.scene.contact.has_mass())
+      {
+        if (locator.mode() != ContactMode::closed)
+          return hold_nothing();
+        // Loads draw away at once what the obstacle has stopped. Stages that
+        // know of no impact would throw it back instead.
+        get_values(impacted->state, next);
+        locator.let_go(next);
+        return {ContactVerdict::in_other_state};
+      }
     impacted.reset();
     if (!locator.switch_at_start(finding.time,
                                  finding.change_of_velocity,
@@ -181,10 +193,15 @@ namespace ThermoContact
         transition.finish_pressure(begins_contact, result);
         if (body.law().is_rigid() && mode != ContactMode::closed &&
             locator.mode() == ContactMode::closed)
-          transition.impact(result.state,
-                            result.energy,
-                            result.impulse,
-                            result.numerical_dissipation);
+          {
+            transition.impact(result.state,
+                              result.energy,
+                              result.impulse,
+                              result.numerical_dissipation);
+            // an end of contact at once is that of nodes that have stopped
+            get_values(result.state, next);
+            locator.set_present(next);
+          }
       }
     if (!impacted)
       return;

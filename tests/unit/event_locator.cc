@@ -26,7 +26,10 @@
 //    Without momentum a miss is 1e-5 of the smallest size: with the energy
 //    5e-5 of the way sqrt(2 eps 5e-5) = 1e-3 on which the obstacle takes it,
 //    1e-8; without mass of eps sqrt(2 5e-5) = 1e-4, 1e-9; of u = 0.1 if the
-//    energy is large, 1e-6. A tenth above, and below, each.
+//    energy is large, 1e-6. A tenth above, and below, each. So it is where the
+//    momentum does not count: 1e-4 is too much.
+//    Rigid: nodes that touch at t = 0 with 0.2, stop, and are let go at once
+//    begin contact with 0.2 and end it with 0 there.
 //    Nodes in contact at one time: those with pressure, and those nearer to the
 //    obstacle than 1e-5 of the largest displacement 0.1, as above: 0.9e-6 but
 //    not 1.1e-6; 1e-17 is rounding.
@@ -241,6 +244,11 @@ namespace
   test_misses()
   {
     deallog << "misses of 1e-8, 1e-9, 1e-6" << std::endl;
+    EventLocator locator(
+      *compliant, true, ContactNodes::with_mass, 1e-3, false);
+    std::vector<ContactEvent> events;
+    locator.start(values(1., {0.}, 0.2, {0.}), events);
+    take(locator, values(1.5005, {0.1001}, 0.2, {0.}), true, events);
     for (const double factor : {0.9, 1.1})
       {
         test_miss(factor * 1e-8, ContactNodes::with_mass, 5e-5);
@@ -284,6 +292,12 @@ namespace
     take(locator, values(1., {0.1}, 0., {1.}), false, events);
     take(locator, values(2., {0.1}, 0., {-1.}), false, events);
     take(locator, values(1.5, {0.1}, 0., {-5e-5}), true, events);
+
+    deallog << "rigid, let go at once" << std::endl;
+    locator.start(values(0., {0.1}, 0.2, {0.}), events);
+    take(locator, values(1., {0.3}, 0.2, {0.}), false, events);
+    locator.let_go(values(0., {0.1}, 0., {0.}));
+    take(locator, values(1., {0.05}, -0.1, {0.}), false, events);
   }
 
 

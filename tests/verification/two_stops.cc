@@ -15,8 +15,12 @@
 //    Rigid stops at 0.1 and -0.05: the mass meets the front one with
 //    sqrt(0.98) and stops; it swings back from 0.1 and meets the rear one with
 //    -sqrt(2 (0.1^2 - 0.05^2)), stops and swings between -0.05 and 0.05, which
-//    keeps the energy 0.05^2/2. Impulses are b/2 times those velocities; what
-//    is lost is numerical dissipation: to 1e-7.
+//    keeps the energy 0.05^2/2. Contact ends with the velocity 0. Impulses are
+//    b/2 times those velocities; what is lost is numerical dissipation: to
+//    1e-7. Thrown with velocity 1 from the place 0.1 against one rigid stop
+//    there, or from one of two, the mass stops and is drawn away at once:
+//    contact begins and ends at t = 0, velocities 1 and 0, and then u = 0.1
+//    cos(sqrt(2) t); impulse b/2, energy 0.1^2/2 of 1/4 + 0.1^2/2: to 1e-7.
 // 4. Symmetric drive, traction 2 sin(3 t) and stops at 0.2 and -0.2, one cell,
 //    zeta = 1, steps of P/200: u(t + P/2) = -u(t) in the last of 20 periods,
 //    to 1e-10 (5e-15 measured), with contact at both stops. With zeta = 1/2
@@ -213,8 +217,10 @@ namespace
       {
         const ContactEvent &event = result.events[i];
         raise(error, event.side == (i < 2 ? 1 : -1) ? 0. : 1.);
-        if (event.kind == ContactEvent::begin)
-          raise(error, std::abs(event.velocity - (i < 2 ? first : second)));
+        raise(error,
+              std::abs(event.velocity - (event.kind == ContactEvent::end ? 0. :
+                                         i < 2 ? first :
+                                                 second)));
       }
     const StepRecord &last = result.rows.back();
     raise(error, std::abs(last.contact_impulse - 0.5 * (first + second)));
@@ -224,6 +230,47 @@ namespace
             << (error < 1e-7) << std::endl;
     if (!(error < 1e-7))
       deallog << error << std::endl;
+  }
+
+
+
+  void
+  check_start_at_rigid_stop(const Overrides &other_stop)
+  {
+    for (const double sign : other_stop.empty() ? std::vector<double>{1.} :
+                                                  std::vector<double>{1., -1.})
+      {
+        const std::string velocity = sign > 0. ? "x" : "-x";
+        const std::string start    = sign > 0. ? "0.1*x" : "-0.1*x";
+        const Run         result   = run(one_cell + other_stop +
+                               Overrides{"Contact/Condition=rigid",
+                                         "Contact/Gap=0.1",
+                                         "Model/Viscosity=0",
+                                         "Mesh/Mass matrix=lumped",
+                                         "Initial values/Displacement=" + start,
+                                         "Initial values/Velocity=" + velocity,
+                                         "Time/Tolerance=1e-9",
+                                         "Time/End time=2"});
+        double            error    = result.events.size() == 2 ? 0. : 1.;
+        for (unsigned int i = 0; error < 1. && i < 2; ++i)
+          {
+            const ContactEvent &event = result.events[i];
+            raise(error, event.side == sign ? 0. : 1.);
+            raise(error, event.time);
+            raise(error, std::abs(event.velocity - (i == 0 ? sign : 0.)));
+          }
+        const StepRecord &last = result.rows.back();
+        raise(error,
+              std::abs(last.displacement_end -
+                       0.1 * sign * std::cos(2. * std::sqrt(2.))));
+        raise(error, std::abs(last.contact_impulse - 0.5 * sign));
+        raise(error, std::abs(last.energy - 0.005));
+        raise(error, std::abs(last.numerical_dissipation - 0.25));
+        deallog << "start at a rigid stop: impact, impulse, energy to 1e-7 "
+                << (error < 1e-7) << std::endl;
+        if (!(error < 1e-7))
+          deallog << error << std::endl;
+      }
   }
 
 
@@ -328,6 +375,8 @@ main(int argc, char **argv)
   check_mirror();
   check_spring_and_mass();
   check_rigid_stops();
+  check_start_at_rigid_stop({});
+  check_start_at_rigid_stop({"Contact/Rear gap=0.1"});
   check_symmetry();
   check_audit({"Contact/Condition=power law",
                "Contact/Damping=0.3",

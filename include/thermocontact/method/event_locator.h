@@ -6,7 +6,6 @@
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/cubic_hermite.h>
 
-#include <optional>
 #include <vector>
 
 namespace ThermoContact
@@ -94,8 +93,9 @@ namespace ThermoContact
    * force misses the impulse $\int p\,ds/|\dot s|$, which is to be below
    * a tenth of the tolerance of the momentum of the body, or s itself is below
    * a hundredth of the tolerance of the displacement and of the penetration
-   * that all the energy of the body could make. The time of the event is that
-   * of the zero all the same.
+   * that all the energy of the body could make. Only the latter counts if the
+   * heat exchange changes with contact, too: by how much, no impulse says. The
+   * time of the event is that of the zero all the same.
    *
    * With several nodes in different states, and if events are not to be
    * located, steps are unilateral. An event within such a step is found by
@@ -115,11 +115,14 @@ namespace ThermoContact
      * @param nodes those of a static body have margins that are interpolated
      *   linearly
      * @param tolerance relative accuracy of an event
+     * @param has_small_changes false: more than the contact force changes at
+     *   an event, so that a miss by a small impulse is not a small one
      */
     EventLocator(const ContactLaw  &law,
                  const bool         is_active,
                  const ContactNodes nodes,
-                 const double       tolerance);
+                 const double       tolerance,
+                 const bool         has_small_changes = true);
 
     /** Forgets all and takes the initial state. */
     void
@@ -186,6 +189,15 @@ namespace ThermoContact
                     const int    new_side           = 1);
 
     /**
+     * The nodes leave at once where contact has begun before the step that was
+     * examined last: the end of contact waits behind its begin.
+     *
+     * @param stopped the nodes with mass, after the impact on a rigid obstacle
+     */
+    void
+    let_go(const ContactValues &stopped);
+
+    /**
      * The next attempt is unilateral: nodes do not change together, or zeros
      * are not to be had.
      */
@@ -246,16 +258,17 @@ namespace ThermoContact
       }
     };
 
-    const ContactLaw           &law;
-    const bool                  is_active;
-    const ContactNodes          nodes;
-    const double                tolerance;
-    ContactMode                 mode_;
-    ContactValues               present;       ///< seen from the stop
-    bool                        is_in_contact; ///< as the events say
-    std::optional<ContactEvent> waiting;       ///< at the start of the step
-    Scales                      largest;
-    int                         side = 1; ///< the stop of the last contact
+    const ContactLaw         &law;
+    const bool                is_active;
+    const ContactNodes        nodes;
+    const double              tolerance;
+    const bool                has_small_changes;
+    ContactMode               mode_;
+    ContactValues             present;       ///< seen from the stop
+    bool                      is_in_contact; ///< as the events say
+    std::vector<ContactEvent> waiting;       ///< at the start of the step
+    Scales                    largest;
+    int                       side = 1; ///< the stop of the last contact
 
     /** True if the margin of a node is its pressure. */
     bool
