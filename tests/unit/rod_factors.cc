@@ -9,10 +9,10 @@
 //    nodes: elimination takes less from a pivot than it has, so that nothing
 //    grows, 1.
 // 2. Blocks that grow, two cells of degree 1. By hand: cells
-//    [e - 1, 1; 1, 1] make rows [e 1; 1 1] of the two vertices, e = 1e-8: the first pivot takes 1/e =
-//    1e8 times the second from it. A pivot of 0 has infinite growth, also the
-//    only one of one cell, and so has a cell of degree 2 whose inner node has
-//    the diagonal 0.
+//    [e - 1, 1; 1, 1] make rows [e 1; 1 1] of the two vertices, e = 1e-8: the
+//    first pivot takes 1/e = 1e8 times the second from it. A pivot of 0 has
+//    infinite growth, also the only one of one cell, and so has a cell of
+//    degree 2 whose inner node has the diagonal 0.
 
 #include <thermocontact/rod/rod_factors.h>
 
