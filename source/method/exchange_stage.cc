@@ -72,10 +72,10 @@ namespace ThermoContact
 
     const FullMatrix<double> shrinkage =
       multiply(response.penetration_by_flux, conductance);
-    const Values loss = multiply(shrinkage, response.free_temperature);
-    free_penetration  = response.free_penetration;
+    free_loss        = multiply(shrinkage, response.free_temperature);
+    free_penetration = response.free_penetration;
     for (unsigned int i = 0; i < n; ++i)
-      free_penetration[i] -= loss[i];
+      free_penetration[i] -= free_loss[i];
     receptance = response.penetration_by_pressure;
     receptance.add(-1., multiply(shrinkage, response.temperature_by_pressure));
   }
@@ -85,10 +85,10 @@ namespace ThermoContact
   void
   ExchangeStage::solve_damped_contact()
   {
+    // not from penetrations, whose differences have lost digits in short stages
     without_contact = motion;
     for (unsigned int i = 0; i < n; ++i)
-      without_contact.free_velocity[i] +=
-        (free_penetration[i] - response.free_penetration[i]) / motion.tau;
+      without_contact.free_velocity[i] -= free_loss[i] / motion.tau;
     FullMatrix<double> velocity_response(receptance);
     velocity_response /= motion.tau;
     n_iterations =

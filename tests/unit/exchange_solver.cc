@@ -33,6 +33,10 @@
 // 4. k = 1 - gap, held open, from k = 1, free penetration -2 and temperature 1:
 // q =
 //    1/2, gap = 5/2, where k = -3/2: an error that says so.
+// 5. One node in a stage of length tau = 1e-9, deep in a hard damped obstacle,
+//    p = 1e20 s [1 + v]_+: v = -1 but for 1e-20. W = V = tau, H = U = 0, k = 2,
+//    free temperature 1, velocity 3 without flux and pressure: q = 2 and
+//    3 - q - p = -1, so p = 2. s = 1 has 7 digits of tau v, the velocity all.
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/method/exchange_solver.h>
@@ -344,6 +348,27 @@ namespace
         deallog << message.substr(0, message.find(" at gap")) << std::endl;
       }
   }
+
+
+
+  void
+  test_short_stage()
+  {
+    const auto          law = with_damping(make_law(1e-20), 1.);
+    const Exchange      exchange([](const double, const double) { return 2.; });
+    const double        tau = 1e-9;
+    const NodesInMotion motion{tau, {1.}, {3.}, {}};
+    EndResponse         response = separate_nodes(1, 1. + 3. * tau, 1.);
+    response.penetration_by_pressure(0, 0) = tau;
+    response.penetration_by_flux(0, 0)     = tau;
+    response.temperature_by_flux(0, 0)     = 0.;
+    EndExchange end                        = start(1, 1.);
+    ExchangeSolver(*law, exchange)
+      .solve(response, ContactMode::unilateral, end, {}, motion);
+    deallog << "damped, short stage: flux " << end.flux[0]
+            << ", pressure to 1e-13 "
+            << (std::abs(end.pressure[0] - 2.) < 1e-13) << std::endl;
+  }
 } // namespace
 
 
@@ -360,4 +385,5 @@ main()
   test_random("each second held", ContactMode::unilateral, true);
   test_random("all held", ContactMode::closed, false);
   test_negative();
+  test_short_stage();
 }

@@ -1,93 +1,37 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Heat that is lost along the rod, doc/model.md section 21.
+// Heat that is lost along the rod, doc/model.md section 21: states of rest,
+// limits and solvers. Bodies and audits: lateral_bodies.cc.
 //
 // 1. prm/verification/lateral-loss.prm, derived there: at the end of the run
 //    all nodes, the forecast of theta(1), the mean (the integral of the
 //    profile) and the heat flux of the end to 1e-10; the lateral heat flux is
 //    m (mean - theta_inf), and what enters at x = 0, mu B, is what leaves.
-// 2. Decay. With theta_A = theta_inf = 0 and k = 0 the slowest mode decays like
-//    exp(-lambda t), lambda = pi^2/4 + m in a rod. In a body it has the factor
-//    cos(kappa y) about the axis in each direction, or J_0(kappa r), and
-//      strip:  lambda = pi^2/4 + kappa^2 ,   kappa tan(kappa W/2) = m W/2 ,
-//      block:  lambda = pi^2/4 + 2 kappa^2 , kappa tan(kappa W/2) = m W/4 ,
-//      round:  lambda = pi^2/4 + kappa^2 ,   kappa J_1(kappa R)/J_0(kappa R) =
-//              m R/2 ,
-//    by -d theta/dn = m A/P theta on the lateral faces; kappa by bisection. A
-//    step dt of backward Euler divides a mode by 1 + lambda dt, all others by
-//    more: twelve steps of dt = 1 leave the slowest. lambda to 1e-10. The
-//    lateral part of the dissipation of a rod is m/lambda of the whole.
-// 3. Bodies on rollers, strip, block and round, whose temperature varies by
-//    m W^2/8 across, are the rod but for O(W^2): all columns of a run with
-//    contact, extrapolated from the widths 0.002 and 0.001, to 1e-9 of their
-//    largest values, or of 0.1 (1e-10 measured).
-// 4. The audit (M.22), each line by its own formula, backward Euler, 1-D and
-//    2-D: to 1e-11 of the sum of its terms; no work, and the energy never
-//    increases, with surroundings of their own temperature. With a heat
-//    exchange that varies with the contact there is work, and the audit closes.
-//    The energy conserving scheme loses nothing but the dissipation: 1e-11.
-// 5. m = 1e-12 is m = 0 to 1e-9, among it the steady profile and the forecast
+// 2. m = 1e-12 is m = 0 to 1e-9, among it the steady profile and the forecast
 //    with and without a cosh; a large m, whose cosh would overflow, has
 //    theta(1) = theta_inf + k (theta_obs - theta_inf)/(mu + k).
-// 6. The thermal switch with m = 0.05: its states of rest are the roots of
+// 3. The thermal switch with m = 0.05: its states of rest are the roots of
 //      k(c) = k(gap, p) of G = a int theta dx for the profile of k(c)
 //    found by bisection between the bounds in the code, open and closed
 //    separately; forecast to 1e-10, the second unstable; runs from 0.02 below
 //    and above its c reach the first and the third: theta(1) to 1e-6.
-// 7. The paper's iteration gives the steps of the monolithic solver: 1e-8.
+// 4. The paper's iteration gives the steps of the monolithic solver: 1e-8.
 
 #include <thermocontact/forecast/steady_state.h>
-#include <thermocontact/simulation/simulation.h>
-
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/numbers.h>
 
 #include <deal.II/dofs/dof_tools.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
+#include <array>
 #include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "../tests.h"
 
-#include "../overrides.h"
+#include "../lateral_runs.h"
 
 using namespace ThermoContact;
 
 namespace
 {
-  template <int dim>
-  std::vector<StepRecord>
-  run(const Parameters &parameters)
-  {
-    std::vector<StepRecord> rows;
-    Simulation<dim>         simulation(parameters, MPI_COMM_SELF);
-    simulation.run(
-      {[&rows](const Simulation<dim> &s) { rows.push_back(s.record()); }});
-    return rows;
-  }
-
-
-
-  /** The zero of a function with a change of sign in [a, b]. */
-  double
-  bisect(const std::function<double(double)> &f, double a, double b)
-  {
-    const bool is_positive = f(a) > 0.;
-    for (unsigned int i = 0; i < 200; ++i)
-      {
-        const double middle                       = 0.5 * (a + b);
-        ((f(middle) > 0.) == is_positive ? a : b) = middle;
-      }
-    return 0.5 * (a + b);
-  }
-
-
-
   /** theta - theta_inf = fixed cosh(mu x) - B sinh(mu x). */
   struct Fin
   {
@@ -118,7 +62,6 @@ namespace
       return ambient + (fixed * std::sinh(mu) - B * (std::cosh(mu) - 1.)) / mu;
     }
   };
-
 
 
   void
@@ -160,255 +103,6 @@ namespace
                          end.lateral_heat_flux) < 1e-9)
             << std::endl;
   }
-
-
-
-  template <int dim>
-  void
-  check_decay(const std::string &name,
-              const double       m,
-              const double       shift,
-              const Overrides   &body)
-  {
-    const auto rows =
-      run<dim>(read_parameters("",
-                               Overrides{"Model/Fields=temperature",
-                                         "Boundary/Fixed end temperature=0",
-                                         "Boundary/Heat exchange=0",
-                                         "Boundary/Lateral heat exchange=" +
-                                           std::to_string(m),
-                                         "Initial values/Temperature=sin(pi*x/"
-                                         "2)",
-                                         "Mesh/Cells=2",
-                                         "Mesh/Degree=8",
-                                         "Time/Scheme=backward euler",
-                                         "Time/Step size=1",
-                                         "Time/End time=12"} +
-                                 body));
-    const double before = rows[rows.size() - 2].temperature_mean;
-    const double rate   = before / rows.back().temperature_mean - 1.;
-    const double lambda = 0.25 * numbers::PI * numbers::PI + shift;
-    deallog << "decay, " << name << ": rate to 1e-10 "
-            << (std::abs(rate - lambda) < 1e-10 * lambda);
-    if (dim == 1)
-      deallog << ", lateral part of the dissipation "
-              << rows.back().lateral_dissipation / rows.back().dissipation *
-                   lambda / m;
-    deallog << std::endl;
-  }
-
-
-
-  void
-  check_decays()
-  {
-    const double m = 3., W = 0.4;
-    const auto   faces = [&](const double part) {
-      const double kappa = bisect(
-        [&](const double x) {
-          return x * std::tan(0.5 * x * W) - part * m * W;
-        },
-        1e-3,
-        3.);
-      return kappa * kappa;
-    };
-    const double radial = bisect(
-      [&](const double x) {
-        return x * std::cyl_bessel_j(1., x * W) -
-               0.5 * m * W * std::cyl_bessel_j(0., x * W);
-      },
-      1e-3,
-      3.);
-    const Overrides strip{"Dimension=2",
-                          "Mesh/Width=0.4",
-                          "Mesh/Cells across=1"};
-    check_decay<1>("rod", m, m, {});
-    check_decay<1>("rod", 50., 50., {});
-    check_decay<2>("strip", m, faces(0.5), strip);
-    check_decay<2>("round",
-                   m,
-                   radial * radial,
-                   strip + Overrides{"Mesh/Geometry=axisymmetric"});
-    check_decay<3>("block",
-                   m,
-                   2. * faces(0.25),
-                   strip +
-                     Overrides{"Dimension=3", "Mesh/Cells=4", "Mesh/Degree=5"});
-  }
-
-
-
-  constexpr unsigned int n_columns = 20;
-
-  /** Those of all_columns(), and the two of the lateral exchange. */
-  double
-  column(const StepRecord &r, const unsigned int i)
-  {
-    const auto all = all_columns(r);
-    return i < all.size()  ? all[i] :
-           i == all.size() ? r.lateral_heat_flux :
-                             r.lateral_dissipation;
-  }
-
-
-
-  using Table = std::vector<std::vector<double>>;
-
-  Table
-  table(const std::vector<StepRecord> &rows)
-  {
-    Table result(n_columns);
-    for (const StepRecord &r : rows)
-      for (unsigned int i = 0; i < n_columns; ++i)
-        result[i].push_back(column(r, i));
-    return result;
-  }
-
-
-
-  /** Largest difference of a column relative to its largest value, or 0.1. */
-  double
-  difference(const Table &a, const Table &b)
-  {
-    double result = 0.;
-    for (unsigned int i = 0; i < n_columns; ++i)
-      {
-        double change = a[i].size() == b[i].size() ? 0. : 1., scale = 0.1;
-        for (unsigned int j = 0; j < std::min(a[i].size(), b[i].size()); ++j)
-          {
-            raise(change, std::abs(a[i][j] - b[i][j]));
-            raise(scale, std::abs(a[i][j]));
-          }
-        raise(result, change / scale);
-      }
-    return result;
-  }
-
-
-
-  double
-  difference(const std::vector<StepRecord> &a, const std::vector<StepRecord> &b)
-  {
-    return difference(table(a), table(b));
-  }
-
-
-
-  /** A rod that is thrown at an obstacle in cold surroundings. */
-  const Overrides thrown{"Model/Coupling=0.3",
-                         "Boundary/Fixed end temperature=1",
-                         "Boundary/Obstacle temperature=0.5",
-                         "Boundary/Lateral heat exchange=3",
-                         "Boundary/Ambient temperature=-2",
-                         "Contact/Gap=0.05",
-                         "Contact/Compliance=0.1",
-                         "Initial values/Temperature=theta_A*(1-x^2)",
-                         "Initial values/Velocity=x",
-                         "Mesh/Cells=4",
-                         "Mesh/Degree=2",
-                         "Time/Scheme=sdirk2",
-                         "Time/Step size=0.02",
-                         "Time/End time=1"};
-
-
-
-  /** The columns of a body without a width. */
-  template <int dim>
-  Table
-  thin(const Overrides &overrides)
-  {
-    const auto with = [&](const std::string &width) {
-      return table(
-        run<dim>(read_parameters("",
-                                 thrown +
-                                   Overrides{"Dimension=" + std::to_string(dim),
-                                             "Mesh/Width=" + width,
-                                             "Mesh/Cells across=1",
-                                             "Model/Poisson ratio=0.3"} +
-                                   overrides)));
-    };
-    Table       result = with("0.001");
-    const Table wide   = with("0.002");
-    for (unsigned int i = 0; i < n_columns; ++i)
-      for (unsigned int j = 0; j < result[i].size(); ++j)
-        result[i][j] += (result[i][j] - wide[i][j]) / 3.;
-    return result;
-  }
-
-
-
-  void
-  check_thin()
-  {
-    const auto rows       = run<1>(read_parameters("", thrown));
-    const auto rod        = table(rows);
-    const auto in_contact = [](const StepRecord &r) { return r.in_contact; };
-    deallog << "thin: contact "
-            << std::any_of(rows.begin(), rows.end(), in_contact)
-            << ", strip, round rod, block equal the rod to 1e-9: "
-            << (difference(rod, thin<2>({})) < 1e-9)
-            << (difference(rod, thin<2>({"Mesh/Geometry=axisymmetric"})) < 1e-9)
-            << (difference(rod, thin<3>({})) < 1e-9) << std::endl;
-  }
-
-
-
-  template <int dim>
-  void
-  check_audit(const std::string &name, const Overrides &overrides)
-  {
-    const auto rows   = run<dim>(read_parameters("", thrown + overrides));
-    double     defect = 0., increase = 0., scale = 0., work = 0., lost = 0.;
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      {
-        const StepRecord &r = rows[i];
-        raise(scale,
-              rows[0].energy_terms.magnitude() + std::abs(r.work) +
-                r.dissipation + std::abs(r.numerical_dissipation));
-        raise(defect,
-              std::abs(rows[0].energy + r.work - r.energy - r.dissipation -
-                       r.numerical_dissipation));
-        raise(work, std::abs(r.work));
-        raise(lost, std::abs(r.numerical_dissipation));
-        if (i > 0)
-          raise(increase,
-                r.energy - r.work - rows[i - 1].energy + rows[i - 1].work);
-      }
-    const double part =
-      rows.back().lateral_dissipation / rows.back().dissipation;
-    deallog << "audit, " << name << ": closes to 1e-11 "
-            << (defect < 1e-11 * scale) << ", work " << (work > 1e-3 * scale)
-            << ", lateral part of the dissipation is one " << (part > 0.01)
-            << (part < 0.99)
-            << ", energy less work never "
-               "increases "
-            << (increase <= 1e-13 * scale) << ", scheme takes "
-            << (lost > 1e-11 * scale) << std::endl;
-  }
-
-
-
-  void
-  check_audits()
-  {
-    const Overrides euler{"Time/Scheme=backward euler",
-                          "Time/Start=consistent"};
-    const Overrides strip{"Dimension=2", "Mesh/Cells across=2"};
-    check_audit<1>("rod", euler);
-    check_audit<2>("strip", euler + strip);
-    check_audit<2>("round rod",
-                   euler + strip + Overrides{"Mesh/Geometry=axisymmetric"});
-    check_audit<2>("free strip",
-                   euler + strip + Overrides{"Boundary/Lateral support=free"});
-    check_audit<1>("energy conserving",
-                   {"Time/Scheme=energy conserving",
-                    "Contact/Massless nodes=on"});
-    const Overrides varying{
-      "Boundary/Heat exchange=0.05/(0.05+gap)+20*pressure"};
-    check_audit<1>("varying exchange", euler + varying);
-    check_audit<2>("varying exchange, strip", euler + strip + varying);
-  }
-
 
 
   void
@@ -520,9 +214,6 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_rest();
-  check_decays();
-  check_thin();
-  check_audits();
   check_limits();
   check_switch();
   check_iteration();

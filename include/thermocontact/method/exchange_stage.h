@@ -88,6 +88,7 @@ namespace ThermoContact
     dealii::FullMatrix<double> conductance; ///< $(I+kH)^{-1}k$
     dealii::FullMatrix<double> receptance;  ///< $W$ with the fluxes that follow
     Values                     free_penetration;
+    Values                     free_loss; ///< of it, by fluxes without pressure
     Values                     penetration;
 
     bool

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_tests_lateral_runs_h
+#define thermocontact_tests_lateral_runs_h
+
+#include <thermocontact/simulation/simulation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "overrides.h"
+#include "tests.h"
+
+namespace ThermoContact
+{
+  /** All records of a run. */
+  template <int dim>
+  std::vector<StepRecord>
+  run(const Parameters &parameters)
+  {
+    std::vector<StepRecord> rows;
+    Simulation<dim>         simulation(parameters, MPI_COMM_SELF);
+    simulation.run(
+      {[&rows](const Simulation<dim> &s) { rows.push_back(s.record()); }});
+    return rows;
+  }
+
+
+  /** The zero of a function with a change of sign in [a, b]. */
+  inline double
+  bisect(const std::function<double(double)> &f, double a, double b)
+  {
+    const bool is_positive = f(a) > 0.;
+    for (unsigned int i = 0; i < 200; ++i)
+      {
+        const double middle                       = 0.5 * (a + b);
+        ((f(middle) > 0.) == is_positive ? a : b) = middle;
+      }
+    return 0.5 * (a + b);
+  }
+
+
+  constexpr unsigned int n_columns = 20;
+
+  /** Those of all_columns(), and the two of the lateral exchange. */
+  inline double
+  column(const StepRecord &r, const unsigned int i)
+  {
+    const auto all = all_columns(r);
+    return i < all.size()  ? all[i] :
+           i == all.size() ? r.lateral_heat_flux :
+                             r.lateral_dissipation;
+  }
+
+
+
+  using Columns = std::vector<std::vector<double>>;
+
+  inline Columns
+  table(const std::vector<StepRecord> &rows)
+  {
+    Columns result(n_columns);
+    for (const StepRecord &r : rows)
+      for (unsigned int i = 0; i < n_columns; ++i)
+        result[i].push_back(column(r, i));
+    return result;
+  }
+
+
+
+  /** Largest difference of a column relative to its largest value, or 0.1. */
+  inline double
+  difference(const Columns &a, const Columns &b)
+  {
+    double result = 0.;
+    for (unsigned int i = 0; i < n_columns; ++i)
+      {
+        double change = a[i].size() == b[i].size() ? 0. : 1., scale = 0.1;
+        for (unsigned int j = 0; j < std::min(a[i].size(), b[i].size()); ++j)
+          {
+            raise(change, std::abs(a[i][j] - b[i][j]));
+            raise(scale, std::abs(a[i][j]));
+          }
+        raise(result, change / scale);
+      }
+    return result;
+  }
+
+
+
+  inline double
+  difference(const std::vector<StepRecord> &a, const std::vector<StepRecord> &b)
+  {
+    return difference(table(a), table(b));
+  }
+
+
+  /** A rod that is thrown at an obstacle in cold surroundings. */
+  inline const Overrides thrown{"Model/Coupling=0.3",
+                                "Boundary/Fixed end temperature=1",
+                                "Boundary/Obstacle temperature=0.5",
+                                "Boundary/Lateral heat exchange=3",
+                                "Boundary/Ambient temperature=-2",
+                                "Contact/Gap=0.05",
+                                "Contact/Compliance=0.1",
+                                "Initial values/Temperature=theta_A*(1-x^2)",
+                                "Initial values/Velocity=x",
+                                "Mesh/Cells=4",
+                                "Mesh/Degree=2",
+                                "Time/Scheme=sdirk2",
+                                "Time/Step size=0.02",
+                                "Time/End time=1"};
+} // namespace ThermoContact
+
+#endif

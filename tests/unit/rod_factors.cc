@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Factors of the matrices of a rod, no mesh: of random rods (random_rod.h).
+//
+// 1. Systems of one and of two fields as those of a stage, [M + t K, a D;
+//    -t^2 a D^T, M_u + t z S_z + t^2 S], against the solution that was chosen:
+//    residual in the full matrix to 1e-12 of its terms, and solutions vanish
+//    at node 0. One field of degree 1 is symmetric and definite without inner
+//    nodes: elimination takes less from a pivot than it has, so that nothing
+//    grows, 1.
+// 2. Blocks that grow, two cells of degree 1. By hand: cells
+//    [e - 1, 1; 1, 1] make rows [e 1; 1 1] of the two vertices, e = 1e-8: the
+//    first pivot takes 1/e = 1e8 times the second from it. A pivot of 0 has
+//    infinite growth, also the only one of one cell, and so has a cell of
+//    degree 2 whose inner node has the diagonal 0.
+
+#include <thermocontact/rod/rod_factors.h>
+
+#include <array>
+#include <cmath>
+
+#include "../tests.h"
+
+#include "../random_rod.h"
+
+using namespace ThermoContact;
+using dealii::FullMatrix;
+
+namespace
+{
+  /**
+   * Largest error of the residual of a system in units of 1e-12 of its terms,
+   * and its growth.
+   */
+  template <unsigned int n_fields>
+  void
+  add_error_of_system(const RodMatrices                           &rod,
+                      const std::vector<FullMatrix<double>>       &full,
+                      const typename RodFactors<n_fields>::Blocks &blocks,
+                      double                                      &error,
+                      double                                      &growth,
+                      double &value_at_fixed_end)
+  {
+    const unsigned int                      n = rod.layout().n_nodes();
+    const RodFactors<n_fields>              factors(rod, blocks);
+    std::array<Values, n_fields>            b, x;
+    typename RodFactors<n_fields>::Right    right;
+    typename RodFactors<n_fields>::Solution solution;
+    for (unsigned int k = 0; k < n_fields; ++k)
+      {
+        b[k]        = random_vector(n);
+        x[k]        = random_vector(n);
+        right[k]    = b[k].data();
+        solution[k] = x[k].data();
+      }
+    factors.solve(right, solution);
+    if (n_fields == 1 && rod.layout().degree == 1)
+      raise(growth, factors.growth());
+    for (unsigned int k = 0; k < n_fields; ++k)
+      {
+        raise(value_at_fixed_end, std::abs(x[k][0]));
+        for (unsigned int i = 1; i < n; ++i)
+          {
+            double sum = 0., size = std::abs(b[k][i]);
+            for (unsigned int l = 0; l < n_fields; ++l)
+              for (const auto &[factor, matrix] : blocks[k][l])
+                add_row(full[matrix], factor, i, x[l], sum, size);
+            raise(error, std::abs(b[k][i] - sum) / size / 1e-12);
+          }
+      }
+  }
+
+
+  void
+  test_systems()
+  {
+    double one = 0., two = 0., growth = 0., fixed = 0.;
+    for (unsigned int degree = 1; degree <= 8; ++degree)
+      for (unsigned int n_cells = 1; n_cells <= 9; ++n_cells)
+        for (const unsigned int group : {1, 2, 5})
+          {
+            const RodLayout            layout{n_cells, degree};
+            const Rod                  random = random_rod(layout, group);
+            const Matrices            &full   = random.full;
+            const RodMatrices          rod    = make(layout, random);
+            const double               t = 0.4, a = 0.3, z = 0.2;
+            const RodFactors<1>::Block heat{{1., RodMatrices::heat_mass},
+                                            {t, RodMatrices::conduction}};
+            const RodFactors<1>::Block momentum{
+              {1., RodMatrices::momentum_mass},
+              {t * z, RodMatrices::viscous_stiffness},
+              {t * t, RodMatrices::stiffness}};
+            add_error_of_system<1>(
+              rod, full, {{{{momentum}}}}, one, growth, fixed);
+            add_error_of_system<2>(
+              rod,
+              full,
+              {{{{heat, {{a, RodMatrices::divergence}}}},
+                {{{{-t * t * a, RodMatrices::thermal_stress}}, momentum}}}},
+              two,
+              growth,
+              fixed);
+          }
+    deallog << "one field: residual in its bound " << (one <= 1. ? "yes" : "no")
+            << std::endl
+            << "two fields: residual in its bound "
+            << (two <= 1. ? "yes" : "no") << std::endl
+            << "one field of degree 1: growth " << growth << std::endl
+            << "at the fixed end " << fixed << std::endl;
+  }
+
+
+  /** Of a rod whose cells have this matrix. */
+  double
+  growth_of(const RodLayout &layout, const FullMatrix<double> &cell_matrix)
+  {
+    const RodMatrices rod(layout,
+                          0.,
+                          [&](const RodMatrices::Matrix,
+                              const unsigned int,
+                              const unsigned int i,
+                              const unsigned int j) {
+                            return cell_matrix(i, j);
+                          });
+    return RodFactors<1>(rod, {{{{{{1., RodMatrices::stiffness}}}}}}).growth();
+  }
+
+
+
+  void
+  test_growth()
+  {
+    for (const double pivot : {1e-8, 0.})
+      {
+        // the first vertex: right vertex of a cell and left one of the next
+        FullMatrix<double> linear(2, 2);
+        linear(0, 0) = pivot - 1.;
+        linear(0, 1) = linear(1, 0) = linear(1, 1) = 1.;
+        deallog << "first pivot " << pivot << ": growth "
+                << growth_of({2, 1}, linear) << std::endl;
+      }
+    FullMatrix<double> single(2, 2);
+    single(0, 0) = single(0, 1) = single(1, 0) = 1.;
+    deallog << "the only pivot 0: growth " << growth_of({1, 1}, single)
+            << std::endl;
+    FullMatrix<double> quadratic(3, 3);
+    quadratic(0, 0) = quadratic(1, 1) = quadratic(0, 2) = quadratic(2, 0) =
+      quadratic(1, 2) = quadratic(2, 1) = 1.;
+    deallog << "inner node without diagonal: growth "
+            << growth_of({1, 2}, quadratic) << std::endl;
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  initlog();
+  test_systems();
+  test_growth();
+}
