@@ -86,10 +86,10 @@ namespace ThermoContact
                       std::vector<ContactEvent> &events)
   {
     side = !first.rear_penetration.empty() && first.pressure[0] < 0. ? -1 : 1;
-    const ContactValues initial = seen_from(first, side);
-    present                     = initial;
-    mode_                       = mode_of(initial);
-    is_in_contact               = false;
+    const ContactValues &initial = seen_from(first, side, mirrored_next);
+    present                      = initial;
+    mode_                        = mode_of(initial);
+    is_in_contact                = false;
     waiting.clear();
     events.clear();
     largest = Scales();
@@ -330,8 +330,8 @@ namespace ThermoContact
             events);
         turn_to(-side);
       }
-    const ContactValues next    = seen_from(next_values, side);
-    const bool          touches = any_in_contact(next);
+    const ContactValues &next    = seen_from(next_values, side, mirrored_next);
+    const bool           touches = any_in_contact(next);
     if (is_in_contact != touches)
       {
         // A closed rigid obstacle holds the gap at zero, up to rounding, so
@@ -369,11 +369,11 @@ namespace ThermoContact
       accept_unilateral(next_values, events);
     else if (finding.kind == Finding::at_end)
       {
-        const ContactValues next   = seen_from(next_values, side);
-        const bool          begins = mode_ == ContactMode::open;
-        const CubicHermite  s      = margin(present, next, finding.node);
-        const double        zero   = s.zero_near_end();
-        const double        velocity =
+        const ContactValues &next = seen_from(next_values, side, mirrored_next);
+        const bool           begins = mode_ == ContactMode::open;
+        const CubicHermite   s      = margin(present, next, finding.node);
+        const double         zero   = s.zero_near_end();
+        const double         velocity =
           next.velocity[finding.node] +
           change_of_velocity(s, 1., zero, next.time - present.time);
         // contact begins with the first node and ends with the last
@@ -387,7 +387,7 @@ namespace ThermoContact
                 begins                   ? ContactMode::closed :
                                            ContactMode::open;
       }
-    present = seen_from(next_values, side);
+    present = seen_from(next_values, side, mirrored_next);
     largest.add(present);
   }
 } // namespace ThermoContact

@@ -6,18 +6,20 @@
 
 namespace ThermoContact
 {
-  ContactValues
-  seen_from(const ContactValues &values, const int side)
+  const ContactValues &
+  seen_from(const ContactValues &values,
+            const int            side,
+            ContactValues       &mirrored)
   {
-    ContactValues seen(values);
     if (side > 0)
-      return seen;
-    seen.penetration.swap(seen.rear_penetration);
+      return values;
+    mirrored = values;
+    mirrored.penetration.swap(mirrored.rear_penetration);
     for (std::vector<double> *column :
-         {&seen.displacement, &seen.velocity, &seen.pressure})
+         {&mirrored.displacement, &mirrored.velocity, &mirrored.pressure})
       for (double &value : *column)
         value = -value;
-    return seen;
+    return mirrored;
   }
 
 
@@ -25,7 +27,8 @@ namespace ThermoContact
   void
   EventLocator::turn_to(const int new_side)
   {
-    present = seen_from(present, side * new_side);
+    ContactValues mirrored;
+    present = seen_from(present, side * new_side, mirrored);
     side    = new_side;
   }
 
@@ -34,7 +37,7 @@ namespace ThermoContact
   void
   EventLocator::let_go(const ContactValues &stopped)
   {
-    present = seen_from(stopped, side);
+    present = seen_from(stopped, side, mirrored_next);
     waiting.push_back(
       {waiting.back().time, ContactEvent::end, stopped.velocity.front(), side});
     mode_ = ContactMode::open;
@@ -47,13 +50,15 @@ namespace ThermoContact
                         const bool           is_aimed,
                         const BodyScales    &scales) const
   {
-    Finding finding =
-      examine_stop(present, seen_from(next, side), is_aimed, scales);
-    finding.side = side;
+    Finding finding = examine_stop(present,
+                                   seen_from(next, side, mirrored_next),
+                                   is_aimed,
+                                   scales);
+    finding.side    = side;
     if (mode_ != ContactMode::open || next.rear_penetration.empty())
       return finding;
-    Finding other    = examine_stop(seen_from(present, -1),
-                                 seen_from(next, -side),
+    Finding other    = examine_stop(seen_from(present, -1, mirrored_present),
+                                 seen_from(next, -side, mirrored_next),
                                  is_aimed,
                                  scales);
     other.side       = -side;

@@ -62,9 +62,15 @@ namespace ThermoContact
 
 
 
-  /** The same seen from a stop: mirrored for the one behind, @p side = -1. */
-  ContactValues
-  seen_from(const ContactValues &values, const int side);
+  /**
+   * The same seen from a stop: mirrored for the one behind, @p side = -1.
+   *
+   * @param mirrored memory for what is returned then
+   */
+  const ContactValues &
+  seen_from(const ContactValues &values,
+            const int            side,
+            ContactValues       &mirrored);
 
 
 
@@ -226,7 +232,7 @@ namespace ThermoContact
     void
     set_present(const ContactValues &values)
     {
-      present = seen_from(values, side);
+      present = seen_from(values, side, mirrored_next);
     }
 
     /**
@@ -269,6 +275,9 @@ namespace ThermoContact
     std::vector<ContactEvent> waiting;       ///< at the start of the step
     Scales                    largest;
     int                       side = 1; ///< the stop of the last contact
+
+    // memory for what is seen from the other side
+    mutable ContactValues mirrored_present, mirrored_next;
 
     /** True if the margin of a node is its pressure. */
     bool
