@@ -279,10 +279,14 @@ namespace ThermoContact
           find_checkpoint(directory, entries, parameters, communicator);
       }
     if (dim > 1)
-      check_memory(Scene(parameters),
-                   Utilities::MPI::n_mpi_processes(communicator),
-                   machine_memory(),
-                   share_of_ranks_here(communicator));
+      {
+        // all ranks refuse, or none
+        const SharedMemory memory = scarcest_memory(communicator);
+        check_memory(Scene(parameters),
+                     Utilities::MPI::n_mpi_processes(communicator),
+                     memory.bytes,
+                     memory.share);
+      }
     Simulation<dim> simulation(parameters, communicator);
     if (checkpoint)
       restore(simulation, *checkpoint);

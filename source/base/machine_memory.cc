@@ -40,4 +40,23 @@ namespace ThermoContact
     MPI_Comm_free(&here);
     return static_cast<double>(n_here) / n_ranks;
   }
+
+
+
+  SharedMemory
+  scarcest_memory(const MPI_Comm communicator)
+  {
+    int rank = 0;
+    MPI_Comm_rank(communicator, &rank);
+    double values[2] = {machine_memory(), share_of_ranks_here(communicator)};
+    struct
+    {
+      double bytes_of_run;
+      int    rank;
+    } scarcest = {values[0] / values[1], rank};
+    MPI_Allreduce(
+      MPI_IN_PLACE, &scarcest, 1, MPI_DOUBLE_INT, MPI_MINLOC, communicator);
+    MPI_Bcast(values, 2, MPI_DOUBLE, scarcest.rank, communicator);
+    return {values[0], values[1]};
+  }
 } // namespace ThermoContact

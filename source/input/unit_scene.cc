@@ -98,7 +98,8 @@ namespace ThermoContact
       {
         const bool drops = rod.small_terms == "dropped";
         inertia          = !(drops && scaled.inertia < small_term) ||
-                  rod.initial_velocity != 0. || rod.has_moving_base();
+                  rod.initial_velocity != 0. || rod.has_moving_base() ||
+                  rod.rear_gap.has_value();
         viscosity = !(drops && scaled.viscosity < small_term);
       }
     };
@@ -329,10 +330,10 @@ namespace ThermoContact
                       breaks[0] + (breaks.size() > 1 ? " ; " + breaks[1] : ""));
       const double wave = std::sqrt(scaled.inertia);
       if (scaled.initial_velocity == 0. || terms.viscosity ||
-          rod.has_moving_base() || rod.exponent != 1. || rod.damping != 0. ||
-          scaled.heat_source != 0. || scaled.body_force != 0. ||
-          scaled.end_time > waves_of_impact * wave || scene.has_own("Time") ||
-          scene.has_own("Mesh"))
+          rod.has_moving_base() || rod.rear_gap || rod.exponent != 1. ||
+          rod.damping != 0. || scaled.heat_source != 0. ||
+          scaled.body_force != 0. || scaled.end_time > waves_of_impact * wave ||
+          scene.has_own("Time") || scene.has_own("Mesh"))
         return;
       // an elastic impact, wave by wave
       scene.set("Time/Scheme", "energy conserving");

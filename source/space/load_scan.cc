@@ -63,6 +63,45 @@ namespace ThermoContact
 
 
 
+    /**
+     * Numbers by which an expression multiplies t. Those of files in SI units
+     * count times in s or ms, and have (2592120*t) for them.
+     */
+    std::vector<double>
+    factors_of_time(const std::string &expression)
+    {
+      static const std::regex factor(
+        "((?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][+-]?\\d+)?)\\s*\\*\\s*t\\b");
+      std::vector<double> values;
+      for (std::sregex_iterator match(expression.begin(),
+                                      expression.end(),
+                                      factor);
+           match != std::sregex_iterator();
+           ++match)
+        if (const auto value = parse_number((*match)[1].str());
+            value && *value > 0. &&
+            std::find(values.begin(), values.end(), *value) == values.end())
+          values.push_back(*value);
+      return values;
+    }
+
+
+
+    /** Times that an expression may compare t with. */
+    std::vector<double>
+    times_in(const std::string &expression)
+    {
+      const std::vector<double> numbers = numbers_in(expression);
+      std::vector<double>       times   = numbers;
+      for (const double factor : factors_of_time(expression))
+        for (const double number : numbers)
+          if (times.size() < 2 * max_named_times)
+            times.push_back(number / factor);
+      return times;
+    }
+
+
+
     /** Points in the body, or on its end, at no places that are special. */
     template <int dim>
     std::vector<Point<dim>>
@@ -211,7 +250,7 @@ namespace ThermoContact
       const auto            words = [&units](const double at) {
         return units.text_for_entry("time", at);
       };
-      std::vector<double> named = numbers_in(load.expression);
+      std::vector<double> named = times_in(load.expression);
       named.insert(named.end(),
                    time.break_points.begin(),
                    time.break_points.end());
@@ -284,7 +323,18 @@ namespace ThermoContact
       if (time.end_time > 0. &&
           (time.has_error_control() || !load.no_jump.empty()))
         scan(load, scene, history, warnings);
-    history.add_breaks(time.break_points);
+    std::vector<double> reached;
+    for (const double point : time.break_points)
+      if (point <= time.end_time)
+        reached.push_back(point);
+    if (reached.size() < time.break_points.size())
+      warnings.push_back(text("Time/Break points = ",
+                              *std::max_element(time.break_points.begin(),
+                                                time.break_points.end()),
+                              " is beyond Time/End time = ",
+                              time.end_time,
+                              " and has no effect"));
+    history.add_breaks(reached);
     history.end_at(time.end_time);
     return history;
   }

@@ -101,6 +101,12 @@ SCENES = [
     ("Boundary/Fixed end displacement", FIXED + ("Time/End time=1",),
      "Boundary/Fixed end displacement=if(t<0.5,0,1)",
      "Boundary/Fixed end displacement=if(t<0.5,0,t-0.5)"),
+    # a pulse of T/2.6e5 between times of a file in SI units
+    ("Boundary/Fixed end displacement", FIXED + ("Time/End time=1",),
+     "Boundary/Fixed end displacement="
+     "if((2592120*t)>777000.3,if((2592120*t)<777010.3,1,0),0)",
+     "Boundary/Fixed end displacement="
+     "if((2592120*t)>777000.3,if((2592120*t)<777010.3,0,0),0)"),
     ("Boundary/Fixed end displacement", (), "Boundary/Fixed end displacement=0.01*sqrt(t)",
      "Boundary/Fixed end displacement=0.01*t^1.5"),
     ("Boundary/Fixed end displacement", ("Time/End time=2",),

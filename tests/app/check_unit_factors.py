@@ -84,6 +84,8 @@ RODS = {
     "thrown, in ms by itself": {**ROD, "v": -0.4, "t": 2e-3},
     "thrown, damped": {**ROD, "v": 0.4, "t": 2e-3, "small": "kept"},
     "thrown between stops": {**ROD, "v": 0.4, "t": 2e-3, "small": "kept", "rear": 3e-5},
+    "thrown between stops, elastic": {**ROD, "v": 0.4, "t": 2e-3, "rear": 3e-5},
+    "heated between stops": {**ROD, "rear": 3e-5},
     # Hertz and Hunt-Crossley, in N/m^1.5 and s/m, and sides that lose heat
     "thrown at a rounded stop": {**ROD, "v": 0.4, "t": 2e-3, "m": 1.5,
                                  "stiffness": 2e10, "damping": 0.3},
@@ -212,7 +214,7 @@ def expected_scene(rod):
             ("Inertia", "b", (diffusivity / L)**2 * rod["rho"] / M),
             ("Viscosity", "zeta", rod["eta"] * diffusivity / (L**2 * M))):
         kept[symbol] = rod["small"] == "kept" or value >= 1e-6 or (
-            symbol == "b" and bool(rod["v"] or rod["base"]))
+            symbol == "b" and bool(rod["v"] or rod["base"] or rod["rear"]))
         if kept[symbol]:
             yield f"set {entry} = {{}} # {symbol}", value
         else:
@@ -279,7 +281,7 @@ def expected_scene(rod):
         yield "set Break points = " + " ; ".join("{}" for _ in ends), *ends
     wave = math.sqrt(rod["rho"] / M) * L  # seconds
     if (rod["v"] and not kept["zeta"] and rod["t"] < 100 * wave and rod["m"] == 1
-            and not rod["damping"] and not rod["base"]):
+            and not rod["damping"] and not rod["base"] and not rod["rear"]):
         yield "set Scheme = energy conserving",
         yield "set Step size = {}", wave / time / 2000
         yield "end",
@@ -433,14 +435,24 @@ def main():
                       "= 9\n  set Perimeter = 0.015\nend\nsubsection Rod"),
                      ("subsection Rod", "subsection Loads\n  set Base motion = "
                       "cos(t)\nend\nsubsection Rod"),
+                     ("subsection Rod", "subsection Loads\n  set Base motion = 0.0"
+                      "\nend\nsubsection Contact\n  set Rear gap = 1\nend\n"
+                      "subsection Rod"),
+                     ("subsection Rod", "subsection Sides\n  set Perimeter = 0.05\n"
+                      "end\nsubsection Rod"),
+                     ("= 0.0001\n", "= 0.0001\n  set Rear gap = 0\n"),
+                     ("Initial = 310.0\n  set Fixed end = 350.0",
+                      "Initial = 310.0\n  set Fixed end = 300+if(t<2,0,1/(t-t))"),
                      ("subsection Rod", "subsection Mesh\n  set Cels = 1\nend\n"
                       "subsection Rod")):
         status, _, message = answer(si_file({**ROD, "time_unit": "s"}).replace(old, new))
         print(message.rstrip())
         print("exit status", status)
-    status, _, message = answer(si_file({**ROD, "h_sides": 9.0, "perimeter": 0.015}))
-    print(message.rstrip())
-    print("exit status", status)
+    for perimeter in 0.015, 50.0:
+        status, _, message = answer(si_file({**ROD, "h_sides": 9.0,
+                                             "perimeter": perimeter}))
+        print(message.rstrip())
+        print("exit status", status)
 
 
 main()

@@ -105,6 +105,8 @@ LOADS = [
     (PULSES + ("Sources/End traction=1e-9/(t-0.125)",),
      [r"Sources/End traction is not finite at t = 0\.125" + HELP]),
     (PULSES + ("Sources/End traction=1e-9/(t-0.5)",), []),
+    (PULSES + ("Sources/Body force=1e-3*sin(1e2*t)", "Time/Break points=0.3;0.28"),
+     [r"Time/Break points = 0\.3 is beyond Time/End time = 0\.25 and has no effect"]),
     # fixed steps follow nothing
     (("Time/End time=0.25", "Sources/Body force=1e-3*sin(1e8*t)"), []),
 ]

@@ -18,6 +18,19 @@ namespace ThermoContact
   /** The part of the ranks that are on the machine of this one. */
   double
   share_of_ranks_here(const MPI_Comm communicator);
+
+  /** Memory of a machine and the part of the ranks that are on it. */
+  struct SharedMemory
+  {
+    double bytes, share;
+  };
+
+  /**
+   * Of the machine whose ranks have the least memory each, the same on all
+   * ranks. Collective.
+   */
+  SharedMemory
+  scarcest_memory(const MPI_Comm communicator);
 } // namespace ThermoContact
 
 #endif

@@ -19,7 +19,7 @@ namespace ThermoContact
   /**
    * Refuses a body that would not fit if its forecast were twice too large.
    *
-   * @param available bytes
+   * @param available bytes, the same on all ranks: so is the decision
    * @param share of the processes that have to do with these
    * @throw InputError with the remedy
    */

@@ -18,11 +18,23 @@ namespace ThermoContact
   class SceneText
   {
   public:
-    /** @param own of the user, which stand behind the others */
+    /**
+     * @param own of the user, which stand behind the others
+     * @throw InputError if the rod decides one of them by having nothing of
+     *   the kind
+     */
     explicit SceneText(const std::vector<Assignment> &own)
     {
       for (const Assignment &assignment : own)
         values[assignment.path] = assignment.value;
+      for (const char *path : {"Boundary/Ambient temperature",
+                               "Boundary/Fixed end displacement",
+                               "Boundary/Lateral heat exchange",
+                               "Contact/Compliance",
+                               "Contact/Damping",
+                               "Contact/Exponent",
+                               "Contact/Rear gap"})
+        reserve(path);
     }
 
     /** Adds an entry that is not the user's to set. */
@@ -31,10 +43,7 @@ namespace ThermoContact
         const std::string &value,
         const std::string &comment = "")
     {
-      if (values.count(path) > 0)
-        throw InputError(path +
-                         ": the rod in units decides it\n  remedy:  change "
-                         "the rod, or the scene that --units prints");
+      reserve(path);
       add(path, value, comment);
     }
 
@@ -71,6 +80,16 @@ namespace ThermoContact
   private:
     std::map<std::string, std::string>               values; ///< of the user
     std::vector<std::pair<std::string, std::string>> sections;
+
+    /** Refuses an entry that is not the user's to set. */
+    void
+    reserve(const std::string &path) const
+    {
+      if (values.count(path) > 0)
+        throw InputError(path +
+                         ": the rod in units decides it\n  remedy:  change "
+                         "the rod, or the scene that --units prints");
+    }
 
     void
     add(const std::string &path,

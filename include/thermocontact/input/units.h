@@ -101,17 +101,15 @@ namespace ThermoContact
 
     /** The fixed end moves. */
     bool
-    has_moving_base() const
-    {
-      return base_motion != "0";
-    }
+    has_moving_base() const;
 
     /**
-     * @throw InputError for temperatures that are not above zero kelvin, or
+     * @throw InputError for temperatures that are no numbers above 0 K, or
      *   that may be degrees Celsius, as the file does not say that they are
      *   kelvin; for an obstacle without stiffness, or a rigid one with a law;
-     *   for a perimeter that no cross-section of that area has; for
-     *   expressions that are none, or a base that starts elsewhere
+     *   for a rear stop without a gap; for a perimeter that no cross-section
+     *   of that area has, or hardly any; for expressions that are none, or a
+     *   base that starts elsewhere
      */
     void
     check() const;
