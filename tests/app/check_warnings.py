@@ -249,8 +249,8 @@ def main():
                  for file in source_files())
     # corner layer; contact at the start or preload; energy; dispersion; blocks that
     # grow, noted by the solver of a stage and handed on; loads; other ranks than before;
-    # the mesh
-    print("kinds of warnings in the sources:", "known" if places == 9 else places)
+    # the mesh; break points after the end
+    print("kinds of warnings in the sources:", "known" if places == 10 else places)
 
 
 main()
