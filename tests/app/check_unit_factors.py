@@ -429,6 +429,8 @@ def main():
                       "subsection Rod"),
                      ("= 0.0001\n  set Stiffness = 30000000.0",
                       "= 0.0001\n  set Stiffness = infinity\n  set Damping = 0.1"),
+                     ("= 0.0001\n  set Stiffness = 30000000.0",
+                      "= 0.0001\n  set Stiffness = infinity\n  set Exponent = 1.5"),
                      ("subsection Rod", "subsection Sides\n  set Exchange coefficient "
                       "= 9\n  set Perimeter = 0.015\nend\nsubsection Rod"),
                      ("subsection Rod", "subsection Loads\n  set Base motion = "
