@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/simulation/contact_transition.h>
+#include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/time/contact_equilibrium.h>
 
@@ -8,26 +9,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    /** The heat exchange of gaps and pressures that are not of a stage. */
-    template <int dim>
-    void
-    set_exchange_of_law(const Body<dim> &body, State &state)
-    {
-      const HeatExchange &exchange = *body.scene.heat.exchange;
-      if (exchange.is_constant() || !body.scene.fields.has_temperature)
-        return;
-      std::vector<double> penetration;
-      body.contact_end().get_penetrations(state.displacement, penetration);
-      for (unsigned int i = 0; i < penetration.size(); ++i)
-        state.exchange_coefficient[i] =
-          exchange.coefficient(penetration[i], state.contact_pressure[i]);
-    }
-  } // namespace
-
-
-
   template <int dim>
   ContactTransition<dim>::ContactTransition(Body<dim>             &body,
                                             QuasiStaticStart<dim> &quasi_static)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/load_jump.h>
 #include <thermocontact/space/load_scan.h>
 #include <thermocontact/time/contact_equilibrium.h>
@@ -105,28 +106,13 @@ namespace ThermoContact
 
   namespace
   {
-    /** The heat exchange of the gaps and pressures after the jump. */
-    template <int dim>
-    void
-    set_new_exchange(const Body<dim> &body, State &state)
-    {
-      std::vector<double> penetration;
-      body.contact_end().get_penetrations(state.displacement, penetration);
-      for (unsigned int i = 0; i < penetration.size(); ++i)
-        state.exchange_coefficient[i] =
-          body.scene.heat.exchange->coefficient(penetration[i],
-                                                state.contact_pressure[i]);
-    }
-
-
-
     /** Moves contact nodes alone; returns the work of the loads. */
     template <int dim>
     double
     move_nodes(Body<dim> &body, State &state)
     {
       const Vector way = move_contact_nodes(body, state);
-      set_new_exchange(body, state);
+      set_exchange_of_law(body, state);
       Vector heat_load = body.discretization.make_vector(Field::temperature);
       Vector momentum_load(way);
       body.loads.assemble(state.time, heat_load, momentum_load);
@@ -148,7 +134,7 @@ namespace ThermoContact
       if (!is_static && !body.scene.contact.is_in_equilibrium)
         {
           quasi_static.complete(state, is_closed);
-          set_new_exchange(body, state);
+          set_exchange_of_law(body, state);
           return 0.; // nothing moves
         }
       if (!is_static && !body.scene.linear_solver.has_matrices())
