@@ -15,6 +15,12 @@ namespace ThermoContact
 
     /** Relative accuracy of events where no tolerance is given. */
     constexpr double fixed_step_tolerance = 1e-13;
+
+    /** Parts of the velocity of an obstacle by which it does not jump. */
+    constexpr double small_jump = 1e-6;
+
+    /** Parts of the end time within which a bend of the gap is. */
+    constexpr double around_bend = 1e-9;
   } // namespace
 
 
@@ -219,15 +225,25 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactTracker<dim>::turn(const double new_time, StepResult &result)
+  ContactTracker<dim>::turn(const LoadBreak &at, StepResult &result)
   {
     State &state = result.state;
-    body.obstacle.set_rates(new_time, state);
-    std::vector<double> approach;
-    body.contact_end().get_approach(state, approach);
-    if (body.scene.contact.has_impacts() &&
-        locator.mode() == ContactMode::closed &&
-        *std::max_element(approach.begin(), approach.end()) > 0.)
+    // bends are found to a few digits less than jumps
+    const double width = around_bend * body.scene.parameters.time.end_time;
+    body.obstacle.set_rates(std::max(at.old_time - width, 0.), state);
+    const std::vector<double> old_rate(state.gap_rate);
+    body.obstacle.set_rates(at.new_time + width, state);
+    double towards = 0., away = 0., scale = 0.;
+    for (unsigned int i = 0; i < old_rate.size(); ++i)
+      {
+        const double rate = state.gap_rate[i];
+        towards           = std::max(towards, old_rate[i] - rate);
+        away              = std::max(away, rate - old_rate[i]);
+        scale = std::max({scale, std::abs(rate), std::abs(old_rate[i])});
+      }
+    const bool is_held =
+      body.scene.contact.has_impacts() && locator.mode() == ContactMode::closed;
+    if (is_held && towards > small_jump * scale)
       {
         ImpactCost cost;
         transition.impact(state, result.energy, cost);
@@ -235,6 +251,9 @@ namespace ThermoContact
       }
     get_values(state, next);
     locator.set_present(next);
+    // what has inertia does not follow
+    if (is_held && towards <= small_jump * scale && away > small_jump * scale)
+      locator.switch_at_start(state.time);
   }
 
 

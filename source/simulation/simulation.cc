@@ -279,7 +279,7 @@ namespace ThermoContact
     if (body_.obstacle.is_active())
       if (const LoadBreak *at =
             controller.followed_loads().break_at(result.state.time))
-        tracker.turn(at->new_time, result);
+        tracker.turn(*at, result);
     jump(result);
     return true;
   }

@@ -4,6 +4,7 @@
 #define thermocontact_simulation_contact_tracker_h
 
 #include <thermocontact/method/event_locator.h>
+#include <thermocontact/method/load_history.h>
 #include <thermocontact/simulation/contact_transition.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/step_controller.h>
@@ -116,14 +117,15 @@ namespace ThermoContact
     jump(const State &state, std::vector<ContactEvent> &events);
 
     /**
-     * The velocity of the obstacle jumps where the step that was accepted last
-     * ends: an impact, if a rigid one turns towards the nodes that lie on it.
+     * The velocity of the obstacle may jump where the step that was accepted
+     * last ends: an impact, if a rigid one turns towards the nodes with mass
+     * that it holds; it lets them go, if it turns away from them.
      *
-     * @param new_time the first time with the new velocity
+     * @param at where the step ends
      * @param result in, out: of the step, whose costs are added
      */
     void
-    turn(const double new_time, StepResult &result);
+    turn(const LoadBreak &at, StepResult &result);
 
     /** What impacts have spent. */
     const SolverCounters &
