@@ -55,10 +55,11 @@ namespace ThermoContact
       prm,
       "Gap",
       gap,
-      "y, z",
-      "Initial gap g between the undeformed rod and the obstacle; negative is a "
-      "preload. An expression in y, z, for Dimension > 1, is the shape of the "
-      "obstacle, at each contact node its gap, e.g. 0.1+(y-0.05)^2/2.",
+      "y, z, t",
+      "Gap g between the undeformed rod and the obstacle; negative is a "
+      "preload. An expression in t moves the obstacle, e.g. 0.1-0.02*sin(3*t); "
+      "one in y, z, for Dimension > 1, is its shape, at each contact node its "
+      "gap, e.g. 0.1+(y-0.05)^2/2.",
       [this](const double number, const std::string &expression) {
         gap            = number;
         gap_expression = expression;

@@ -168,7 +168,10 @@ namespace ThermoContact
         Utilities::MPI::this_mpi_process(discretization.communicator()) == 0)
     , units(body.scene.parameters)
     , fields(directory, "fields", units.of("time"))
+    , gap(contact_gap<dim>(body.scene))
   {
+    if (dim > 1 && body.obstacle.is_active())
+      obstacle.emplace(directory, "obstacle", units.of("time"));
     if (dim > 1 && body.law().is_active())
       contact_face.emplace(directory, "contact", units.of("time"));
     if constexpr (dim == 1)
@@ -300,7 +303,13 @@ namespace ThermoContact
       if (is_writer && fault.empty())
         fault = write_atomically(path, text);
     };
-    if (fields.times().empty() && !body.scene.contact.has_uniform_gap())
+    if (obstacle)
+      {
+        gap->set_time(state.time);
+        write(obstacle->next_path(),
+              obstacle_file(body.contact_end(), units, gap.get()));
+      }
+    else if (fields.times().empty() && !body.scene.contact.has_uniform_gap())
       write(directory + "/obstacle.vtu",
             obstacle_file(body.contact_end(), units));
     if constexpr (dim > 1)
@@ -338,6 +347,8 @@ namespace ThermoContact
     std::vector<SnapshotSeries *> all = {&fields};
     if (contact_face)
       all.push_back(&*contact_face);
+    if (obstacle)
+      all.push_back(&*obstacle);
     return all;
   }
 
@@ -364,8 +375,9 @@ namespace ThermoContact
   FieldOutput<dim>::sync()
   {
     std::string fault = fields.sync();
-    if (contact_face && is_writer && fault.empty())
-      fault = contact_face->sync();
+    for (SnapshotSeries *series : all_series())
+      if (series != &fields && is_writer && fault.empty())
+        fault = series->sync();
     return first_fault(fault, discretization.communicator());
   }
 

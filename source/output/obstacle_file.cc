@@ -47,7 +47,9 @@ namespace ThermoContact
 
   template <int dim>
   std::string
-  obstacle_file(const ContactEnd<dim> &end, const OutputUnits &units)
+  obstacle_file(const ContactEnd<dim>       &end,
+                const OutputUnits           &units,
+                const dealii::Function<dim> *gap_at)
   {
     const auto         nodes   = sorted_nodes(end);
     const auto         corners = contact_face_corners(nodes);
@@ -57,7 +59,8 @@ namespace ThermoContact
       return significant(value, all_digits);
     };
     const auto gap = [&](const unsigned int i) {
-      return number(units.of("obstacle.vtu", "gap")(nodes[i].gap));
+      return number(units.of("obstacle.vtu", "gap")(
+        gap_at != nullptr ? gap_at->value(nodes[i].position) : nodes[i].gap));
     };
     const Conversion &position = units.of("position");
     const std::string vector   = "NumberOfComponents=\"3\"";
@@ -102,9 +105,15 @@ namespace ThermoContact
 
 
   template std::string
-  obstacle_file(const ContactEnd<1> &, const OutputUnits &);
+  obstacle_file(const ContactEnd<1> &,
+                const OutputUnits &,
+                const dealii::Function<1> *);
   template std::string
-  obstacle_file(const ContactEnd<2> &, const OutputUnits &);
+  obstacle_file(const ContactEnd<2> &,
+                const OutputUnits &,
+                const dealii::Function<2> *);
   template std::string
-  obstacle_file(const ContactEnd<3> &, const OutputUnits &);
+  obstacle_file(const ContactEnd<3> &,
+                const OutputUnits &,
+                const dealii::Function<3> *);
 } // namespace ThermoContact

@@ -33,6 +33,7 @@ namespace ThermoContact
                                      "events.csv",
                                      "fields.pvd",
                                      "log.txt",
+                                     "obstacle.pvd",
                                      "obstacle.vtu",
                                      "probes.csv",
                                      "space-time.columns",
@@ -96,7 +97,8 @@ namespace ThermoContact
                 name = name.stem();
               if (name.extension() == ".vtu" &&
                   (is_numbered(name.stem().string(), "fields-") ||
-                   is_numbered(name.stem().string(), "contact-")))
+                   is_numbered(name.stem().string(), "contact-") ||
+                   is_numbered(name.stem().string(), "obstacle-")))
                 fs::remove(entry.path());
             }
           if (fs::is_empty(directory / "fields"))

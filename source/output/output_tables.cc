@@ -35,9 +35,9 @@ namespace ThermoContact
           "at the contact end, end traction less pressure; tension is positive"},
          {"gap",
           "length",
-          "what is left between body and obstacle, g − u(1), negative for "
-          "penetration of an elastic one; the smallest of the face, and of two "
-          "stops"},
+          "what is left between body and obstacle, g − u(1), g that of the time, "
+          "negative for penetration of an elastic one; the smallest of the "
+          "face, and of two stops"},
          {"penetration",
           "length",
           "into an elastic obstacle, by its law from the pressure; the largest "
@@ -115,8 +115,8 @@ namespace ThermoContact
          {"kind", "", "`begin` or `end`; contact at t = 0 is a `begin`"},
          {"velocity",
           "velocity",
-          "axial, of the contact end, before an impact, after a release; "
-          "positive towards the obstacle at x = 1"},
+          "axial, of the contact end against the obstacle, u_t(1) − g′, before "
+          "an impact, after a release; positive towards the obstacle at x = 1"},
          {"duration", "time", "of the contact that ends; `nan` of a `begin`"},
          {"side", "", "with `Contact/Rear gap`: `front` or `rear`"}}};
     }
@@ -249,7 +249,7 @@ namespace ThermoContact
               "snapshots; `contact.pvd`.",
               "array",
               {{"contact_pressure", "stress", "not negative"},
-               {"gap", "length", "what is left, g − u"},
+               {"gap", "length", "what is left, g − u, g that of the time"},
                {"in_contact", "", "1 where there is pressure, else 0"},
                {"temperature", "temperature", "θ"},
                {"TIME", "time", "of the snapshot, field data of the file"},
@@ -262,9 +262,11 @@ namespace ThermoContact
     obstacle_table()
     {
       return {"obstacle.vtu",
-              "An obstacle with a shape (`Contact/Gap` an expression).",
+              "An obstacle with a shape (`Contact/Gap` an expression in y, z). "
+              "One that moves is in `fields/obstacle-*.vtu`, one file for each "
+              "snapshot, which `obstacle.pvd` opens at their times.",
               "array",
-              {{"gap", "length", "at t = 0, without displacement"},
+              {{"gap", "length", "g of the time, without displacement"},
                {"displacement",
                 "length",
                 "that moves a copy of the end to the obstacle"}}};

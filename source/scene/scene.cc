@@ -5,6 +5,7 @@
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/scene/exchange_expression.h>
+#include <thermocontact/scene/refusal.h>
 #include <thermocontact/scene/scene.h>
 
 #include <algorithm>
@@ -65,6 +66,12 @@ namespace ThermoContact
           (depends_on(gap, "x") || depends_on(gap, "y") ||
            depends_on(gap, "z")))
         return std::numeric_limits<double>::quiet_NaN();
+      if (parameters.dimension == 1 &&
+          (depends_on(gap, "y") || depends_on(gap, "z")))
+        refuse("Contact/Gap",
+               gap,
+               "a number or an expression in t, since Dimension = 1",
+               "Dimension = 2 or 3 for an obstacle with a shape");
       return TimeFunction({"Contact/Gap", gap}, {{"x", 1.}}).value(0.);
     }
 

@@ -212,21 +212,6 @@ namespace ThermoContact
 
   namespace
   {
-    /** A rod has one gap, which has no y. */
-    void
-    check_gap(const Parameters &parameters)
-    {
-      const std::string &gap = parameters.contact.gap_expression;
-      if (parameters.dimension == 1 &&
-          (depends_on(gap, "y") || depends_on(gap, "z")))
-        refuse("Contact/Gap",
-               gap,
-               "a number or an expression in t, since Dimension = 1",
-               "Dimension = 2 or 3 for an obstacle with a shape");
-    }
-
-
-
     /** Something has to keep the body from moving across its axis. */
     void
     check_support(const Scene &scene)
@@ -248,7 +233,6 @@ namespace ThermoContact
   void
   check_scene(const Parameters &parameters)
   {
-    check_gap(parameters);
     const Scene  scene(parameters);
     const double nu = parameters.model.poisson_ratio;
     if (!(nu > -1. && nu < 0.5))

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scenes of two stops that no run can have, as check_refusals.py has them: the entry at
+"""Scenes of two stops, and of obstacles that move, that no run can have, as check_refusals.py has them: the entry at
 fault, what the scenes share, what is refused, its accepted neighbours."""
 
 FIXED = ("Time/Step size=0.01",)
 EULER = FIXED + ("Time/Scheme=backward euler",)
 REAR = "Contact/Rear gap"
+GAP = "Contact/Gap"
 STOP = (REAR + "=0.2",)
 RIGID = ("Contact/Condition=rigid",)
 
@@ -33,4 +34,22 @@ SCENES = [
      "Solver/Step solver=fixed point"),
     (REAR, STOP, "Boundary/Heat exchange=1+gap", "Boundary/Heat exchange=2",
      ("Boundary/Heat exchange=1+gap", REAR + "=none")),
+    # an obstacle that moves: not by jumps, with a velocity, and finite
+    (GAP, (), GAP + "=0.1*sin(t", GAP + "=0.1*sin(t)"),
+    (GAP, (), GAP + "=0.1+y*t", GAP + "=0.1+t",
+     (GAP + "=0.1+y*t", "Dimension=2", "Mesh/Cells=1")),
+    (GAP, ("Dimension=2", "Mesh/Cells=1"), GAP + "=0.1+z*t", GAP + "=0.1+y*t"),
+    (GAP, ("Time/End time=1",), GAP + "=if(t<0.5,0.1,0.2)",
+     GAP + "=if(t<0.5,0.1,t-0.4)", (GAP + "=if(t<0.5,0.1,0.2)", "Time/End time=0.4")),
+    (GAP, ("Time/End time=1", "Dimension=2", "Mesh/Cells=1"), GAP + "=if(t<0.5,y,y+1)",
+     GAP + "=if(t<0.5,y,y+t-0.5)"),
+    (GAP, ("Time/End time=2",), GAP + "=0.1+t/(t-1.1)", GAP + "=0.1+t/(t+1.1)"),
+    (GAP, (), GAP + "=0.1*t/0", GAP + "=0.1*t/1"),
+    (GAP, (), GAP + "=0.1+0.1*sqrt(t)", GAP + "=0.1+0.1*t^1.5"),
+    (GAP, (), GAP + "=0.1+t*rand_seed(1)", GAP + "=0.1+t*0.5"),
+    (GAP, STOP, GAP + "=0.1+t", GAP + "=0.1", (GAP + "=0.1+t", REAR + "=none")),
+    (GAP, EULER + ("Time/Start=paper",), GAP + "=0.1+t", GAP + "=0.1",
+     (GAP + "=0.1+t", "Time/Start=automatic")),
+    (GAP, RIGID, GAP + "=t-0.001", GAP + "=t",
+     (GAP + "=t-0.001", "Contact/Condition=normal compliance")),
 ]

@@ -131,10 +131,8 @@ namespace ThermoContact
       if (!law.is_active())
         return;
       const State        &state = simulation.state();
-      const auto         &nodes = simulation.body().contact_end().nodes();
       std::vector<double> penetration;
-      simulation.body().contact_end().get_penetrations(state.displacement,
-                                                       penetration);
+      simulation.body().contact_end().get_penetrations(state, penetration);
       const TimeParameters &time = simulation.parameters().time;
       // one of several nodes may end an event of a rigid obstacle beyond it
       const double miss =
@@ -154,7 +152,7 @@ namespace ThermoContact
           const double scale = std::max({scales.displacement,
                                          way,
                                          p,
-                                         p > 0. ? std::abs(nodes[i].gap) : 0.});
+                                         p > 0. ? std::abs(state.gap[i]) : 0.});
           require_below("gap + eps p < 0", -s, miss + 1e-12 * scale);
           if (p > 0.)
             require_below("p (gap + eps p) > 0", s, 1e-12 * scale);

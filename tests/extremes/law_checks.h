@@ -81,8 +81,8 @@ namespace ThermoContact
       return misses;
     const auto         &end = simulation.body().contact_end();
     std::vector<double> penetration, velocity;
-    end.get_penetrations(state.displacement, penetration);
-    end.get_values(Field::displacement, state.velocity, velocity);
+    end.get_penetrations(state, penetration);
+    end.get_approach(state, velocity);
     const bool is_moved =
       scene.material.is_static() && state.was_moved_at_once();
     const double dt = simulation.record().step_size;
@@ -90,8 +90,7 @@ namespace ThermoContact
       {
         const double p = state.contact_pressure[i];
         const double ds =
-          1e-12 *
-          std::max({scales.displacement, std::abs(end.nodes()[i].gap), p});
+          1e-12 * std::max({scales.displacement, std::abs(state.gap[i]), p});
         double dv = 1e-12 * scales.velocity;
         if ((scene.contact.is_in_equilibrium ||
              !scene.material.has_inertia()) &&

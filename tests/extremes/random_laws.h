@@ -12,7 +12,7 @@ namespace ThermoContact
   /**
    * Draws scenes of RandomScene and changes them: power laws, damped obstacles,
    * heat exchange by gap and pressure, heat lost along the rod, ends and
-   * obstacles that are heated or moved, loads that jump and pulse, times at
+   * obstacles that are heated or move, loads that jump and pulse, times at
    * which steps end, the box scheme, bodies in two dimensions. What contradicts
    * itself, and would be refused, is not drawn.
    */
@@ -42,6 +42,7 @@ namespace ThermoContact
         {
           draw_law();
           draw_moving_end();
+          draw_moving_obstacle();
         }
       if (has_temperature)
         {
@@ -196,6 +197,37 @@ namespace ThermoContact
                        "*sin(" + w + "*t)^2",
                        "*t^2*exp(-" + w + "*t)",
                        "*max(0,t-" + t0 + ")"}));
+    }
+
+    /**
+     * From where it is without: waves, ramps that rest before and behind,
+     * pulses, turns. Powers of large penetrations would not be numbers.
+     */
+    void
+    draw_moving_obstacle()
+    {
+      if (value("Contact/Condition", "none") == "none" ||
+          value("Contact/Rear gap", "none") != "none" || !happens(0.3))
+        return;
+      leave_start_of_paper();
+      const bool   is_power = value("Contact/Condition", "") == "power law";
+      const double size     = is_power ? log_uniform(1e-3, 1.) :
+                                         moderate_or_extreme(1e-3, 1., 1e-9, 1e3);
+      const std::string w = frequency(), t0 = moment(), t1 = moment();
+      const std::string width = text(duration * log_uniform(1e-4, 0.3));
+      const std::string shape =
+        is_plane && happens(0.5) ? "(1+" + text(sign()) + "*y)*" : "";
+      set("Contact/Gap",
+          text(number("Contact/Gap", 0.1)) + "+(" + text(sign() * size) + ")*" +
+            shape +
+            pick(
+              {"sin(" + w + "*t)",
+               "sin(" + w + "*t)^2",
+               "abs(sin(" + w + "*t))",
+               "max(0,min(1,(t-" + t0 + ")/" + width + "))",
+               "max(0,t-" + t0 + ")",
+               "max(abs(t-" + t0 + ")-" + t0 + ",abs(t-" + t1 + ")-" + t1 + ")",
+               "t*exp(-((t-" + t0 + ")/" + width + ")^2)"}));
     }
 
     void

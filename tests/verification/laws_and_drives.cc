@@ -57,7 +57,16 @@ namespace
     {"damped power law",
      {compliance, "Contact/Condition=power law", "Contact/Damping=0.3"},
      false},
-    {"rigid", {"Contact/Condition=rigid", "Contact/Massless nodes=on"}, true}};
+    {"rigid", {"Contact/Condition=rigid", "Contact/Massless nodes=on"}, true},
+    {"rigid with mass",
+     {"Contact/Condition=rigid", "Contact/Massless nodes=off"},
+     false},
+    {"damped without mass",
+     {compliance, "Contact/Damping=0.3", "Contact/Massless nodes=on"},
+     false},
+    {"compliance without mass",
+     {compliance, "Contact/Massless nodes=on"},
+     true}};
 
   struct Drive
   {
@@ -82,6 +91,7 @@ namespace
      {"Boundary/Fixed end displacement=0.02*(1-cos(9*t))"},
      true,
      true},
+    {"moving obstacle", {"Contact/Gap=0.03-0.02*sin(7*t)"}, true, true},
     {"exchange by gap and pressure",
      {"Boundary/Heat exchange=0.05/(0.05+gap)+20*pressure"},
      false,
@@ -100,6 +110,7 @@ namespace
      true},
     {"all but lateral exchange",
      {"Boundary/Fixed end temperature=1+sin(7*t)",
+      "Contact/Gap=0.03-0.01*sin(7*t)",
       "Boundary/Fixed end displacement=0.02*(1-cos(9*t))",
       "Boundary/Heat exchange=0.05/(0.05+gap)+20*pressure",
       "Sources/Heat source=x*sin(4*t)",

@@ -29,7 +29,8 @@ namespace ThermoContact
    * Cells of degree p are cut into p parts along each direction. The stress is
    * $C\varepsilon(u+\zeta v)-a\theta I$, if dim > 1 a tensor in space. Fields
    * that the scene does not have are absent. An obstacle with a shape is beside
-   * them, obstacle.vtu, written with the first snapshot.
+   * them, obstacle.vtu, written with the first snapshot; one that moves, of a
+   * body, in fields/obstacle-NNNNN.vtu and obstacle.pvd.
    */
   template <int dim>
   class FieldOutput
@@ -87,11 +88,13 @@ namespace ThermoContact
     const bool                    is_writer;
     const OutputUnits             units;
     SnapshotSeries                fields;
-    std::optional<SnapshotSeries> contact_face; ///< if there is one
-    std::optional<RodSnapshot>    rod_snapshot; ///< of a rod of few cells
+    std::optional<SnapshotSeries> contact_face;       ///< if there is one
+    std::optional<SnapshotSeries> obstacle;           ///< if it moves
+    const std::shared_ptr<dealii::Function<dim>> gap; ///< of an obstacle
+    std::optional<RodSnapshot> rod_snapshot;          ///< of a rod of few cells
     std::chrono::steady_clock::time_point last_lists;
 
-    /** Both, as far as they are there. */
+    /** All, as far as they are there. */
     std::vector<SnapshotSeries *>
     all_series();
 

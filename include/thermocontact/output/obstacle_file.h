@@ -15,10 +15,15 @@ namespace ThermoContact
    * undeformed end, their gap and, so that what moves the body moves the
    * obstacle to its place, the displacement (gap, 0, 0). Lines between the
    * nodes if dim = 2, quadrilaterals if dim = 3.
+   *
+   * @param gap of an obstacle that moves, at the time of the file; else the
+   *   gaps are those of the nodes
    */
   template <int dim>
   std::string
-  obstacle_file(const ContactEnd<dim> &end, const OutputUnits &units);
+  obstacle_file(const ContactEnd<dim>       &end,
+                const OutputUnits           &units,
+                const dealii::Function<dim> *gap = nullptr);
 } // namespace ThermoContact
 
 #endif
