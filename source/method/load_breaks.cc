@@ -20,6 +20,9 @@ namespace ThermoContact
     constexpr double negligible_jump = 1e-6;
     constexpr double negligible_kink = 1e-7;
 
+    /** Parts of the end time within which a jump of the slope is. */
+    constexpr double around_bend = 1e-7;
+
 
 
     bool
@@ -235,5 +238,43 @@ namespace ThermoContact
   find_load_breaks(LoadSamples &samples)
   {
     return BreakFinder(samples).breaks();
+  }
+
+
+
+  void
+  sharpen_bends(const LoadSample       &rate,
+                const double            end_time,
+                std::vector<LoadBreak> &breaks)
+  {
+    const auto rate_at = [&rate](const double time) {
+      Values values;
+      rate(time, values);
+      return values;
+    };
+    for (LoadBreak &bend : breaks)
+      {
+        if (bend.is_jump)
+          continue;
+        double       a = std::max(bend.time - around_bend * end_time, 0.);
+        double       b = std::min(bend.time + around_bend * end_time, end_time);
+        Values       old_rate = rate_at(a), new_rate = rate_at(b);
+        const double all = distance(old_rate, new_rate);
+        while (next_time(a) < b)
+          {
+            const double middle = 0.5 * (a + b);
+            if (!(middle > a && middle < b))
+              break;
+            const Values at   = rate_at(middle);
+            const bool is_old = distance(old_rate, at) < distance(at, new_rate);
+            (is_old ? a : b)  = middle;
+            (is_old ? old_rate : new_rate) = at;
+          }
+        if (distance(old_rate, new_rate) < 0.5 * all)
+          continue; // smooth
+        bend          = LoadBreak(a, false);
+        bend.old_time = a;
+        bend.new_time = b;
+      }
   }
 } // namespace ThermoContact

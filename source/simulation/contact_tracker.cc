@@ -18,9 +18,6 @@ namespace ThermoContact
 
     /** Parts of the velocity of an obstacle by which it does not jump. */
     constexpr double small_jump = 1e-6;
-
-    /** Parts of the end time within which a bend of the gap is. */
-    constexpr double around_bend = 1e-9;
   } // namespace
 
 
@@ -228,11 +225,9 @@ namespace ThermoContact
   ContactTracker<dim>::turn(const LoadBreak &at, StepResult &result)
   {
     State &state = result.state;
-    // bends are found to a few digits less than jumps
-    const double width = around_bend * body.scene.parameters.time.end_time;
-    body.obstacle.set_rates(std::max(at.old_time - width, 0.), state);
+    body.obstacle.set_rates(at.old_time, state);
     const std::vector<double> old_rate(state.gap_rate);
-    body.obstacle.set_rates(at.new_time + width, state);
+    body.obstacle.set_rates(at.new_time, state);
     double towards = 0., away = 0., scale = 0.;
     for (unsigned int i = 0; i < old_rate.size(); ++i)
       {

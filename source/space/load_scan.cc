@@ -6,6 +6,7 @@
 #include <thermocontact/input/parameter_text.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/space/load_scan.h>
+#include <thermocontact/space/obstacle_motion.h>
 
 #include <algorithm>
 #include <array>
@@ -133,6 +134,9 @@ namespace ThermoContact
 
       /** Nodes have it for their value. */
       bool is_of_nodes = false;
+
+      /** Its derivative, if that is known. */
+      LoadSample rate = nullptr;
     };
 
 
@@ -180,6 +184,23 @@ namespace ThermoContact
         values.clear();
         for (const Point<dim> &place : places)
           values.push_back(gap->value(place));
+      };
+    }
+
+
+
+    template <int dim>
+    LoadSample
+    rate_of_gap(const Scene &scene)
+    {
+      const auto places =
+        sample_places<dim>(true, dim > 1 ? scene.parameters.mesh.width : 0.);
+      const std::string formula = scene.parameters.contact.gap_expression;
+      return [formula, places](const double t, std::vector<double> &rates) {
+        rates.clear();
+        for (const Point<dim> &place : places)
+          rates.push_back(
+            differentiate(formula, t, named_coordinates(place)).first);
       };
     }
 
@@ -235,7 +256,14 @@ namespace ThermoContact
                            const std::string  &no_jump) {
         if (depends_on(drive.text(), "t"))
           loads.push_back(
-            {path, drive.text(), sample_of(drive), no_jump, true});
+            {path,
+             drive.text(),
+             sample_of(drive),
+             no_jump,
+             true,
+             [&drive](const double t, std::vector<double> &rates) {
+               rates.assign(1, drive.derivatives(t).first);
+             }});
       };
       if (scene.sources.has_driven_temperature)
         add("Boundary/Fixed end temperature", *scene.heat.fixed_end_drive, "");
@@ -249,7 +277,9 @@ namespace ThermoContact
                          scene.parameters.contact.gap_expression,
                          sample_of_gap<dim>(scene),
                          "a ramp of a length that the body can follow: an "
-                         "obstacle that jumps has no velocity"});
+                         "obstacle that jumps has no velocity",
+                         false,
+                         rate_of_gap<dim>(scene)});
     }
 
 
@@ -297,6 +327,8 @@ namespace ThermoContact
         for (LoadBreak &at : scanned.history.breaks)
           if (at.is_jump)
             at.node_step = jump_length(scene, at.time);
+      if (load.rate)
+        sharpen_bends(load.rate, time.end_time, scanned.history.breaks);
       history.add(scanned.history);
       if (!scanned.is_resolved)
         warnings.push_back(

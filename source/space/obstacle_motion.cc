@@ -17,12 +17,9 @@ namespace ThermoContact
   {
     if (!scene.sources.has_moving_obstacle)
       return;
-    const std::string names[] = {"x", "y", "z"};
     for (const ContactNode<dim> &node : end.nodes())
       {
-        Place &place = places.emplace_back();
-        for (unsigned int d = 0; d < dim; ++d)
-          place[names[d]] = node.position[d];
+        places.push_back(named_coordinates(node.position));
         if (scene.contact.has_uniform_gap())
           break;
       }

@@ -110,6 +110,20 @@ namespace ThermoContact
 
 
 
+  /**
+   * Finds the jumps of the slope to the last digit, where the slope is known.
+   *
+   * @param rate of the load
+   * @param breaks in, out: of the load; those at which the rate does not jump
+   *   stay where they are
+   */
+  void
+  sharpen_bends(const LoadSample       &rate,
+                const double            end_time,
+                std::vector<LoadBreak> &breaks);
+
+
+
   /** A load as it was seen. */
   struct ScannedLoad
   {

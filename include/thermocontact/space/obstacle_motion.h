@@ -13,6 +13,20 @@
 
 namespace ThermoContact
 {
+  /** x, y, z of a place, by their names in expressions. */
+  template <int dim>
+  std::map<std::string, double>
+  named_coordinates(const Point<dim> &place)
+  {
+    const std::string             names[] = {"x", "y", "z"};
+    std::map<std::string, double> coordinates;
+    for (unsigned int d = 0; d < dim; ++d)
+      coordinates[names[d]] = place[d];
+    return coordinates;
+  }
+
+
+
   /**
    * An obstacle that moves: gaps $g(t)$ of the contact nodes, or $g(y,z,t)$ at
    * their places, with their rates; doc/model.md section 25. Those of an

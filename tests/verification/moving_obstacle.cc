@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// An obstacle that moves, Contact/Gap in t, doc/model.md section 25.
+//
+// 1. u = x w(t), w = -(2 + sin 3t)/10, has the stress w + zeta w' everywhere,
+//    so that it solves the equations of a rod with the body force b x w'' whose
+//    obstacle is at g = w - s(p), p = -(w + zeta w') > 0: s = eps p, eps
+//    p^(2/3) for m = 3/2, 0 for a rigid one. b = 1/2, zeta = 1/20, eps = 1/10.
+//    Its displacement and velocity at fixed steps have at least the orders 1 to
+//    4, less 0.15 (orders 3 and 4 of the velocity and 4 of the pressure on an
+//    elastic obstacle, whose errors change sign there, are not asked); so has
+//    the pressure of an elastic obstacle, and the impulse of a rigid one, int p
+//    dt = 0.4 + (1 - cos 6)/30 + sin(6)/200 over [0, 2]. The obstacle works
+//    -int p g' dt, by Simpson's rule: to 1e-7 of it with sdirk4.
+// 2. A base that shakes, u_A = 0.1 sin 1.5t, before an obstacle at rest is,
+// seen
+//    from the base, a base at rest with the body force -b u_A'' before an
+//    obstacle at g - u_A: force, gap and impulse of six runs at t = 1/2, 1,
+//    ..., 6, to 30 tolerances of their largest values, tolerance 1e-6; as many
+//    contacts.
+// 3. A spring and a mass, one cell, lumped, zeta = 0: k = 1, M = b/2, touched
+// by
+//    a rigid obstacle that rests until t = 1, comes with V = 1/5 until t = 2
+//    and rests again. At t = 1 the impulse M V, then the force V (t - 1): the
+//    impulse M V + V/2, the work M V^2 + V^2/2, the loss M V^2/2 up to t = 2.
+//    There the mass leaves with V and swings, V^2 (1 + M) = A^2, until it is
+//    back at -V: it meets the obstacle with the velocity V at
+//    t = 2 + 2 atan(sqrt M) sqrt M. Fixed steps and error control: times,
+//    velocities, impulse, work and loss to 1e-7.
+// 4. The conserving scheme: the same spring and mass, normal compliance,
+//    without a mass of the contact node (two cells): energy + 0 = energy(0) +
+//    work to 1e-12, whatever the step.
+
+#include <thermocontact/simulation/simulation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "../recorded_run.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  const std::string w = "-0.1*(2+sin(3*t))";
+  const std::string p = "(0.2+0.1*sin(3*t)+0.015*cos(3*t))";
+  constexpr double  T = 2.;
+
+
+
+  /** The obstacle of a law: its gap and the rate of it. */
+  struct Obstacle
+  {
+    std::string name;
+    Overrides   law;
+    std::string gap;
+    double      power; ///< s = 0.1 p^power; 0: rigid
+  };
+
+
+
+  double
+  exact_pressure(const double t)
+  {
+    return 0.2 + 0.1 * std::sin(3. * t) + 0.015 * std::cos(3. * t);
+  }
+
+
+
+  double
+  power_of_obstacle(const Obstacle &obstacle, const double t)
+  {
+    const double pressure = exact_pressure(t);
+    const double rate     = 0.3 * std::cos(3. * t) - 0.045 * std::sin(3. * t);
+    double       g_rate   = -0.3 * std::cos(3. * t);
+    if (obstacle.power > 0.)
+      g_rate -=
+        0.1 * obstacle.power * std::pow(pressure, obstacle.power - 1.) * rate;
+    return -pressure * g_rate;
+  }
+
+
+
+  double
+  work_of_obstacle(const Obstacle &obstacle)
+  {
+    constexpr unsigned int n   = 2000;
+    double                 sum = 0.;
+    for (unsigned int i = 0; i <= n; ++i)
+      sum += (i == 0 || i == n ? 1. :
+              i % 2 == 1       ? 4. :
+                                 2.) *
+             power_of_obstacle(obstacle, T * i / n);
+    return sum * T / n / 3.;
+  }
+
+
+
+  void
+  check_orders(const Obstacle    &obstacle,
+               const std::string &scheme,
+               const unsigned int order,
+               const unsigned int n_steps)
+  {
+    double error[2][4], work = 0.;
+    double force_work = 0.; // of the body force, int int 0.45 x sin 3t x w'
+    force_work        = -0.45 * 0.3 / 3. * (std::sin(6.) * std::sin(6.)) / 6.;
+    for (unsigned int k = 0; k < 2; ++k)
+      {
+        const StepRecord r =
+          run<1>("",
+                 obstacle.law +
+                   Overrides{"Contact/Gap=" + obstacle.gap,
+                             "Model/Fields=displacement",
+                             "Model/Inertia=0.5",
+                             "Model/Viscosity=0.05",
+                             "Sources/Body force=0.45*x*sin(3*t)",
+                             "Contact/Massless nodes=off",
+                             "Initial values/Displacement=-0.2*x",
+                             "Initial values/Velocity=-0.3*x",
+                             "Mesh/Cells=3",
+                             "Mesh/Degree=2",
+                             "Time/Scheme=" + scheme,
+                             "Time/Start=consistent",
+                             "Time/End time=2",
+                             "Time/Step size=" + number(T / (n_steps << k))})
+            .rows.back();
+        error[k][0] = std::abs(r.displacement_mid + 0.05 * (2. + std::sin(6.)));
+        error[k][1] = std::abs(r.velocity_end + 0.3 * std::cos(6.));
+        error[k][2] = std::abs(r.contact_force - exact_pressure(T));
+        error[k][3] = std::abs(r.contact_impulse - 0.4 -
+                               (1. - std::cos(6.)) / 30. - std::sin(6.) / 200.);
+        work        = r.work - force_work;
+      }
+    const auto has_order = [&](const unsigned int i) {
+      const double rate = std::log2(error[0][i] / error[1][i]);
+      if (rate > order - 0.15)
+        return true;
+      deallog << "order of " << i << ": " << rate << ' ' << error[1][i]
+              << std::endl;
+      return false;
+    };
+    const bool is_rigid = obstacle.power == 0.;
+    deallog << obstacle.name << ", " << scheme << ": displacement "
+            << has_order(0) << ", velocity "
+            << ((!is_rigid && order > 2) || has_order(1))
+            << (is_rigid ? ", impulse " : ", pressure ")
+            << ((!is_rigid && order > 3) || has_order(is_rigid ? 3 : 2));
+    if (order == 4)
+      {
+        const double exact = work_of_obstacle(obstacle);
+        deallog << ", work to 1e-7 "
+                << (std::abs(work - exact) < 1e-7 * std::abs(exact));
+        if (!(std::abs(work - exact) < 1e-7 * std::abs(exact)))
+          deallog << work << ' ' << exact;
+      }
+    deallog << std::endl;
+  }
+
+
+
+  RecordedRun
+  run_in_frame(const Overrides &law, const bool is_of_base)
+  {
+    const Overrides common{"Model/Fields=displacement",
+                           "Model/Inertia=0.5",
+                           "Model/Viscosity=0.05",
+                           "Mesh/Cells=6",
+                           "Mesh/Degree=4",
+                           "Initial values/Displacement=0",
+                           "Time/Tolerance=1e-6",
+                           "Time/End time=6",
+                           "Output/Contact interval=0.5",
+                           "Output/Land on output times=true"};
+    return run<1>("",
+                  common + law +
+                    (is_of_base ?
+                       Overrides{"Contact/Gap=0.02-0.1*sin(1.5*t)",
+                                 "Sources/Body force=0.1125*sin(1.5*t)",
+                                 "Initial values/Velocity=0"} :
+                       Overrides{"Contact/Gap=0.02",
+                                 "Boundary/Fixed end displacement="
+                                 "0.1*sin(1.5*t)",
+                                 "Initial values/Velocity=0.15"}));
+  }
+
+
+
+  void
+  check_frames(const std::string &name, const Overrides &law)
+  {
+    const RecordedRun one        = run_in_frame(law, false);
+    const RecordedRun two        = run_in_frame(law, true);
+    double            largest[3] = {0., 0., 0.}, error[3] = {0., 0., 0.};
+    unsigned int      j = 0, n_compared = 0;
+    for (const StepRecord &a : one.rows)
+      {
+        const double values[3] = {a.contact_force, a.gap, a.contact_impulse};
+        for (unsigned int k = 0; k < 3; ++k)
+          raise(largest[k], std::abs(values[k]));
+        if (std::abs(2. * a.time - std::round(2. * a.time)) > 1e-12)
+          continue;
+        while (two.rows[j].time < a.time - 1e-12)
+          ++j;
+        const StepRecord &b    = two.rows[j];
+        const double others[3] = {b.contact_force, b.gap, b.contact_impulse};
+        for (unsigned int k = 0; k < 3; ++k)
+          raise(error[k], std::abs(values[k] - others[k]));
+        ++n_compared;
+      }
+    double worst = 0.;
+    for (unsigned int k = 0; k < 3; ++k)
+      raise(worst, error[k] / largest[k] / 1e-6);
+    deallog << "frames, " << name << ": " << n_compared
+            << " times, to 30 tolerances " << (worst < 30.)
+            << ", contacts as many " << (one.events.size() == two.events.size())
+            << ", more than one " << (one.events.size() > 2) << std::endl;
+    if (!(worst < 30.))
+      deallog << worst << std::endl;
+  }
+
+
+
+  const Overrides spring_and_mass{"Model/Fields=displacement",
+                                  "Model/Inertia=0.5",
+                                  "Model/Viscosity=0",
+                                  "Mesh/Degree=1",
+                                  "Initial values/Displacement=0",
+                                  "Initial values/Velocity=0"};
+
+
+
+  void
+  check_turns(const std::string &name, const Overrides &time)
+  {
+    const RecordedRun result =
+      run<1>("",
+             spring_and_mass + time +
+               Overrides{"Contact/Condition=rigid",
+                         "Contact/Gap=-if(t<1,0,if(t<2,0.2*(t-1),0.2))",
+                         "Mesh/Cells=1",
+                         "Mesh/Mass matrix=lumped",
+                         "Time/End time=3.5"});
+    const double M = 0.25, V = 0.2;
+    double       error = 1.;
+    for (const StepRecord &r : result.rows)
+      if (std::abs(r.time - 2.) < 1e-9)
+        {
+          error = 0.;
+          raise(error, std::abs(r.contact_impulse - M * V - 0.5 * V));
+          raise(error, std::abs(r.work - (M + 0.5) * V * V));
+          raise(error, std::abs(r.numerical_dissipation - 0.5 * M * V * V));
+          raise(error, std::abs(r.energy - 0.5 * (M + 1.) * V * V));
+        }
+    const double back = 2. + 2. * std::atan(std::sqrt(M)) * std::sqrt(M);
+    unsigned int n    = 0;
+    for (const ContactEvent &event : result.events)
+      {
+        if (std::abs(event.time - 2.) < 1e-9)
+          {
+            raise(error, event.kind == ContactEvent::end ? 0. : 1.);
+            raise(error, std::abs(event.velocity + V));
+            ++n;
+          }
+        if (event.time > 2.1 && n == 1)
+          {
+            raise(error, event.kind == ContactEvent::begin ? 0. : 1.);
+            raise(error, std::abs(event.time - back));
+            raise(error, std::abs(event.velocity - V));
+            ++n;
+          }
+      }
+    deallog << "obstacle turns, " << name << ": leaves and meets " << (n == 2)
+            << ", impulse, work, loss, times, velocities to 1e-7 "
+            << (error < 1e-7) << std::endl;
+    if (!(error < 1e-7) || n != 2)
+      {
+        deallog << error << std::endl;
+        for (const ContactEvent &event : result.events)
+          deallog << event.time << ' ' << event.kind << ' ' << event.velocity
+                  << std::endl;
+      }
+  }
+
+
+
+  void
+  check_conserving()
+  {
+    const RecordedRun result =
+      run<1>("",
+             spring_and_mass + Overrides{"Time/Scheme=energy conserving",
+                                         "Contact/Compliance=0.05",
+                                         "Contact/Gap=0.02-0.1*sin(1.5*t)",
+                                         "Mesh/Cells=2",
+                                         "Time/Step size=0.05",
+                                         "Time/End time=6"});
+    double defect = 0., largest = 0., work = 0.;
+    for (const StepRecord &r : result.rows)
+      {
+        raise(largest, r.energy);
+        raise(work, std::abs(r.work));
+        raise(defect, std::abs(r.energy - result.rows[0].energy - r.work));
+      }
+    deallog << "conserving: the obstacle works " << (work > 0.1 * largest)
+            << ", energy less work to 1e-12 " << (defect < 1e-12 * largest)
+            << std::endl;
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  initlog();
+  const std::string           compliance = "Contact/Compliance=0.1";
+  const std::vector<Obstacle> obstacles{
+    {"normal compliance", {compliance}, w + "-0.1*" + p, 1.},
+    {"power law",
+     {compliance, "Contact/Condition=power law"},
+     w + "-0.1*" + p + "^(2/3)",
+     2. / 3.},
+    {"rigid", {"Contact/Condition=rigid"}, w, 0.}};
+  for (const Obstacle &obstacle : obstacles)
+    {
+      check_orders(obstacle, "backward euler", 1, 1280);
+      check_orders(obstacle, "sdirk2", 2, 80);
+      check_orders(obstacle, "sdirk3", 3, 80);
+      check_orders(obstacle, "sdirk4", 4, 40);
+    }
+  check_frames("normal compliance", {compliance});
+  check_frames("massless", {compliance, "Contact/Massless nodes=on"});
+  check_frames("power law", {compliance, "Contact/Condition=power law"});
+  check_frames("damped", {compliance, "Contact/Damping=2"});
+  check_frames("rigid", {"Contact/Condition=rigid"});
+  check_frames("rigid, massless",
+               {"Contact/Condition=rigid", "Contact/Massless nodes=on"});
+  check_turns("error control", {"Time/Tolerance=1e-11"});
+  check_turns("fixed steps",
+              {"Time/Step size=0.0025", "Time/Break points=1; 2"});
+  check_conserving();
+}
