@@ -223,7 +223,6 @@ namespace ThermoContact
       result.state = known; // the first one: gets its layout
     else
       result.state.swap(known);
-    body.obstacle.place(time_step.end, result.state);
     find_closed_nodes(state, mode, result);
     result.energy = body.energy.energy(result.state);
     if (tableau.has_error_estimate())
