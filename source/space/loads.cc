@@ -5,6 +5,8 @@
 
 #include <deal.II/base/function.h>
 
+#include <algorithm>
+
 namespace ThermoContact
 {
   namespace
@@ -60,8 +62,10 @@ namespace ThermoContact
   void
   Loads<dim>::assemble(const double time, Vector &heat, Vector &momentum)
   {
-    heat     = outer_heat_;
-    momentum = 0.;
+    // Not by assignment of vectors, which clears ghost values too: from deal.II
+    // 9.5 on that allocates, even where there are none.
+    std::copy(outer_heat_.begin(), outer_heat_.end(), heat.begin());
+    std::fill(momentum.begin(), momentum.end(), 0.);
     if (!data.has_sources())
       return;
 
