@@ -60,7 +60,7 @@ namespace ThermoContact
     end.get_values(Field::displacement,
                    state.displacement,
                    values.displacement);
-    end.get_penetrations(state.displacement, values.penetration);
+    end.get_penetrations(state, values.penetration);
     end.get_values(Field::displacement, state.velocity, values.velocity);
     values.pressure = state.contact_pressure;
     values.rear_penetration.clear();

@@ -89,7 +89,7 @@ namespace ThermoContact
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
       {
-        const double gap = body.contact_end().nodes()[node].gap;
+        const double gap = state.gap[node];
         double      &u   = state.displacement.begin()[entry];
         u = rear_gap && -u - *rear_gap > u - gap ? -*rear_gap : gap;
       }

@@ -23,7 +23,7 @@ namespace ThermoContact
       if (!is_closed.empty())
         return is_closed;
       std::vector<double> penetration;
-      body.contact_end().get_penetrations(state.displacement, penetration);
+      body.contact_end().get_penetrations(state, penetration);
       std::vector<bool> result;
       for (const double s : penetration)
         result.push_back(s >= 0.);
@@ -175,7 +175,7 @@ namespace ThermoContact
     FullMatrix<double> velocity_response(response);
     velocity_response *= factor;
     NodesInMotion nodes; // where they are
-    body.contact_end().get_penetrations(state.displacement, nodes.start);
+    body.contact_end().get_penetrations(state, nodes.start);
     body.contact_end().get_values(Field::displacement,
                                   state.velocity,
                                   nodes.free_velocity);
@@ -219,14 +219,11 @@ namespace ThermoContact
       body.driven_end.subtract_viscous_stress(state.time, momentum_load);
     body.equations.stage_rhs(
       state, 1., heat_load, momentum_load, heat_rhs, rhs);
-    const unsigned int  n = state.contact_pressure.size();
-    std::vector<double> gaps;
-    for (const ContactNode<dim> &node : body.contact_end().nodes())
-      gaps.push_back(node.gap);
+    const unsigned int n = state.contact_pressure.size();
     if (material.is_static())
       {
         solve_with_contact(body.law(),
-                           gaps,
+                           state.gap,
                            std::vector<bool>(n, false),
                            rhs,
                            state.displacement,

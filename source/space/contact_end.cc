@@ -234,12 +234,12 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactEnd<dim>::get_penetrations(const Vector        &displacement,
+  ContactEnd<dim>::get_penetrations(const State         &state,
                                     std::vector<double> &penetrations) const
   {
-    get_values(Field::displacement, displacement, penetrations);
+    get_values(Field::displacement, state.displacement, penetrations);
     for (unsigned int i = 0; i < n_nodes(); ++i)
-      penetrations[i] -= nodes_[i].gap;
+      penetrations[i] -= state.gap[i];
   }
 
 

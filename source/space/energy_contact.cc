@@ -11,7 +11,7 @@ namespace ThermoContact
   {
     if (law.damping() == 0.)
       return state.contact_pressure;
-    discretization.contact_end().get_penetrations(state.displacement, scratch);
+    discretization.contact_end().get_penetrations(state, scratch);
     for (double &value : scratch) // penetrations so far
       value = law.pressure(value);
     if (!rear_gap)
@@ -54,7 +54,7 @@ namespace ThermoContact
     end.get_values(Field::displacement,
                    old_state.displacement,
                    old_end_displacement);
-    end.get_penetrations(old_state.displacement, old_penetration);
+    end.get_penetrations(old_state, old_penetration);
     const std::vector<double> &old_pressure =
       elastic_pressures(old_state, old_end_pressure);
     const std::vector<double> &pressure =

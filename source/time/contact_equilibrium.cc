@@ -77,14 +77,13 @@ namespace ThermoContact
   namespace
   {
     /** Before the obstacle or in it: of all nodes of the end. */
-    template <int dim>
     std::vector<double>
-    all_penetrations(const ContactEnd<dim>     &end,
+    all_penetrations(const std::vector<double> &gap,
                      const std::vector<double> &displacement)
     {
       std::vector<double> penetration(displacement);
-      for (unsigned int i = 0; i < end.n_nodes(); ++i)
-        penetration[i] -= end.nodes()[i].gap;
+      for (unsigned int i = 0; i < gap.size(); ++i)
+        penetration[i] -= gap[i];
       return penetration;
     }
 
@@ -111,7 +110,7 @@ namespace ThermoContact
       end.get_all_values(Field::displacement, state.velocity, velocity);
       const std::vector<double> change =
         problem.solve(load,
-                      all_penetrations(end, displacement),
+                      all_penetrations(state.gap, displacement),
                       std::vector<bool>(p.size(), body.law().is_active()),
                       p);
       const std::vector<double> acceleration =
@@ -120,10 +119,9 @@ namespace ThermoContact
         {
           velocity[i] += acceleration[i];
           // where there is pressure, the law is exact to rounding of u
-          displacement[i] =
-            i < p.size() && p[i] > 0. ?
-              end.nodes()[i].gap + body.law().penetration(p[i]) :
-              displacement[i] + change[i];
+          displacement[i] = i < p.size() && p[i] > 0. ?
+                              state.gap[i] + body.law().penetration(p[i]) :
+                              displacement[i] + change[i];
         }
       end.set_all_values(Field::displacement, displacement, state.displacement);
       end.set_all_values(Field::displacement, velocity, state.velocity);
@@ -207,7 +205,7 @@ namespace ThermoContact
       moved_by_force(end, flexibility, force, state.displacement);
     std::vector<double> free_penetration(s.begin(), s.begin() + end.n_nodes());
     for (unsigned int i = 0; i < end.n_nodes(); ++i)
-      free_penetration[i] -= end.nodes()[i].gap;
+      free_penetration[i] -= state.gap[i];
     std::vector<double>     &p      = state.contact_pressure;
     const FullMatrix<double> square = between_pressures(receptance);
     const ContactSolver      solver(body.law());
@@ -237,9 +235,8 @@ namespace ThermoContact
         if (node < p.size() && has_pressure[node])
           {
             // the law, exact to rounding of u
-            displacement =
-              end.nodes()[node].gap + body.law().penetration(p[node]);
-            velocity = body.law().tangent(p[node]) * p_rate[node];
+            displacement = state.gap[node] + body.law().penetration(p[node]);
+            velocity     = body.law().tangent(p[node]) * p_rate[node];
           }
         state.displacement.begin()[entry] = displacement;
         state.velocity.begin()[entry]     = velocity;
@@ -267,7 +264,7 @@ namespace ThermoContact
         ContactNodeProblem<dim>   problem(body, 1., true);
         const std::vector<double> change =
           problem.solve(load,
-                        all_penetrations(end, displacement),
+                        all_penetrations(state.gap, displacement),
                         std::vector<bool>(pressure.size(),
                                           body.law().is_active()),
                         pressure);

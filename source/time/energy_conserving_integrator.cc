@@ -24,6 +24,18 @@ namespace ThermoContact
       return result;
     }
 
+
+
+    /** Penetrations of contact nodes at these positions. */
+    std::vector<double>
+    penetrations(const std::vector<double> &position,
+                 const std::vector<double> &gap)
+    {
+      std::vector<double> penetration(position);
+      for (unsigned int i = 0; i < position.size(); ++i)
+        penetration[i] -= gap[i];
+      return penetration;
+    }
   } // namespace
 
 
@@ -152,19 +164,6 @@ namespace ThermoContact
 
 
   template <int dim>
-  std::vector<double>
-  EnergyConservingIntegrator<dim>::beyond_gap(
-    const std::vector<double> &position) const
-  {
-    std::vector<double> penetration(position);
-    for (unsigned int i = 0; i < position.size(); ++i)
-      penetration[i] -= body.contact_end().nodes()[i].gap;
-    return penetration;
-  }
-
-
-
-  template <int dim>
   void
   EnergyConservingIntegrator<dim>::apply_contact(const State    &state,
                                                  const TimeStep &time_step)
@@ -185,20 +184,20 @@ namespace ThermoContact
         old_free_position[i] += old_displacement[i];
         displacement_scale =
           std::max(displacement_scale,
-                   std::abs(body.contact_end().nodes()[i].gap) +
-                     std::abs(old_free_position[i]));
+                   std::abs(state.gap[i]) + std::abs(old_free_position[i]));
         free_position[i] =
           2. * (old_displacement[i] + 0.5 * time_step.size * velocity[i]) -
           old_free_position[i];
       }
     FullMatrix<double> difference(solver->response());
     difference.add(-1., receptance);
-    rates.pressure     = state.contact_pressure;
-    rates.n_iterations = contact->step_pressure(beyond_gap(old_free_position),
-                                                beyond_gap(free_position),
-                                                difference,
-                                                displacement_scale,
-                                                rates.pressure);
+    rates.pressure = state.contact_pressure;
+    rates.n_iterations =
+      contact->step_pressure(penetrations(old_free_position, state.gap),
+                             penetrations(free_position, new_gap),
+                             difference,
+                             displacement_scale,
+                             rates.pressure);
     solver->apply_pressure(rates);
     const std::vector<double> loss = product(difference, rates.pressure);
     for (unsigned int i = 0; i < n; ++i)
@@ -215,7 +214,7 @@ namespace ThermoContact
   {
     std::vector<double> &pressure = new_state.contact_pressure;
     pressure                      = rates.pressure;
-    contact->equilibrium(beyond_gap(free_position), pressure);
+    contact->equilibrium(penetrations(free_position, new_state.gap), pressure);
 
     std::vector<double> old_displacement, displacement;
     body.contact_end().get_all_values(Field::displacement,
@@ -234,10 +233,11 @@ namespace ThermoContact
     std::vector<double> position = product(all_receptance, change);
     for (unsigned int i = 0; i < position.size(); ++i)
       {
-        position[i] = i >= pressure.size() ? displacement[i] + position[i] :
-                      pressure[i] > 0.     ? body.contact_end().nodes()[i].gap +
-                                           body.law().penetration(pressure[i]) :
-                                         free_position[i] - loss[i];
+        position[i] = i >= pressure.size() ?
+                        displacement[i] + position[i] :
+                      pressure[i] > 0. ?
+                        new_state.gap[i] + body.law().penetration(pressure[i]) :
+                        free_position[i] - loss[i];
         if (!temperature_responses.empty())
           new_state.temperature.add(position[i] - displacement[i],
                                     temperature_responses[i]);
@@ -260,7 +260,7 @@ namespace ThermoContact
   {
     const ContactEnd<dim> &end = body.contact_end();
     AssertDimension(end.n_nodes(), 1);
-    end.get_penetrations(state.displacement, penetration);
+    end.get_penetrations(state, penetration);
     // the velocity first, then where it leads
     end.get_values(Field::displacement, rates.velocity, free_penetration);
     free_penetration[0] = penetration[0] + time_step.size * free_penetration[0];
@@ -284,7 +284,7 @@ namespace ThermoContact
     new_state.contact_pressure = rates.pressure;
     if (!step_contact->conserves_energy())
       return;
-    body.contact_end().get_penetrations(new_state.displacement, penetration);
+    body.contact_end().get_penetrations(new_state, penetration);
     new_state.contact_pressure[0] = body.law().pressure(penetration[0]);
   }
 
@@ -348,6 +348,7 @@ namespace ThermoContact
   {
     const double size = time_step.size;
     midpoint.time     = state.time + 0.5 * size;
+    new_gap           = state.gap;
     assemble_loads(time_step.first_loads, time_step.last_loads);
     solve_without_contact(state, time_step);
     if (step_contact)
@@ -363,6 +364,7 @@ namespace ThermoContact
 
     result.state      = state;
     result.state.time = time_step.end;
+    result.state.gap  = new_gap;
     result.state.temperature.add(size, rates.temperature_rate);
     result.state.displacement.add(size, rates.velocity);
     result.state.velocity.sadd(-1., 2., rates.velocity);

@@ -81,7 +81,7 @@ namespace ThermoContact
     set_pressures_of_law(State &state) const
     {
       std::vector<double> penetration, velocity;
-      contact_end().get_penetrations(state.displacement, penetration);
+      contact_end().get_penetrations(state, penetration);
       contact_end().get_values(Field::displacement, state.velocity, velocity);
       for (unsigned int i = 0; i < penetration.size(); ++i)
         state.contact_pressure[i] =

@@ -59,12 +59,13 @@ namespace ThermoContact
     const std::unique_ptr<DrivenStep<dim>> driven;
 
 
-    StageRates         rates;
-    State              midpoint;
-    Vector             heat_load;
-    Vector             momentum_load;
-    Vector             acceleration; ///< of an end that rests
-    FullMatrix<double> receptance;   ///< $X$ of (M.39)
+    StageRates          rates;
+    State               midpoint;
+    std::vector<double> new_gap; ///< at the end of the step
+    Vector              heat_load;
+    Vector              momentum_load;
+    Vector              acceleration; ///< of an end that rests
+    FullMatrix<double>  receptance;   ///< $X$ of (M.39)
 
     /** $X$ with rows for nodes that have no pressure. */
     FullMatrix<double> all_receptance;
@@ -92,10 +93,6 @@ namespace ThermoContact
      */
     void
     add_heating(FullMatrix<double> &stiffness);
-
-    /** Penetrations of contact nodes at these positions. */
-    std::vector<double>
-    beyond_gap(const std::vector<double> &position) const;
 
     /** The stage to the middle of the step, with a driven end. */
     void
