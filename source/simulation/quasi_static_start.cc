@@ -179,6 +179,8 @@ namespace ThermoContact
     body.contact_end().get_values(Field::displacement,
                                   state.velocity,
                                   nodes.free_velocity);
+    for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
+      nodes.free_velocity[i] -= state.gap_rate[i];
     std::vector<double> &p = state.contact_pressure;
     DampedContact(body.law()).solve(velocity_response, nodes, p);
     for (unsigned int i = 0; i < p.size(); ++i)
@@ -249,10 +251,13 @@ namespace ThermoContact
                                      state.contact_pressure,
                                      1.,
                                      rhs);
-    // nodes on a rigid obstacle cannot move into it
+    // nodes on a rigid obstacle cannot move into it; velocities are scaled
+    std::vector<double> rate(state.gap_rate);
+    for (double &value : rate)
+      value *= material.viscosity / (material.viscosity + 1.);
     const auto no_inward_velocity = rigid_obstacle().make({});
     solve_with_contact(*no_inward_velocity,
-                       std::vector<double>(n, 0.),
+                       rate,
                        is_away,
                        rhs,
                        state.velocity,

@@ -83,6 +83,12 @@ namespace ThermoContact
     end.get_values(Field::displacement,
                    rates.velocity,
                    nodes_in_motion.free_velocity);
+    // as the obstacle sees them, which has moved to the end of the stage
+    for (unsigned int i = 0; i < known.gap_rate.size(); ++i)
+      {
+        nodes_in_motion.start[i] += nodes_in_motion.tau * known.gap_rate[i];
+        nodes_in_motion.free_velocity[i] -= known.gap_rate[i];
+      }
   }
 
 
