@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/local_sums.h>
 #include <thermocontact/space/lateral_exchange.h>
 #include <thermocontact/space/loads.h>
 
 #include <deal.II/base/function.h>
-
-#include <algorithm>
 
 namespace ThermoContact
 {
@@ -62,10 +61,8 @@ namespace ThermoContact
   void
   Loads<dim>::assemble(const double time, Vector &heat, Vector &momentum)
   {
-    // Not by assignment of vectors, which clears ghost values too: from deal.II
-    // 9.5 on that allocates, even where there are none.
-    std::copy(outer_heat_.begin(), outer_heat_.end(), heat.begin());
-    std::fill(momentum.begin(), momentum.end(), 0.);
+    set_equal(heat, outer_heat_);
+    set_zero(momentum);
     if (!data.has_sources())
       return;
 

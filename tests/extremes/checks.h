@@ -133,8 +133,7 @@ namespace ThermoContact
       const State        &state = simulation.state();
       const auto         &nodes = simulation.body().contact_end().nodes();
       std::vector<double> penetration;
-      simulation.body().contact_end().get_penetrations(state.displacement,
-                                                       penetration);
+      simulation.body().contact_end().get_penetrations(state, penetration);
       const TimeParameters &time = simulation.parameters().time;
       // one of several nodes may end an event of a rigid obstacle beyond it
       const double miss =

@@ -81,7 +81,7 @@ namespace ThermoContact
       return misses;
     const auto         &end = simulation.body().contact_end();
     std::vector<double> penetration, velocity;
-    end.get_penetrations(state.displacement, penetration);
+    end.get_penetrations(state, penetration);
     end.get_values(Field::displacement, state.velocity, velocity);
     const bool is_moved =
       scene.material.is_static() && state.was_moved_at_once();
