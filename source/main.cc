@@ -300,7 +300,12 @@ main(int argc, char **argv)
   const Timer        since_start;
   EnvironmentOfStart environment;
   tell_mpi_of_single_process(environment);
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // The arguments are ours alone: PETSc, which deal.II starts too, obeys those
+  // that it knows and, in Debian 13, prints those that it does not.
+  int                              n_arguments    = 1;
+  char                            *program_name[] = {argv[0], nullptr};
+  char                           **arguments      = program_name;
+  Utilities::MPI::MPI_InitFinalize mpi(n_arguments, arguments, 1);
   environment.restore();
   const bool is_first_rank =
     Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;

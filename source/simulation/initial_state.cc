@@ -86,6 +86,21 @@ namespace ThermoContact
 
 
 
+    /** Parts of displacements and gaps that are rounding. */
+    constexpr double rounding_of_gap = 1e-12;
+
+
+
+    /** True if @p displacement and @p gap are one but for rounding. */
+    bool
+    are_one(const double displacement, const double gap)
+    {
+      return std::abs(displacement - gap) <=
+             rounding_of_gap * std::max(std::abs(displacement), std::abs(gap));
+    }
+
+
+
     /**
      * What the initial displacement says of a rigid obstacle holds for its
      * projection: a node on it, but for rounding, is there, and one before it
@@ -106,19 +121,14 @@ namespace ThermoContact
           const ContactNode<dim> &node = body.contact_end().nodes()[i];
           const double            given =
             body.data.initial_fields().value(node.position, component);
-          const double gap = state.gap[i];
-          const double rounding =
-            1e-12 * std::max(std::abs(given), std::abs(gap));
-          double &projected = state.displacement.begin()[entry];
-          if (std::abs(given - gap) <= rounding ||
-              (given < gap && projected > gap))
+          const double gap       = state.gap[i];
+          double      &projected = state.displacement.begin()[entry];
+          if (are_one(given, gap) || (given < gap && projected > gap))
             projected = gap;
           if (!body.scene.contact.rear_gap)
             continue;
           const double rear = -*body.scene.contact.rear_gap;
-          if (std::abs(given - rear) <=
-                1e-12 * std::max(std::abs(given), std::abs(rear)) ||
-              (given > rear && projected < rear))
+          if (are_one(given, rear) || (given > rear && projected < rear))
             projected = rear;
         }
     }
@@ -139,7 +149,7 @@ namespace ThermoContact
                               " of the end penetrates the rigid stop\n  "
                               "remedy:  a larger rear gap, or another Initial "
                               "values/Displacement"));
-      if (reached < -rear_gap)
+      if (reached < -rear_gap && !are_one(reached, -rear_gap))
         throw InputError(text("Contact/Rear gap = ",
                               rear_gap,
                               ": the prescribed first step of the paper would "
@@ -195,7 +205,10 @@ namespace ThermoContact
         }
       if (is_prescribed)
         for (unsigned int i = 0; i < velocity.size(); ++i)
-          if (penetration[i] + first_step_size * velocity[i] > 0.)
+          if (const double step = first_step_size * velocity[i];
+              penetration[i] + step > 0. &&
+              !are_one(displacement[i] + step,
+                       displacement[i] - penetration[i]))
             {
               message
                 << "the prescribed first step of the paper would "

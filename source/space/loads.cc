@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/local_sums.h>
 #include <thermocontact/space/lateral_exchange.h>
 #include <thermocontact/space/loads.h>
 
@@ -60,8 +61,8 @@ namespace ThermoContact
   void
   Loads<dim>::assemble(const double time, Vector &heat, Vector &momentum)
   {
-    heat     = outer_heat_;
-    momentum = 0.;
+    set_equal(heat, outer_heat_);
+    set_zero(momentum);
     if (!data.has_sources())
       return;
 

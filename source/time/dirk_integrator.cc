@@ -242,9 +242,9 @@ namespace ThermoContact
                                       const ContactMode mode,
                                       StepResult       &result)
   {
-    difference.temperature  = 0.;
-    difference.displacement = 0.;
-    difference.velocity     = 0.;
+    set_zero(difference.temperature);
+    set_zero(difference.displacement);
+    set_zero(difference.velocity);
     for (std::vector<Multiple> &sum : rate_sums)
       sum.clear();
     for (unsigned int i = 0; i < tableau.n_stages(); ++i)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/local_sums.h>
 #include <thermocontact/time/energy_conserving_integrator.h>
 #include <thermocontact/time/make_stage_solver.h>
 #include <thermocontact/time/schemes.h>
@@ -8,6 +9,31 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /** As an assignment, but allocates nothing for states of one layout. */
+    void
+    copy_values(const State &from, State &to)
+    {
+      if (to.contact_pressure.size() != from.contact_pressure.size())
+        {
+          to = from; // the first one: gets its layout
+          return;
+        }
+      set_equal(to.temperature, from.temperature);
+      set_equal(to.displacement, from.displacement);
+      set_equal(to.velocity, from.velocity);
+      to.time                 = from.time;
+      to.jump_time            = from.jump_time;
+      to.contact_pressure     = from.contact_pressure;
+      to.exchange_coefficient = from.exchange_coefficient;
+      to.gap                  = from.gap;
+      to.gap_rate             = from.gap_rate;
+    }
+  } // namespace
+
+
+
   Scheme
   energy_conserving_scheme()
   {
@@ -157,11 +183,13 @@ namespace ThermoContact
 
     if (driven)
       driven->complete(rates, acceleration);
-    midpoint.velocity    = rates.velocity;
-    midpoint.temperature = state.temperature;
-    midpoint.temperature.add(0.5 * size, rates.temperature_rate);
+    set_equal(midpoint.velocity, rates.velocity);
+    set_sum(midpoint.temperature,
+            state.temperature,
+            0.5 * size,
+            rates.temperature_rate);
 
-    result.state          = state;
+    copy_values(state, result.state);
     result.state.time     = time_step.end;
     result.state.gap      = obstacle.gap;
     result.state.gap_rate = obstacle.gap_rate;

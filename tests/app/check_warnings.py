@@ -44,6 +44,9 @@ ENERGY = [
     (("Time/Step size=0.05",), 1e-3, 0, None),
     (("Time/Locate contact events=true",), 1e-3, 0, None),
     (("Time/Scheme=backward euler",), 1e-9, 0, None),
+    # the first step ends behind the obstacle by rounding, as any may at it
+    (("Time/Scheme=backward euler", "Initial values/Velocity=(1+1e-15)*x"),
+     1e-9, 0, None),
     (("Time/Scheme=energy conserving", "Contact/Massless nodes=automatic"),
      1e-9, 0, None),
     (ELASTIC, 1e-3, 0, SMALLER + MASSLESS + CONSERVING),

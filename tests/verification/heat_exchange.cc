@@ -16,6 +16,8 @@
 // 3. k = 1 + 0*gap equals k = 1: all columns to 1e-13 of their largest values,
 //    of experiment 1 with fixed steps (8e-14 measured), energies to 1e-12
 //    (1e-13), and all of a strip to 1e-12 (6e-13), whose flux is a difference.
+//    So is the force of the rod, (u(1) - g)/eps: with g = 0.1 and u(1) up to
+//    0.13 it has the rounding of a number four times as large.
 //    So it does where the nodes of a strip close one after another at a rigid
 //    obstacle, in stages that are not in the order of their times, and stay
 //    closed to the end of the step, (M.62): all columns to 1e-9.
@@ -67,10 +69,13 @@ namespace
 
   /**
    * Largest difference of a column relative to its largest value, and of one
-   * that the audit adds up relative to the largest energy.
+   * that the audit adds up relative to the largest energy; of penetration,
+   * force and stress relative to @p cancellation times the largest value.
    */
   std::pair<double, double>
-  difference(const std::vector<StepRecord> &a, const std::vector<StepRecord> &b)
+  difference(const std::vector<StepRecord> &a,
+             const std::vector<StepRecord> &b,
+             const double                   cancellation = 1.)
   {
     std::pair<double, double> result(0., 0.);
     raise(result.first, a.size() == b.size() ? 0. : 1.);
@@ -85,6 +90,8 @@ namespace
             raise(change, std::abs(x - all_columns(b[i])[column]));
             raise(scale, std::abs(is_energy ? a[i].energy : x));
           }
+        if (column == 5 || column == 7 || column == 8)
+          scale *= cancellation;
         raise(is_energy ? result.second : result.first, change / scale);
       }
     return result;
@@ -182,10 +189,10 @@ namespace
                             "Mesh/Width=0.25",
                             "Time/End time=0.06"};
     const Overrides expression{"Boundary/Heat exchange=1+0*gap"};
-    const auto      rod =
-      difference(run<1>(read_parameters("", scene)),
-                 run<1>(read_parameters("", scene + expression)));
-    const auto in_plane =
+    const auto      rod = difference(run<1>(read_parameters("", scene)),
+                                run<1>(read_parameters("", scene + expression)),
+                                4.);
+    const auto      in_plane =
       difference(run<2>(read_parameters("", scene + strip)),
                  run<2>(read_parameters("", scene + strip + expression)));
     deallog << "constant expression equals number: rod to 1e-13 "

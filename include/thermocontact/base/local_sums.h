@@ -111,12 +111,25 @@ namespace ThermoContact
 
 
 
-  /** @p y $=x$, of the same layout. */
+  /**
+   * @p y $=x$, of the same layout. By entries, as set_zero(): the assignments
+   * of deal.II clear ghost values too, which from 9.5 on allocates, even where
+   * there are none.
+   */
   inline void
   set_equal(Vector &y, const Vector &x)
   {
     AssertDimension(y.locally_owned_size(), x.locally_owned_size());
     std::copy(x.begin(), x.end(), y.begin());
+  }
+
+
+
+  /** @p y $=0$. */
+  inline void
+  set_zero(Vector &y)
+  {
+    std::fill(y.begin(), y.end(), 0.);
   }
 } // namespace ThermoContact
 
