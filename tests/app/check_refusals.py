@@ -42,6 +42,11 @@ SCENES = [
      ("Solver/Linear solver=direct", "Mesh/Cells=4", "Mesh/Cells across=2")),
     ("Mesh/Cells", BLOCK + ("Solver/Linear solver=iterative", "Mesh/Cells across=16"),
      "Mesh/Cells=3000", "Mesh/Cells=4"),
+    *[(entry, BLOCK + ("Mesh/Cells across=8", "Solver/Linear solver=direct") + shared,
+       changed + "24", changed + "3") for entry, shared, changed in (
+           ("Study/Vary", (), "Study/Vary=Mesh/Cells = 4 | "),
+           ("Study/Reference", ("Study/Vary=Mesh/Cells = 2 | 4",),
+            "Study/Reference=Mesh/Cells = "))],
     ("Model/Poisson ratio", PLANE, "Model/Poisson ratio=-1",
      "Model/Poisson ratio=-0.999"),
     ("Model/Poisson ratio", PLANE, "Model/Poisson ratio=0.5",
