@@ -112,6 +112,12 @@ SCENES = [
      "if((2592120*t)>777000.3,if((2592120*t)<777010.3,1,0),0)",
      "Boundary/Fixed end displacement="
      "if((2592120*t)>777000.3,if((2592120*t)<777010.3,0,0),0)"),
+    # the same where milliseconds, quotients and differences stand beside the factor
+    *[("Boundary/Fixed end displacement", FIXED + ("Time/End time=1",),
+       f"Boundary/Fixed end displacement={first}*{second}*1e-9",
+       f"Boundary/Fixed end displacement={first}*{second}*0") for first, second in (
+           ("if((2592120*t)*1000>777000300,1,0)", "if((2592120*t)*1000-777010300<0,1,0)"),
+           ("max(0,sign((t*2592120)/60-12950.005))", "max(0,sign(12950.1716-t*43202))"))],
     ("Boundary/Fixed end displacement", (), "Boundary/Fixed end displacement=0.01*sqrt(t)",
      "Boundary/Fixed end displacement=0.01*t^1.5"),
     ("Boundary/Fixed end displacement", ("Time/End time=2",),

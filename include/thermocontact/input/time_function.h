@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -78,6 +79,20 @@ namespace ThermoContact
    */
   TimeDerivatives
   differentiate(const std::string &formula, const double time);
+
+
+
+  /**
+   * Times at which a formula may jump or bend, or have a pulse: where parts of
+   * it that are linear in time are zero, or two of them are equal that it
+   * compares, as 2 in if(3*t<6,1,0) and exp(-((t/4-0.5)/0.1)^2).
+   *
+   * @param formula components separated by ";"; other variables than t may
+   *   stand there. What cannot be read is left out.
+   * @param time at which parts are looked at; far from those where they bend
+   */
+  std::vector<double>
+  zeros_of_linear_parts(const std::string &formula, const double time);
 } // namespace ThermoContact
 
 #endif
