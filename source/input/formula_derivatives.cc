@@ -39,11 +39,13 @@ namespace ThermoContact
        *   that are linear in time are zero, or equal in a comparison; names
        *   that are not known are then no constants
        */
-      FormulaReader(const std::string   &formula,
-                    const Jet           &time,
-                    std::vector<double> *zeros = nullptr)
+      FormulaReader(const std::string                   &formula,
+                    const Jet                           &time,
+                    const std::map<std::string, double> &constants,
+                    std::vector<double>                 *zeros = nullptr)
         : next(formula.c_str())
         , time(time)
+        , constants(constants)
         , zeros(zeros)
       {}
 
@@ -59,9 +61,10 @@ namespace ThermoContact
       }
 
     private:
-      const char                *next;
-      const Jet                  time;
-      std::vector<double> *const zeros;
+      const char                          *next;
+      const Jet                            time;
+      const std::map<std::string, double> &constants;
+      std::vector<double> *const           zeros;
 
 
 
@@ -262,6 +265,9 @@ namespace ThermoContact
           return call(name);
         if (name == "t")
           return time;
+        if (const auto constant = constants.find(name);
+            constant != constants.end())
+          return Jet(constant->second);
         if (name == "pi" || name == "_pi")
           return Jet(dealii::numbers::PI);
         if (name == "_e")
@@ -313,10 +319,12 @@ namespace ThermoContact
 
 
   TimeDerivatives
-  differentiate(const std::string &formula, const double time)
+  differentiate(const std::string                   &formula,
+                const double                         time,
+                const std::map<std::string, double> &constants)
   {
     const Jet  t = boost::math::differentiation::make_fvar<double, 2>(time);
-    const Jet  result = FormulaReader(formula, t).read();
+    const Jet  result = FormulaReader(formula, t, constants).read();
     const auto finite = [](const double x) {
       return std::isfinite(x) ? x : 0.;
     };
@@ -330,13 +338,14 @@ namespace ThermoContact
   std::vector<double>
   zeros_of_linear_parts(const std::string &formula, const double time)
   {
-    std::vector<double> zeros;
+    std::vector<double>                 zeros;
+    const std::map<std::string, double> none;
     const Jet t = boost::math::differentiation::make_fvar<double, 2>(time);
     std::istringstream components(formula);
     for (std::string component; std::getline(components, component, ';');)
       try
         {
-          FormulaReader(component, t, &zeros).read();
+          FormulaReader(component, t, none, &zeros).read();
         }
       catch (const std::invalid_argument &)
         {} // those up to there

@@ -32,7 +32,7 @@ namespace ThermoContact
     values_of(const Body<dim> &body, const State &state)
     {
       std::vector<double> gap, temperature, in_contact;
-      body.contact_end().get_penetrations(state.displacement, gap);
+      body.contact_end().get_penetrations(state, gap);
       for (double &value : gap)
         value = 0. - value;
       for (const double pressure : state.contact_pressure)

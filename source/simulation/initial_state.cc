@@ -106,12 +106,13 @@ namespace ThermoContact
           const ContactNode<dim> &node = body.contact_end().nodes()[i];
           const double            given =
             body.data.initial_fields().value(node.position, component);
+          const double gap = state.gap[i];
           const double rounding =
-            1e-12 * std::max(std::abs(given), std::abs(node.gap));
+            1e-12 * std::max(std::abs(given), std::abs(gap));
           double &projected = state.displacement.begin()[entry];
-          if (std::abs(given - node.gap) <= rounding ||
-              (given < node.gap && projected > node.gap))
-            projected = node.gap;
+          if (std::abs(given - gap) <= rounding ||
+              (given < gap && projected > gap))
+            projected = gap;
           if (!body.scene.contact.rear_gap)
             continue;
           const double rear = -*body.scene.contact.rear_gap;
@@ -174,7 +175,7 @@ namespace ThermoContact
                                    velocity[0],
                                *scene.contact.rear_gap);
       std::vector<double> penetration;
-      body.contact_end().get_penetrations(state.displacement, penetration);
+      body.contact_end().get_penetrations(state, penetration);
       const unsigned int deepest =
         std::max_element(penetration.begin(), penetration.end()) -
         penetration.begin();
@@ -186,8 +187,7 @@ namespace ThermoContact
           message << "the initial displacement " << displacement[deepest]
                   << " of the end";
           if (!scene.contact.has_uniform_gap())
-            message << ", where the gap is "
-                    << body.contact_end().nodes()[deepest].gap << ',';
+            message << ", where the gap is " << state.gap[deepest] << ',';
           message << " penetrates the rigid obstacle\n  remedy:  a "
                      "larger gap, another Initial values/Displacement, or "
                      "Contact/Condition = normal compliance";
@@ -252,6 +252,7 @@ namespace ThermoContact
   {
     const Discretization<dim> &discretization = body.discretization;
     State                      state          = discretization.make_state();
+    body.obstacle.place(0., state);
     {
       H1Projection<dim> projection(discretization,
                                    body.equations.matrix_free());
@@ -277,7 +278,7 @@ namespace ThermoContact
     warn_of_contact(body, state, warnings);
 
     std::vector<double> penetration;
-    body.contact_end().get_penetrations(state.displacement, penetration);
+    body.contact_end().get_penetrations(state, penetration);
     for (unsigned int i = 0; i < penetration.size(); ++i)
       state.exchange_coefficient[i] =
         body.scene.heat.exchange->coefficient(penetration[i],

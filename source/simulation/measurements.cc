@@ -146,7 +146,7 @@ namespace ThermoContact
     record.displacement_end = end.mean(contact_values);
     if (body.law().is_active())
       {
-        end.get_penetrations(state.displacement, contact_values);
+        end.get_penetrations(state, contact_values);
         record.gap =
           0. - *std::max_element(contact_values.begin(), contact_values.end());
       }

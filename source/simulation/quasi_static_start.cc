@@ -23,7 +23,7 @@ namespace ThermoContact
       if (!is_closed.empty())
         return is_closed;
       std::vector<double> penetration;
-      body.contact_end().get_penetrations(state.displacement, penetration);
+      body.contact_end().get_penetrations(state, penetration);
       std::vector<bool> result;
       for (const double s : penetration)
         result.push_back(s >= 0.);
@@ -175,10 +175,12 @@ namespace ThermoContact
     FullMatrix<double> velocity_response(response);
     velocity_response *= factor;
     NodesInMotion nodes; // where they are
-    body.contact_end().get_penetrations(state.displacement, nodes.start);
+    body.contact_end().get_penetrations(state, nodes.start);
     body.contact_end().get_values(Field::displacement,
                                   state.velocity,
                                   nodes.free_velocity);
+    for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
+      nodes.free_velocity[i] -= state.gap_rate[i];
     std::vector<double> &p = state.contact_pressure;
     DampedContact(body.law()).solve(velocity_response, nodes, p);
     for (unsigned int i = 0; i < p.size(); ++i)
@@ -219,14 +221,11 @@ namespace ThermoContact
       body.driven_end.subtract_viscous_stress(state.time, momentum_load);
     body.equations.stage_rhs(
       state, 1., heat_load, momentum_load, heat_rhs, rhs);
-    const unsigned int  n = state.contact_pressure.size();
-    std::vector<double> gaps;
-    for (const ContactNode<dim> &node : body.contact_end().nodes())
-      gaps.push_back(node.gap);
+    const unsigned int n = state.contact_pressure.size();
     if (material.is_static())
       {
         solve_with_contact(body.law(),
-                           gaps,
+                           state.gap,
                            std::vector<bool>(n, false),
                            rhs,
                            state.displacement,
@@ -252,10 +251,13 @@ namespace ThermoContact
                                      state.contact_pressure,
                                      1.,
                                      rhs);
-    // nodes on a rigid obstacle cannot move into it
+    // nodes on a rigid obstacle cannot move into it; velocities are scaled
+    std::vector<double> rate(state.gap_rate);
+    for (double &value : rate)
+      value *= material.viscosity / (material.viscosity + 1.);
     const auto no_inward_velocity = rigid_obstacle().make({});
     solve_with_contact(*no_inward_velocity,
-                       std::vector<double>(n, 0.),
+                       rate,
                        is_away,
                        rhs,
                        state.velocity,

@@ -234,12 +234,24 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactEnd<dim>::get_penetrations(const Vector        &displacement,
+  ContactEnd<dim>::get_penetrations(const State         &state,
                                     std::vector<double> &penetrations) const
   {
-    get_values(Field::displacement, displacement, penetrations);
+    get_values(Field::displacement, state.displacement, penetrations);
     for (unsigned int i = 0; i < n_nodes(); ++i)
-      penetrations[i] -= nodes_[i].gap;
+      penetrations[i] -= state.gap[i];
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEnd<dim>::get_approach(const State         &state,
+                                std::vector<double> &velocities) const
+  {
+    get_values(Field::displacement, state.velocity, velocities);
+    for (unsigned int i = 0; i < n_nodes(); ++i)
+      velocities[i] -= state.gap_rate[i];
   }
 
 

@@ -169,6 +169,9 @@ namespace ThermoContact
     state.velocity     = make_vector(Field::displacement);
     state.contact_pressure.assign(contact_end_->n_nodes(), 0.);
     state.exchange_coefficient = state.contact_pressure;
+    for (const ContactNode<dim> &node : contact_end_->nodes())
+      state.gap.push_back(node.gap);
+    state.gap_rate = state.contact_pressure;
     return state;
   }
 

@@ -9,7 +9,7 @@ namespace ThermoContact
   pressures_of_nearer_stop(const Body<dim> &body, const State &state)
   {
     std::vector<double> front, rear;
-    body.contact_end().get_penetrations(state.displacement, front);
+    body.contact_end().get_penetrations(state, front);
     body.contact_end().get_rear_penetrations(state.displacement,
                                              *body.scene.contact.rear_gap,
                                              rear);

@@ -76,15 +76,17 @@ namespace ThermoContact
 
   namespace
   {
-    /** Before the obstacle or in it: of all nodes of the end. */
-    template <int dim>
+    /**
+     * Penetrations of all nodes of the end, or their rates; where there is no
+     * pressure, displacements.
+     */
     std::vector<double>
-    all_penetrations(const ContactEnd<dim>     &end,
-                     const std::vector<double> &displacement)
+    before_obstacle(const std::vector<double> &gap,
+                    const std::vector<double> &displacement)
     {
       std::vector<double> penetration(displacement);
-      for (unsigned int i = 0; i < end.n_nodes(); ++i)
-        penetration[i] -= end.nodes()[i].gap;
+      for (unsigned int i = 0; i < gap.size(); ++i)
+        penetration[i] -= gap[i];
       return penetration;
     }
 
@@ -111,19 +113,19 @@ namespace ThermoContact
       end.get_all_values(Field::displacement, state.velocity, velocity);
       const std::vector<double> change =
         problem.solve(load,
-                      all_penetrations(end, displacement),
+                      before_obstacle(state.gap, displacement),
                       std::vector<bool>(p.size(), body.law().is_active()),
                       p);
       const std::vector<double> acceleration =
-        problem.solve_for_same_set(rate_load, velocity);
+        problem.solve_for_same_set(rate_load,
+                                   before_obstacle(state.gap_rate, velocity));
       for (unsigned int i = 0; i < displacement.size(); ++i)
         {
           velocity[i] += acceleration[i];
           // where there is pressure, the law is exact to rounding of u
-          displacement[i] =
-            i < p.size() && p[i] > 0. ?
-              end.nodes()[i].gap + body.law().penetration(p[i]) :
-              displacement[i] + change[i];
+          displacement[i] = i < p.size() && p[i] > 0. ?
+                              state.gap[i] + body.law().penetration(p[i]) :
+                              displacement[i] + change[i];
         }
       end.set_all_values(Field::displacement, displacement, state.displacement);
       end.set_all_values(Field::displacement, velocity, state.velocity);
@@ -150,10 +152,11 @@ namespace ThermoContact
       end.get_all_values(Field::displacement, state.velocity, velocity);
       for (unsigned int i = 0; i < p.size(); ++i)
         p[i] = is_closed[i] ? std::max(p[i], 0.) : 0.;
-      const std::vector<double> change =
-        problem.solve(load, velocity, is_closed, p);
+      const std::vector<double> change = problem.solve(
+        load, before_obstacle(state.gap_rate, velocity), is_closed, p);
       for (unsigned int i = 0; i < velocity.size(); ++i)
-        velocity[i] = i < p.size() && p[i] > 0. ? 0. : velocity[i] + change[i];
+        velocity[i] = i < p.size() && p[i] > 0. ? state.gap_rate[i] :
+                                                  velocity[i] + change[i];
       end.set_all_values(Field::displacement, velocity, state.velocity);
     }
   } // namespace
@@ -207,7 +210,7 @@ namespace ThermoContact
       moved_by_force(end, flexibility, force, state.displacement);
     std::vector<double> free_penetration(s.begin(), s.begin() + end.n_nodes());
     for (unsigned int i = 0; i < end.n_nodes(); ++i)
-      free_penetration[i] -= end.nodes()[i].gap;
+      free_penetration[i] -= state.gap[i];
     std::vector<double>     &p      = state.contact_pressure;
     const FullMatrix<double> square = between_pressures(receptance);
     const ContactSolver      solver(body.law());
@@ -217,6 +220,8 @@ namespace ThermoContact
     force *= -1.;
     const std::vector<double> s_rate =
       moved_by_force(end, flexibility, force, state.velocity);
+    const std::vector<double> approach =
+      before_obstacle(state.gap_rate, s_rate);
     std::vector<bool> has_pressure;
     for (const double pressure : p)
       has_pressure.push_back(pressure > 0.);
@@ -224,8 +229,8 @@ namespace ThermoContact
       solver.solve_linearized(square,
                               p,
                               has_pressure,
-                              std::vector<double>(s_rate.begin(),
-                                                  s_rate.begin() + p.size()));
+                              std::vector<double>(approach.begin(),
+                                                  approach.begin() + p.size()));
     for (const auto &[node, entry] : end.all_entries(Field::displacement))
       {
         double displacement = s[node], velocity = s_rate[node];
@@ -237,9 +242,9 @@ namespace ThermoContact
         if (node < p.size() && has_pressure[node])
           {
             // the law, exact to rounding of u
-            displacement =
-              end.nodes()[node].gap + body.law().penetration(p[node]);
-            velocity = body.law().tangent(p[node]) * p_rate[node];
+            displacement = state.gap[node] + body.law().penetration(p[node]);
+            velocity =
+              state.gap_rate[node] + body.law().tangent(p[node]) * p_rate[node];
           }
         state.displacement.begin()[entry] = displacement;
         state.velocity.begin()[entry]     = velocity;
@@ -267,7 +272,7 @@ namespace ThermoContact
         ContactNodeProblem<dim>   problem(body, 1., true);
         const std::vector<double> change =
           problem.solve(load,
-                        all_penetrations(end, displacement),
+                        before_obstacle(state.gap, displacement),
                         std::vector<bool>(pressure.size(),
                                           body.law().is_active()),
                         pressure);
@@ -324,7 +329,7 @@ namespace ThermoContact
     std::vector<double> free_velocity(n), p(n, 0.);
     response.extract_submatrix_from(receptance, nodes, nodes);
     for (unsigned int i = 0; i < n; ++i)
-      free_velocity[i] = free[nodes[i]];
+      free_velocity[i] = free[nodes[i]] - state.gap_rate[nodes[i]];
     ContactSolver(body.law()).solve(response, free_velocity, p);
 
     std::fill(state.contact_pressure.begin(), state.contact_pressure.end(), 0.);

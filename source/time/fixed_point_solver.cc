@@ -84,8 +84,8 @@ namespace ThermoContact
     end.get_values(Field::displacement, rates.velocity, contact_velocity);
     rates.pressure.resize(contact_velocity.size());
     for (unsigned int i = 0; i < rates.pressure.size(); ++i)
-      rates.pressure[i] = body.law().pressure(
-        known_displacement[i] + tau * contact_velocity[i] - end.nodes()[i].gap);
+      rates.pressure[i] =
+        body.law().pressure(known_penetration[i] + tau * contact_velocity[i]);
   }
 
 
@@ -106,17 +106,15 @@ namespace ThermoContact
       factorize(tau);
     body.equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
-    body.contact_end().get_values(Field::displacement,
-                                  known.displacement,
-                                  known_displacement);
+    body.contact_end().get_penetrations(known, known_penetration);
 
     // the gap may be far beyond reach; it counts only if nothing moves
     const double reach =
       known.displacement.linfty_norm() + tau * known.velocity.linfty_norm();
     double known_scale = reach;
     if (reach == 0. && body.law().is_active())
-      for (const ContactNode<dim> &node : body.contact_end().nodes())
-        known_scale = std::max(known_scale, std::abs(node.gap));
+      for (const double gap : known.gap)
+        known_scale = std::max(known_scale, std::abs(gap));
 
     rates.start(known);
     rates.velocity = 0.; // the paper's start: the last displacement

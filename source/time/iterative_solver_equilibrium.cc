@@ -56,10 +56,14 @@ namespace ThermoContact
     StageRates              &rates)
   {
     const StopWatch watch(counters_.solve_seconds);
-    const double    tau = 1.; // its matrix is (zeta + 1) S
+    const double    tau      = 1.; // its matrix is (zeta + 1) S
+    const Material &material = body.scene.material;
     stage.prepare(
       known, tau, heat_load, momentum_load, known.contact_pressure, false);
-    stage.set_penetrations(std::vector<double>(is_closed.size(), 0.));
+    std::vector<double> penetrations(known.gap_rate);
+    for (double &value : penetrations) // of the velocity
+      value *= -material.viscosity / (material.viscosity + 1.);
+    stage.set_penetrations(penetrations);
     std::vector<bool> is_active(is_closed.size(), false), is_away(is_closed);
     is_away.flip();
     rates.pressure.assign(is_closed.size(), 0.);

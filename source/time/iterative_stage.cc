@@ -109,7 +109,7 @@ namespace ThermoContact
     hierarchies.provide(stage_length);
     tau      = stage_length;
     has_heat = with_heat && body.scene.fields.has_temperature;
-    body.contact_end().get_penetrations(known.displacement, known_penetration);
+    body.contact_end().get_penetrations(known, known_penetration);
     Vector &heat     = rhs.block(Field::temperature);
     Vector &momentum = rhs.block(Field::displacement);
     body.equations.stage_rhs(

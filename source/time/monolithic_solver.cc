@@ -242,7 +242,7 @@ namespace ThermoContact
     const ContactEnd<dim> &end = body.contact_end();
     // from the obstacle on: in contact the first term is small or zero, and
     // the sum keeps the digits of the second in short stages
-    end.get_penetrations(known.displacement, known_values);
+    end.get_penetrations(known, known_values);
     end.get_values(Field::displacement, rates.velocity, free_penetration);
     for (unsigned int i = 0; i < free_penetration.size(); ++i)
       free_penetration[i] = known_values[i] + tau * free_penetration[i];

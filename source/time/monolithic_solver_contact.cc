@@ -79,10 +79,16 @@ namespace ThermoContact
     nodes_in_motion.is_held    = rates.is_held;
     if (mode == ContactMode::closed)
       nodes_in_motion.is_held.assign(end.n_nodes(), true);
-    end.get_penetrations(known.displacement, nodes_in_motion.start);
+    end.get_penetrations(known, nodes_in_motion.start);
     end.get_values(Field::displacement,
                    rates.velocity,
                    nodes_in_motion.free_velocity);
+    // as the obstacle sees them, which has moved to the end of the stage
+    for (unsigned int i = 0; i < known.gap_rate.size(); ++i)
+      {
+        nodes_in_motion.start[i] += nodes_in_motion.tau * known.gap_rate[i];
+        nodes_in_motion.free_velocity[i] -= known.gap_rate[i];
+      }
   }
 
 
@@ -146,7 +152,7 @@ namespace ThermoContact
     if (body.law().damping() > 0. || body.scene.contact.rear_gap)
       return false; // not a body in equilibrium with its obstacle
     const double tau = factorizations.front().matrix.tau();
-    body.contact_end().get_penetrations(known.displacement, end_values);
+    body.contact_end().get_penetrations(known, end_values);
     const double free = largest_difference(free_penetration, end_values);
     body.contact_end().get_values(Field::displacement,
                                   rates.velocity,
@@ -237,7 +243,7 @@ namespace ThermoContact
     is_fixed.resize(n, mode == ContactMode::closed);
     for (unsigned int i = 0; i < n; ++i)
       is_active[i] = is_fixed[i] || rates.pressure[i] > 0.;
-    body.contact_end().get_penetrations(known.displacement, start);
+    body.contact_end().get_penetrations(known, start);
 
     for (unsigned int k = 0; k < max_refinements; ++k)
       {

@@ -23,7 +23,7 @@ namespace ThermoContact
     if (exchange.is_constant() || !body.scene.fields.has_temperature)
       return;
     std::vector<double> penetration;
-    body.contact_end().get_penetrations(state.displacement, penetration);
+    body.contact_end().get_penetrations(state, penetration);
     for (unsigned int i = 0; i < penetration.size(); ++i)
       state.exchange_coefficient[i] =
         exchange.coefficient(penetration[i], state.contact_pressure[i]);

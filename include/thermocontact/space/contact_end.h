@@ -4,6 +4,7 @@
 #define thermocontact_space_contact_end_h
 
 #include <thermocontact/base/types.h>
+#include <thermocontact/space/state.h>
 
 #include <deal.II/base/function.h>
 
@@ -37,7 +38,7 @@ namespace ThermoContact
     /** $w_i=\int_{\Gamma_C}\varphi_i$, the lumped boundary mass. */
     double weight;
 
-    /** $g$ of the undeformed body there. */
+    /** $g$ of the undeformed body there, at $t=0$. */
     double gap;
   };
 
@@ -93,7 +94,7 @@ namespace ThermoContact
       return all_nodes_.size();
     }
 
-    /** The smallest gap of all nodes, and the largest. */
+    /** The smallest gap of all nodes at $t=0$, and the largest. */
     std::pair<double, double>
     range_of_gap() const;
 
@@ -133,12 +134,16 @@ namespace ThermoContact
                    const Vector        &vector,
                    std::vector<double> &values) const;
 
-    /** Penetrations $u_n-g$ of a displacement at nodes(). */
+    /** Penetrations $u_n-g$ of a state at nodes(). */
     void
-    get_penetrations(const Vector        &displacement,
+    get_penetrations(const State         &state,
                      std::vector<double> &penetrations) const;
 
-    /** Those of a stop behind them, $-u_n-g_2$. */
+    /** Their rates, velocities into the obstacle $v_n-g'$. */
+    void
+    get_approach(const State &state, std::vector<double> &velocities) const;
+
+    /** Penetrations of a stop behind them, $-u_n-g_2$. */
     void
     get_rear_penetrations(const Vector        &displacement,
                           const double         rear_gap,

@@ -30,6 +30,12 @@ namespace ThermoContact
      */
     std::vector<double> exchange_coefficient;
 
+    /** Gaps $g$ at the contact nodes, on all ranks: where the obstacle is. */
+    std::vector<double> gap;
+
+    /** $g'$ there: how fast an obstacle that moves goes away from the body. */
+    std::vector<double> gap_rate;
+
     /** Time at which a jump of the loads moved it last; negative: none did. */
     double jump_time = -1.;
 
@@ -53,6 +59,8 @@ namespace ThermoContact
       displacement.swap(other.displacement);
       velocity.swap(other.velocity);
       contact_pressure.swap(other.contact_pressure);
+      gap.swap(other.gap);
+      gap_rate.swap(other.gap_rate);
       exchange_coefficient.swap(other.exchange_coefficient);
     }
 
@@ -61,7 +69,8 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &time &contact_pressure &exchange_coefficient &jump_time;
+      archive &time &contact_pressure &exchange_coefficient &gap &gap_rate
+        &jump_time;
     }
   };
 } // namespace ThermoContact

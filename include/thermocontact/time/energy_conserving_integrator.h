@@ -61,6 +61,7 @@ namespace ThermoContact
 
     StageRates         rates;
     State              midpoint;
+    State              obstacle; ///< gaps alone, at the end of the step
     Vector             heat_load;
     Vector             momentum_load;
     Vector             acceleration; ///< of an end that rests
@@ -93,9 +94,9 @@ namespace ThermoContact
     void
     add_heating(FullMatrix<double> &stiffness);
 
-    /** Penetrations of contact nodes at these positions. */
-    std::vector<double>
-    beyond_gap(const std::vector<double> &position) const;
+    /** Where the obstacle will be, and its mean velocity. */
+    void
+    move_obstacle(const State &state, const TimeStep &time_step);
 
     /** The stage to the middle of the step, with a driven end. */
     void

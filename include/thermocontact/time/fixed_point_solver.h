@@ -70,7 +70,7 @@ namespace ThermoContact
     Vector              rhs;
     Vector              momentum_stage_rhs;
     Vector              last_velocity;
-    std::vector<double> known_displacement;
+    std::vector<double> known_penetration;
     std::vector<double> contact_velocity;
 
     void
