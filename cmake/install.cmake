@@ -13,11 +13,16 @@ file(GLOB drawing_modules RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}
 install(FILES ${drawing_modules} DESTINATION ${share}/scripts)
 install(PROGRAMS scripts/plot scripts/paraview DESTINATION ${share}/scripts)
 foreach(name plot paraview)
+  set(installed thermocontact-${name})
   file(RELATIVE_PATH script ${CMAKE_INSTALL_FULL_BINDIR}
-    ${CMAKE_INSTALL_FULL_DATADIR}/thermocontact/scripts/${name})
-  set(link ${CMAKE_CURRENT_BINARY_DIR}/thermocontact-${name})
-  file(CREATE_LINK ${script} ${link} SYMBOLIC)
-  install(FILES ${link} DESTINATION ${CMAKE_INSTALL_BINDIR})
+    ${CMAKE_INSTALL_FULL_DATADIR}/thermocontact/scripts/${installed})
+  configure_file(cmake/script.in ${CMAKE_CURRENT_BINARY_DIR}/bin/${installed} @ONLY)
+  install(PROGRAMS ${CMAKE_CURRENT_BINARY_DIR}/bin/${installed}
+    DESTINATION ${CMAKE_INSTALL_BINDIR})
+  # the script calls itself by the name of the link
+  file(CREATE_LINK ${name} ${CMAKE_CURRENT_BINARY_DIR}/${installed} SYMBOLIC)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${installed}
+    DESTINATION ${share}/scripts)
 endforeach()
 
 install(DIRECTORY python/thermocontact

@@ -1,8 +1,14 @@
 """The numbers that the pictures of scripts/paraview show; knows no ParaView."""
 
 import math
+import sys
 
-import numpy
+from plot_common import fail
+
+try:
+    import numpy
+except ImportError as error:
+    fail(sys.executable, error, "install Debian's python3-numpy")
 
 USUAL = ["temperature", "stress", "displacement", "velocity"]
 

@@ -20,10 +20,15 @@ STYLE = {"font.family": ["STIXGeneral", "DejaVu Serif"], "font.size": 11,
 METADATA = {".png": {}, ".pdf": {"CreationDate": None}, ".svg": {"Date": None}}
 
 
+def name_of_call():
+    """scripts/plot, or the name under which it is installed."""
+    name = os.path.basename(sys.argv[0])
+    return name if name.startswith("thermocontact-") else "scripts/" + name
+
+
 def fail(where, problem, remedy="run the scene again"):
     """End with one line that says what is wrong and what to do."""
-    script = os.path.basename(sys.argv[0])
-    print(f"scripts/{script}: {where}: {problem}; {remedy}", file=sys.stderr)
+    print(f"{name_of_call()}: {where}: {problem}; {remedy}", file=sys.stderr)
     sys.exit(2)
 
 
@@ -108,13 +113,19 @@ def plain(text, width):
     return re.sub("^_", " _", text)  # labels with _ in front are left out
 
 
-def new_figure(width, height):
+def need_matplotlib():
+    """Ends if it is not there, before anything of it is used."""
     os.environ["MPLBACKEND"] = "Agg"  # no display
     try:
-        import matplotlib
-        from matplotlib.figure import Figure
+        import matplotlib  # noqa: F401
     except ImportError as error:
         fail(sys.executable, error, "install Debian's python3-matplotlib")
+
+
+def new_figure(width, height):
+    need_matplotlib()
+    import matplotlib
+    from matplotlib.figure import Figure
     matplotlib.rcdefaults()
     matplotlib.rcParams.update(STYLE)
     return Figure(figsize=(width, height), layout="constrained")

@@ -124,6 +124,7 @@ namespace ThermoContact
         check_output_directory(directory, communicator);
         return check_study(plan, parameters.study, log);
       }
+    check_study_memory(plan, log);
     const DirectoryLock lock(directory, command.is_resumed, communicator);
     prepare(prm, command, directory, table);
     throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",

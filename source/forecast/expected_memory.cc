@@ -53,6 +53,8 @@ namespace ThermoContact
     const unsigned int dim        = scene.parameters.dimension;
     const double       n_unknowns = expected_unknowns(scene);
     const double       processes  = n_ranks * bytes_of_process;
+    if (dim == 1)
+      return processes; // its matrices are small
     if (scene.linear_solver.is_iterative)
       return processes + bytes_by_iteration * n_unknowns;
     // neighbours of a node are as many as nodes of the cells around it

@@ -14,32 +14,37 @@ namespace ThermoContact
   {
     /**
      * Error-controlled steps, in units of tolerance^(-e) with the exponent e of
-     * the scheme: a fit to 60 runs, doc/accuracy.md. Heat conduction, and the
-     * start and the contacts of a rod, take a number of their own; each run of
-     * a wave through the rod until viscosity has damped it takes another, more
-     * the less the viscosity damps what is short.
+     * the scheme: a fit to 190 runs, doc/accuracy.md. Heat conduction, and the
+     * start of a rod, take a number of their own; each run of a wave through
+     * the rod until viscosity or heat conduction has damped it takes another,
+     * more the less the viscosity damps what is short and the stiffer the
+     * obstacle is.
      */
     double
     scaled_steps(const Scene &scene)
     {
-      const Material &material = scene.material;
-      const double    T        = scene.parameters.time.end_time;
-      double          sum      = 0.;
+      const Material   &material = scene.material;
+      const ContactLaw &law      = *scene.contact.law;
+      const double      T        = scene.parameters.time.end_time;
+      double            sum      = 0.;
       if (scene.fields.has_temperature)
-        sum += 3.4 * std::min(1., std::sqrt(T));
+        sum += 3. * std::min(1., std::sqrt(T));
       if (scene.fields.has_displacement)
-        sum += 2. * std::min(1., std::sqrt(T));
+        sum += 1.7 * std::min(1., std::sqrt(T));
       if (scene.fields.has_displacement && material.has_inertia())
         {
-          const double wave = std::sqrt(material.inertia);
-          const double n_runs =
-            material.has_viscosity() ?
-              std::min(T, material.inertia / material.viscosity) / wave :
-              T / wave;
+          const double b = material.inertia, wave = std::sqrt(b);
+          const double rate =
+            material.viscosity / b +
+            0.5 * material.heating * material.thermal_stress / (b + 0.4);
+          const double n_runs = std::min(T, 1. / rate) / wave;
           const double damped =
             0.05 * wave / (material.viscosity + 3e-4 * wave);
-          sum += (scene.contact.law->is_active() ? 1.2 : 0.6) * n_runs *
-                 (1. + std::pow(damped, 0.4));
+          const double contact =
+            !law.is_active() ? 0. :
+            law.is_rigid()   ? 0.5 :
+                               0.5 / (1. + 5. * law.tangent(1.));
+          sum += (0.55 + contact) * n_runs * (1. + std::pow(damped, 0.4));
         }
       return sum;
     }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/input/formula_jet.h>
 #include <thermocontact/input/time_function.h>
 
 #include <deal.II/base/numbers.h>
 
-#include <boost/math/differentiation/autodiff.hpp>
-
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <map>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -17,20 +17,7 @@ namespace ThermoContact
 {
   namespace
   {
-    /** A value with its first two derivatives in time. */
-    using Jet = boost::math::differentiation::autodiff_fvar<double, 2>;
-
-    using Function = Jet (*)(const Jet &);
-
     using Arguments = std::vector<Jet>;
-
-
-
-    double
-    value_of(const Jet &x)
-    {
-      return static_cast<double>(x);
-    }
 
 
 
@@ -43,101 +30,23 @@ namespace ThermoContact
 
 
 
-    bool
-    is_constant(const Jet &x)
-    {
-      return x.derivative(1) == 0. && x.derivative(2) == 0.;
-    }
-
-
-
-    /**
-     * A constant power; at zero, where a derivative may be infinite, that one
-     * is 0 and the others are what they are.
-     */
-    Jet
-    power(const Jet &base, const double exponent)
-    {
-      return base.apply_derivatives(2, [&](const std::size_t order) {
-        double factor = 1.;
-        for (unsigned int i = 0; i < order; ++i)
-          factor *= exponent - i;
-        const double derivative =
-          factor == 0. ? 0. :
-                         factor * std::pow(value_of(base), exponent - order);
-        return order == 0 || std::isfinite(derivative) ? derivative : 0.;
-      });
-    }
-
-
-
-    Jet
-    power(const Jet &base, const Jet &exponent)
-    {
-      return is_constant(exponent) ? power(base, value_of(exponent)) :
-                                     Jet(exp(exponent * log(base)));
-    }
-
-
-
-    /** Functions of one argument; those with steps have derivatives 0. */
-    const std::map<std::string, Function> &
-    functions()
-    {
-      static const std::map<std::string, Function> list = {
-        {"sin", [](const Jet &x) -> Jet { return sin(x); }},
-        {"cos", [](const Jet &x) -> Jet { return cos(x); }},
-        {"tan", [](const Jet &x) -> Jet { return tan(x); }},
-        {"asin", [](const Jet &x) -> Jet { return asin(x); }},
-        {"acos", [](const Jet &x) -> Jet { return acos(x); }},
-        {"atan", [](const Jet &x) -> Jet { return atan(x); }},
-        {"sinh", [](const Jet &x) -> Jet { return sinh(x); }},
-        {"cosh", [](const Jet &x) -> Jet { return cosh(x); }},
-        {"tanh", [](const Jet &x) -> Jet { return tanh(x); }},
-        {"asinh", [](const Jet &x) -> Jet { return asinh(x); }},
-        {"acosh", [](const Jet &x) -> Jet { return acosh(x); }},
-        {"atanh", [](const Jet &x) -> Jet { return atanh(x); }},
-        {"sec", [](const Jet &x) -> Jet { return 1. / cos(x); }},
-        {"csc", [](const Jet &x) -> Jet { return 1. / sin(x); }},
-        {"cot", [](const Jet &x) -> Jet { return cos(x) / sin(x); }},
-        {"exp", [](const Jet &x) -> Jet { return exp(x); }},
-        {"log", [](const Jet &x) -> Jet { return log(x); }},
-        {"ln", [](const Jet &x) -> Jet { return log(x); }},
-        {"log2", [](const Jet &x) -> Jet { return log(x) / std::log(2.); }},
-        {"log10", [](const Jet &x) -> Jet { return log(x) / std::log(10.); }},
-        {"sqrt", [](const Jet &x) -> Jet { return power(x, 0.5); }},
-        {"erf", [](const Jet &x) -> Jet { return erf(x); }},
-        {"erfc", [](const Jet &x) -> Jet { return 1. - erf(x); }},
-        {"abs", [](const Jet &x) -> Jet { return value_of(x) < 0. ? -x : x; }},
-        {"sign",
-         [](const Jet &x) -> Jet {
-           return Jet((value_of(x) > 0.) - (value_of(x) < 0.));
-         }},
-        {"rint",
-         [](const Jet &x) -> Jet {
-           return Jet(std::floor(value_of(x) + 0.5));
-         }},
-        {"int",
-         [](const Jet &x) -> Jet { return Jet(std::round(value_of(x))); }},
-        {"floor",
-         [](const Jet &x) -> Jet { return Jet(std::floor(value_of(x))); }},
-        {"ceil",
-         [](const Jet &x) -> Jet { return Jet(std::ceil(value_of(x))); }}};
-      return list;
-    }
-
-
-
     /** Reads a formula in the order of muParser's operators. */
     class FormulaReader
     {
     public:
+      /**
+       * @param zeros if given, gets the times at which parts of the formula
+       *   that are linear in time are zero, or equal in a comparison; names
+       *   that are not known are then no constants
+       */
       FormulaReader(const std::string                   &formula,
                     const Jet                           &time,
-                    const std::map<std::string, double> &constants)
+                    const std::map<std::string, double> &constants,
+                    std::vector<double>                 *zeros = nullptr)
         : next(formula.c_str())
         , time(time)
         , constants(constants)
+        , zeros(zeros)
       {}
 
 
@@ -155,6 +64,19 @@ namespace ThermoContact
       const char                          *next;
       const Jet                            time;
       const std::map<std::string, double> &constants;
+      std::vector<double> *const           zeros;
+
+
+
+      void
+      note_zero(const Jet &x) const
+      {
+        if (zeros == nullptr || x.derivative(2) != 0. || is_constant(x))
+          return;
+        const double zero = value_of(time) - value_of(x) / x.derivative(1);
+        if (std::isfinite(zero))
+          zeros->push_back(zero);
+      }
 
 
 
@@ -245,9 +167,11 @@ namespace ThermoContact
         Jet result = sum();
         while (true)
           {
-            const double a        = value_of(result);
-            const auto   compared = [&](const auto &holds) {
-              return Jet(holds(a, value_of(sum())) ? 1. : 0.);
+            const Jet  a        = result;
+            const auto compared = [&](const auto &holds) {
+              const Jet b = sum();
+              note_zero(a - b);
+              return Jet(holds(value_of(a), value_of(b)) ? 1. : 0.);
             };
             if (takes("<="))
               result = compared(std::less_equal<>());
@@ -273,12 +197,15 @@ namespace ThermoContact
       {
         Jet result = product();
         while (true)
-          if (takes("+"))
-            result = result + product();
-          else if (takes("-"))
-            result = result - product();
-          else
-            return result;
+          {
+            if (takes("+"))
+              result = result + product();
+            else if (takes("-"))
+              result = result - product();
+            else
+              return result;
+            note_zero(result);
+          }
       }
 
 
@@ -345,6 +272,8 @@ namespace ThermoContact
           return Jet(dealii::numbers::PI);
         if (name == "_e")
           return Jet(dealii::numbers::E);
+        if (zeros != nullptr && !name.empty())
+          return Jet(std::numeric_limits<double>::quiet_NaN()) * time;
         cannot_read("'" + name + "'");
       }
 
@@ -359,8 +288,8 @@ namespace ThermoContact
           x.push_back(choice());
         while (takes(","));
         need(")");
-        const auto one = functions().find(name);
-        if (one != functions().end() && x.size() == 1)
+        const auto one = jet_functions().find(name);
+        if (one != jet_functions().end() && x.size() == 1)
           return one->second(x[0]);
         if (name == "if" && x.size() == 3)
           return is_true(x[0]) ? x[1] : x[2];
@@ -369,6 +298,8 @@ namespace ThermoContact
         if (name == "atan2" && x.size() == 2)
           return atan2(x[0], x[1]);
         Jet result = x[0];
+        for (unsigned int i = 1; i < x.size() && name != "sum"; ++i)
+          note_zero(result - x[i]);
         for (unsigned int i = 1; i < x.size(); ++i)
           if (name == "min")
             result = value_of(x[i]) < value_of(result) ? x[i] : result;
@@ -400,5 +331,24 @@ namespace ThermoContact
     return {value_of(result),
             finite(result.derivative(1)),
             finite(result.derivative(2))};
+  }
+
+
+
+  std::vector<double>
+  zeros_of_linear_parts(const std::string &formula, const double time)
+  {
+    std::vector<double>                 zeros;
+    const std::map<std::string, double> none;
+    const Jet t = boost::math::differentiation::make_fvar<double, 2>(time);
+    std::istringstream components(formula);
+    for (std::string component; std::getline(components, component, ';');)
+      try
+        {
+          FormulaReader(component, t, none, &zeros).read();
+        }
+      catch (const std::invalid_argument &)
+        {} // those up to there
+    return zeros;
   }
 } // namespace ThermoContact

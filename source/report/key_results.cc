@@ -51,7 +51,8 @@ namespace ThermoContact
         release = event.side * event.velocity;
       else if (std::isnan(impact))
         impact = event.side * event.velocity;
-    return impact > 0. ? -release / impact : nan;
+    // a body that stays has 0, not -0
+    return impact > 0. ? 0. - release / impact : nan;
   }
 
 

@@ -9,14 +9,11 @@
 
 namespace ThermoContact
 {
-  namespace
+  std::string
+  gigabytes(const double bytes)
   {
-    std::string
-    gigabytes(const double bytes)
-    {
-      return significant(round_to_digits(bytes / 1e9, 2), 12) + " GB";
-    }
-  } // namespace
+    return significant(round_to_digits(bytes / 1e9, 2), 12) + " GB";
+  }
 
 
 

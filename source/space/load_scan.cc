@@ -56,39 +56,21 @@ namespace ThermoContact
 
 
     /**
-     * Numbers by which an expression multiplies t. Those of files in SI units
-     * count times in s or ms, and have (2592120*t) for them.
+     * Times at which an expression may jump or bend. Numbers in it, and, as
+     * times are often scaled - those of files in SI units stand there as
+     * (2592120*t) -, zeros of what is linear in t.
      */
     std::vector<double>
-    factors_of_time(const std::string &expression)
+    times_in(const std::string &expression, const double end_time)
     {
-      static const std::regex factor(
-        "((?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][+-]?\\d+)?)\\s*\\*\\s*t\\b");
-      std::vector<double> values;
-      for (std::sregex_iterator match(expression.begin(),
-                                      expression.end(),
-                                      factor);
-           match != std::sregex_iterator();
-           ++match)
-        if (const auto value = parse_number((*match)[1].str());
-            value && *value > 0. &&
-            std::find(values.begin(), values.end(), *value) == values.end())
-          values.push_back(*value);
-      return values;
-    }
-
-
-
-    /** Times that an expression may compare t with. */
-    std::vector<double>
-    times_in(const std::string &expression)
-    {
-      const std::vector<double> numbers = numbers_in(expression);
-      std::vector<double>       times   = numbers;
-      for (const double factor : factors_of_time(expression))
-        for (const double number : numbers)
-          if (times.size() < 2 * max_named_times)
-            times.push_back(number / factor);
+      std::vector<double>       times = numbers_in(expression);
+      const std::vector<double> zeros =
+        zeros_of_linear_parts(expression, 0.6180339887 * end_time);
+      times.insert(times.end(), zeros.begin(), zeros.end());
+      std::sort(times.begin(), times.end());
+      times.erase(std::unique(times.begin(), times.end()), times.end());
+      if (times.size() > 2 * max_named_times)
+        times.resize(2 * max_named_times);
       return times;
     }
 
@@ -296,7 +278,7 @@ namespace ThermoContact
       const auto            words = [&units](const double at) {
         return units.text_for_entry("time", at);
       };
-      std::vector<double> named = times_in(load.expression);
+      std::vector<double> named = times_in(load.expression, time.end_time);
       named.insert(named.end(),
                    time.break_points.begin(),
                    time.break_points.end());

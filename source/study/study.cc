@@ -6,6 +6,7 @@
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/study/study.h>
+#include <thermocontact/study/study_memory.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -22,19 +23,8 @@ namespace ThermoContact
 {
   namespace
   {
-    /** "run 3: Contact/Gap = 0.1, Mesh/Cells = 4" */
-    std::string
-    describe_run(const StudyPlan &plan, const unsigned int run)
-    {
-      std::string line  = text("run ", run, ": ");
-      const char *comma = "";
-      for (const auto &[path, value] : plan.overrides(run))
-        {
-          line += comma + path + " = " + value;
-          comma = ", ";
-        }
-      return line;
-    }
+    /** As many scenes are read before a study; that takes a second. */
+    constexpr unsigned int max_checked = 2000;
 
 
 
@@ -57,7 +47,7 @@ namespace ThermoContact
         const unsigned int n_known = table.size();
         for (const unsigned int run : table.read_on())
           if (const std::string failure = table.failure(run); !failure.empty())
-            log.line("  " + describe_run(table.plan(), run) + ": " + failure);
+            log.line("  " + table.plan().description(run) + ": " + failure);
         if (table.size() == n_known)
           return;
         const double seconds = std::chrono::duration<double>(
@@ -142,6 +132,33 @@ namespace ThermoContact
       return Utilities::MPI::broadcast(MPI_COMM_WORLD, runs);
     }
 
+
+
+    /** False if all runs are rods. */
+    bool
+    has_bodies(const StudyPlan &plan)
+    {
+      const auto &varied = plan.varied();
+      return SceneReader(plan.scene_assignments()).scene().dimension > 1 ||
+             std::find(varied.begin(), varied.end(), "Dimension") !=
+               varied.end() ||
+             plan.reference();
+    }
+
+
+
+    /** Of the runs that are in @p memory, and the reference. */
+    void
+    report_memory(const StudyPlan &plan, StudyMemory &memory, Log &log)
+    {
+      if (plan.reference())
+        {
+          SceneReader reader(plan.scene_assignments());
+          plan.read_scene(*plan.reference(), reader);
+          memory.add_reference(Scene(reader.scene()));
+        }
+      memory.report(MPI_COMM_WORLD, log);
+    }
   } // namespace
 
 
@@ -223,6 +240,27 @@ namespace ThermoContact
 
 
   void
+  check_study_memory(const StudyPlan &plan, Log &log)
+  {
+    if (!has_bodies(plan))
+      return;
+    StudyMemory        memory;
+    SceneReader        reader(plan.scene_assignments());
+    const unsigned int n_read = std::min(plan.n_runs(), max_checked);
+    for (unsigned int run = 0; run < n_read; ++run)
+      try
+        {
+          plan.read_scene(plan.overrides(run), reader);
+          memory.add(plan.description(run), Scene(reader.scene()));
+        }
+      catch (const InputError &)
+        {} // the run fails, and says why
+    report_memory(plan, memory, log);
+  }
+
+
+
+  void
   check_study(const StudyPlan       &plan,
               const StudyParameters &parameters,
               Log                   &log)
@@ -232,16 +270,18 @@ namespace ThermoContact
                   " runs, reference: ",
                   parameters.reference));
     SceneReader        reader(plan.scene_assignments());
-    const unsigned int n_checked = std::min(plan.n_runs(), 2000u);
+    const unsigned int n_checked = std::min(plan.n_runs(), max_checked);
     unsigned int       n_refused = 0, n_known = 0;
     std::string        refused;
     double             steps = 0.;
+    StudyMemory        memory;
     for (unsigned int run = 0; run < n_checked; ++run)
       try
         {
           plan.read_scene(plan.overrides(run), reader);
-          const Parameters &scene = reader.scene();
-          if (const auto cost = expected_cost(Scene(scene), scene.mesh.cells))
+          const Scene scene(reader.scene());
+          memory.add(plan.description(run), scene);
+          if (const auto cost = expected_cost(scene, reader.scene().mesh.cells))
             {
               steps += cost->steps;
               ++n_known;
@@ -250,7 +290,7 @@ namespace ThermoContact
       catch (const InputError &error)
         {
           if (++n_refused <= 3)
-            refused += "\n  " + describe_run(plan, run) + ": " + error.what();
+            refused += "\n  " + plan.description(run) + ": " + error.what();
         }
     if (n_known > 0)
       log.line(text(
@@ -259,6 +299,7 @@ namespace ThermoContact
         " steps, about, of ",
         n_known,
         " runs"));
+    report_memory(plan, memory, log);
     if (n_checked < plan.n_runs())
       log.line(text("  checked   the first ", n_checked, " runs"));
     if (n_refused > 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/study/study_plan.h>
 
@@ -238,6 +239,21 @@ namespace ThermoContact
       values.push_back(
         find_override(present, varied_[i]).value_or(own_values[i]));
     return values;
+  }
+
+
+
+  std::string
+  StudyPlan::description(const unsigned int run) const
+  {
+    std::string line  = text("run ", run, ": ");
+    const char *comma = "";
+    for (const auto &[path, value] : overrides(run))
+      {
+        line += comma + path + " = " + value;
+        comma = ", ";
+      }
+    return line;
   }
 
 

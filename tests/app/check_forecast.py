@@ -3,15 +3,19 @@
 """Compares what was known before a run with its result.
 
 The state of rest, of runs to t = 50 and longer: final u(1), theta(1) and contact force within
-1e-6 of it. The first impact, if there was one: its time within 10 per cent, the largest penetration of the first contact within a
-factor of two. Steps, rows and snapshots: equal for fixed steps, with the bytes of these files
+1e-6 of it. The first impact, if there was one: its time within 5 per cent, the largest penetration of the first contact within 30
+(an experiment with steps of 0.028 is off by 24, the elastic impact on the default mesh by 21); of an elastic rod thrown with
+u_1 = x also against its closed form. Steps, rows and snapshots: equal for fixed steps, with the bytes of these files
 within a factor of two; steps within a factor of two for error-controlled ones.
 """
 import csv
 import json
+import math
 import re
 import sys
 from pathlib import Path
+
+from run_files import Settings
 
 
 def rows_of(path):
@@ -58,12 +62,22 @@ elif begin is None:
 else:
     end = next((float(event["time"]) for event in events if event["kind"] == "end"), 1e99)
     peak = max(float(row["penetration"]) for row in rows if float(row["time"]) <= end)
-    print("impact: time within 10 per cent:",
-          verdict(abs(time - begin) < 0.1 * begin, (time, begin)), end="")
+    print("impact: time within 5 per cent:",
+          verdict(abs(time - begin) < 0.05 * begin, (time, begin)), end="")
     if penetration is not None:
-        print("; penetration within a factor of 2:",
-              verdict(0.5 < penetration / peak < 2, (penetration, peak)), end="")
+        print("; penetration within 30 per cent:",
+              verdict(abs(penetration - peak) < 0.3 * peak, (penetration, peak)), end="")
     print()
+
+entries = Settings(directory / "used.prm")
+if entries["Model/Fields"] == "displacement" and entries.get("Initial values/Velocity") == "x":
+    # b = 1: the end moves with 1 - t, and eps p' + p = 1 - t from then on when it arrives
+    gap, epsilon = (entries.number("Contact/" + name) for name in ("Gap", "Compliance"))
+    arrival = 1 - math.sqrt(1 - 2 * gap)
+    top = 1 - arrival - epsilon * math.log((1 - arrival + epsilon) / epsilon)
+    print("closed form: time to 0.1 per cent:", verdict(abs(time / arrival - 1) < 1e-3, time),
+          "; penetration to 1 per cent:", verdict(abs(penetration / (epsilon * top) - 1) < 0.01,
+                                                 penetration))
 
 steps, predicted = summary["steps"], summary["predicted_steps"]
 log = (directory / "log.txt").read_text(encoding="utf-8")

@@ -5,10 +5,11 @@
 usage: check_ranks.py DIR
 
 DIR holds a finished run of one rank. A rod on two ranks; a body stopped at half of its end
-time and resumed.
+time and resumed. What the runs of a study take of the memory together.
 """
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -81,6 +82,27 @@ def check_rod(reference, prm):
     shutil.rmtree(directory)
 
 
+def check_memory_of_study():
+    """Strips of degree 2 with fixed steps, the middle one the largest: 170 MB, 1.5 kB and
+    330 n^1.22 bytes of factors each (doc/bodies.md), two of them on two ranks at a time."""
+    entries = ("Dimension=2", "Solver/Linear solver=direct", "Mesh/Degree=2",
+               "Mesh/Cells across=50", "Time/Step size=0.1", "Mesh/Refinements=0",
+               "Study/Vary=Mesh/Cells = 100 | 200 | 4")
+    Path("study.prm").write_text("# a study\n", encoding="utf-8")
+    nodes = [(2 * n + 1) * 101 for n in (100, 200, 4)]
+    expected = sorted(0.17 + (1500 * 3 * n + 330 * (3 * n)**1.22) / 1e9 for n in nodes)
+    for ranks in (1, 2):
+        _, screen = run(ranks, Path("not-made"), "--check", "study.prm",
+                        *(word for entry in entries for word in ("--set", entry)))
+        line = next((line for line in screen.splitlines() if "memory" in line), "")
+        told = [float(number) for number in re.findall(r"([\d.]+) GB", line)][:-1]
+        true = [expected[-1], expected[-1] + expected[-2]][:ranks]
+        print(f"memory of a study on {ranks}:", len(told) == ranks and
+              "run 1: Mesh/Cells = 200" in line and
+              all(abs(a / b - 1) < 0.06 for a, b in zip(told, true)) or line)
+    os.remove("study.prm")
+
+
 def check_resumed(reference, prm, half, first, then):
     """Half of the time on some ranks, which half holds with its status, the rest on others."""
     directory = Path("resumed")
@@ -119,6 +141,7 @@ def main():
     shutil.copy(reference / "used.prm", "scene.prm")
     if json.loads((reference / "summary.json").read_text())["dimension"] == 1:
         check_rod(reference, "scene.prm")
+        check_memory_of_study()
     else:
         halves = {}
         for ranks in (1, 2):

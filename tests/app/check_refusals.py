@@ -42,6 +42,11 @@ SCENES = [
      ("Solver/Linear solver=direct", "Mesh/Cells=4", "Mesh/Cells across=2")),
     ("Mesh/Cells", BLOCK + ("Solver/Linear solver=iterative", "Mesh/Cells across=16"),
      "Mesh/Cells=3000", "Mesh/Cells=4"),
+    *[(entry, BLOCK + ("Mesh/Cells across=8", "Solver/Linear solver=direct") + shared,
+       changed + "24", changed + "3") for entry, shared, changed in (
+           ("Study/Vary", (), "Study/Vary=Mesh/Cells = 4 | "),
+           ("Study/Reference", ("Study/Vary=Mesh/Cells = 2 | 4",),
+            "Study/Reference=Mesh/Cells = "))],
     ("Model/Poisson ratio", PLANE, "Model/Poisson ratio=-1",
      "Model/Poisson ratio=-0.999"),
     ("Model/Poisson ratio", PLANE, "Model/Poisson ratio=0.5",
@@ -107,6 +112,12 @@ SCENES = [
      "if((2592120*t)>777000.3,if((2592120*t)<777010.3,1,0),0)",
      "Boundary/Fixed end displacement="
      "if((2592120*t)>777000.3,if((2592120*t)<777010.3,0,0),0)"),
+    # the same where milliseconds, quotients and differences stand beside the factor
+    *[("Boundary/Fixed end displacement", FIXED + ("Time/End time=1",),
+       f"Boundary/Fixed end displacement={first}*{second}*1e-9",
+       f"Boundary/Fixed end displacement={first}*{second}*0") for first, second in (
+           ("if((2592120*t)*1000>777000300,1,0)", "if((2592120*t)*1000-777010300<0,1,0)"),
+           ("max(0,sign((t*2592120)/60-12950.005))", "max(0,sign(12950.1716-t*43202))"))],
     ("Boundary/Fixed end displacement", (), "Boundary/Fixed end displacement=0.01*sqrt(t)",
      "Boundary/Fixed end displacement=0.01*t^1.5"),
     ("Boundary/Fixed end displacement", ("Time/End time=2",),

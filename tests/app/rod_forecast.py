@@ -3,9 +3,7 @@
 import math
 
 import numpy
-from numpy.polynomial.legendre import leggauss
-
-N_MODES = 200
+from scipy.linalg import solve_banded
 
 
 def root(function, low, high):
@@ -17,38 +15,96 @@ def root(function, low, high):
     return (low + high) / 2
 
 
-class FreeMotion:
-    """(M.44): the end of a rod that has not met the obstacle"""
+def half_of_cells(smallest):
+    """Cells of half a rod, from its end on, (M.44)"""
+    cells = [smallest]
+    while sum(cells) < 0.5:
+        cells.append(min(1.2 * cells[-1], 1 / 64))
+    return 0.5 / sum(cells) * numpy.array(cells)
+
+
+class CoarseRod:
+    """The rod of (M.44) in steps of (M.46): banded systems of (theta, v) at the nodes"""
+
+    GAMMA = 1 - math.sqrt(0.5)
 
     def __init__(self, rod, settings):
-        points, weights = leggauss(20)
-        cells = numpy.linspace(0, 1, 201)
-        h = cells[1] - cells[0]
-        x = (cells[:-1, None] + h * (points + 1) / 2).ravel()
-        w = numpy.tile(h * weights / 2, 200)
-        zero = 0 * x
-        theta, u, v = (settings.expression("Initial values/" + name)(x)
-                       if name != "Temperature" or rod.has_heat else zero
-                       for name in ("Temperature", "Displacement", "Velocity"))
-        n = numpy.arange(N_MODES)
-        k = (n + 0.5) * math.pi
-        sines, cosines = numpy.sin(numpy.outer(k, x)), numpy.cos(numpy.outer(k, x))
-        displacement = 2 * (sines @ (w * u) - rod.a / k * (cosines @ (w * theta)))
-        velocity = 2 * sines @ (w * v)
-        damping = rod.zeta * k**2 / (2 * rod.b)
-        s = numpy.sqrt((damping**2 - k**2 / rod.b).astype(complex))
-        self.rates = numpy.array([-damping - s, -damping + s])
-        second = (velocity - self.rates[0] * displacement) / (2 * s)
-        self.amplitudes = (-1.0)**n * numpy.array([displacement - second, second])
-        self.expansion = rod.a * (w @ theta)
-        u_end = settings.expression("Initial values/Displacement")(numpy.ones(1))[0]
-        self.offset = u_end - self.amplitudes.sum().real
+        self.rod = rod
+        finest = 1e-3
+        if not rod.is_rigid:
+            finest = min(max(rod.epsilon / 4, 1e-6), 1e-3)
+        h = numpy.concatenate([half_of_cells(1e-3), half_of_cells(finest)[::-1]])
+        x = numpy.concatenate([[0], numpy.cumsum(h)[:-1], [1]])
+        self.state = numpy.array([
+            settings.expression("Initial values/" + name)(x)
+            if name != "Temperature" or rod.has_heat else 0 * x
+            for name in ("Temperature", "Displacement", "Velocity")])
+        self.state[:, 0] = rod.theta_A if rod.has_heat else 0, 0, 0
+        n = len(x)
+        self.mass, self.stiffness, self.gradient = (
+            numpy.zeros((n, n)) for _ in range(3))
+        for i in range(n - 1):
+            cell = numpy.ix_([i, i + 1], [i, i + 1])
+            self.mass[cell] += h[i] / 6 * numpy.array([[2, 1], [1, 2]])
+            self.stiffness[cell] += numpy.array([[1, -1], [-1, 1]]) / h[i]
+            self.gradient[cell] += numpy.array([[-0.5, 0.5], [-0.5, 0.5]])
+        self.tau = None
 
-    def __call__(self, t):
-        return self.offset + (self.amplitudes * numpy.exp(self.rates * t)).sum().real
+    def factorize(self, tau):
+        """The matrix of a stage without the node at x = 0, as bands"""
+        rod, n = self.rod, len(self.mass) - 1
+        full = numpy.zeros((2 * n, 2 * n))
+        heat = self.mass * (1 / tau + rod.m) + self.stiffness
+        heat[-1, -1] += rod.k
+        moving = rod.b * self.mass / tau + (rod.zeta + tau) * self.stiffness
+        full[1::2, 1::2] = moving[1:, 1:]
+        full[0::2, 0::2] = heat[1:, 1:] if rod.has_heat else numpy.eye(n)
+        if rod.has_heat:
+            full[0::2, 1::2] = rod.a * rod.heats * self.gradient[1:, 1:]
+            full[1::2, 0::2] = -rod.a * self.gradient.T[1:, 1:]
+        self.bands = numpy.array([
+            numpy.pad(numpy.diagonal(full, d), (max(d, 0), max(-d, 0)))
+            for d in range(3, -4, -1)])
+        self.tau = tau
+        unit = numpy.zeros(2 * n)
+        unit[-1] = -1
+        self.response = solve_banded((3, 3), self.bands, unit)
+        self.chi = -tau * self.response[-1]
 
-    def velocity(self, t):
-        return (self.rates * self.amplitudes * numpy.exp(self.rates * t)).sum().real
+    def stage(self, state, in_contact):
+        """State and pressure at the end of a stage"""
+        rod, tau = self.rod, self.tau
+        theta, u, v = state
+        values = numpy.zeros(2 * len(u) - 2)
+        values[1::2] = (rod.b / tau * self.mass @ v - self.stiffness @ u)[1:]
+        if rod.has_heat:
+            at_fixed_end = 0 * theta
+            at_fixed_end[0] = theta[0]
+            heat = self.mass @ (theta / tau) - self.mass @ at_fixed_end / tau
+            heat -= self.stiffness @ at_fixed_end
+            heat += rod.m * (rod.theta_inf * self.mass.sum(1) - self.mass @ at_fixed_end)
+            heat[-1] += rod.k * rod.theta_obs
+            values[0::2] = heat[1:]
+            values[1::2] += rod.a * (self.gradient.T @ at_fixed_end)[1:]
+        values = solve_banded((3, 3), self.bands, values)
+        pressure = 0.0
+        if in_contact:
+            pressure = rod.pressure(u[-1] + tau * values[-1], self.chi)
+            values += pressure * self.response
+        end = state.copy()
+        end[2, 1:] = values[1::2]
+        end[1] += tau * end[2]
+        if rod.has_heat:
+            end[0, 1:] = values[0::2]
+        return end, pressure
+
+    def step(self, state, dt, in_contact):
+        """The two stages of a step"""
+        if self.tau != self.GAMMA * dt:
+            self.factorize(self.GAMMA * dt)
+        middle, _ = self.stage(state, in_contact)
+        return self.stage(state + (1 - self.GAMMA) / self.GAMMA * (middle - state),
+                          in_contact)
 
 
 def response(rod, tau):
@@ -98,29 +154,49 @@ def rest(rod):
     return G - p, p, theta, in_contact, remark
 
 
+def step_size(since, span):
+    """The steps of (M.46)"""
+    return min(max(0.05 * since, 1e-6 * span), span / 400)
+
+
+def arrival(coarse, gap, span):
+    """Time and state when the end reaches the obstacle, or None"""
+    time, state = 0.0, coarse.state
+    while time < span:
+        dt = step_size(time, span)
+        after, _ = coarse.step(state, dt, False)
+        (s0, v0), (s1, v1) = ((s[1, -1] - gap, dt * s[2, -1]) for s in (state, after))
+        if s1 >= 0:
+            part = root(lambda s: s0 + s * (v0 + s * (
+                3 * (s1 - s0) - 2 * v0 - v1 + s * (2 * (s0 - s1) + v0 + v1))), 0, 1)
+            state, _ = coarse.step(state, part * dt, False)
+            return time + part * dt, state
+        time, state = time + dt, after
+    return None, None
+
+
 def first_impact(rod, settings):
     """Time and penetration (M.46) of the first impact; None where unknown"""
     if not rod.has_obstacle or rod.b == 0 or any(rod.sources.values()) or (
             rod.g_2 < math.inf):
         return None, None
-    motion = FreeMotion(rod, settings)
-    horizon = min(settings.number("Time/End time"), 4 * (math.sqrt(rod.b) + rod.zeta))
-    times = numpy.linspace(0, horizon, 501)
-    reached = [i for i, t in enumerate(times) if motion(t) >= rod.g]
-    if not reached or reached[0] == 0:
+    coarse = CoarseRod(rod, settings)
+    T, waves = settings.number("Time/End time"), 4 * (math.sqrt(rod.b) + rod.zeta)
+    if coarse.state[1, -1] >= rod.g:
         return None, None
-    i = reached[0]
-    time = root(lambda t: motion(t) - rod.g, times[i - 1], times[i])
-    taus = horizon * numpy.logspace(-6, 0, 2001)
-    beyond = numpy.array([motion(time + tau) for tau in taus]) - rod.g
-    heat = abs(rod.a * profile_at_rest(rod)[1] - motion.expansion) * (
-        1 - math.exp(-(math.pi**2 / 4 + rod.m) * time)) if rod.a else 0.0
-    if motion.velocity(time) <= 0 or max(0, beyond.max()) <= 2 * heat:
+    time, state = arrival(coarse, rod.g, min(T, waves))
+    if time is None or state[2, -1] <= 0:
         return None, None
     if rod.is_rigid:
         return time, None
-    shares = [rod.epsilon / (rod.epsilon + response(rod, tau)) for tau in taus]
-    return time, 1.5 * (shares * beyond).max()
+    span, since, pressures = min(T - time, waves), 0.0, [0.0]
+    while since < span and (pressures[-1] > 0 or max(pressures) == 0):
+        dt = step_size(since, span)
+        state, pressure = coarse.step(state, dt, True)
+        pressures.append(pressure)
+        since += dt
+    peak = max(pressures)
+    return (time, rod.epsilon * peak) if peak > 0 else (None, None)
 
 
 def n_steps(rod, settings):
@@ -131,11 +207,13 @@ def n_steps(rod, settings):
     elif any(rod.sources.values()):
         return None
     else:
-        n = (3.4 * rod.has_heat + 2 * rod.moves) * min(1, math.sqrt(T))
+        n = (3 * rod.has_heat + 1.7 * rod.moves) * min(1, math.sqrt(T))
         if rod.moves and rod.b > 0:
             wave = math.sqrt(rod.b)
-            runs = min(T, rod.b / rod.zeta if rod.zeta else T) / wave
-            n += (1.2 if rod.has_obstacle else 0.6) * runs * (
+            rate = rod.zeta / rod.b + 0.5 * rod.a**2 * rod.heats / (rod.b + 0.4)
+            runs = min(T, 1 / rate if rate else T) / wave
+            contact = 0.5 / (1 + 5 * rod.epsilon) if rod.has_obstacle else 0
+            n += (0.55 + contact) * runs * (
                 1 + (0.05 * wave / (rod.zeta + 3e-4 * wave))**0.4)
         n = math.ceil(n * settings.number("Time/Tolerance")**-0.25)
     if settings["Output/Land on output times"] == "true":

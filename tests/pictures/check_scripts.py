@@ -225,6 +225,45 @@ def check_help():
                   result.stderr)
 
 
+def check_installed(top):
+    """cmake/script.in, as cmake/install.cmake puts it beside the scripts: names, what is missing"""
+    shutil.copytree(source / "scripts", top / "share/scripts")
+    (top / "bin").mkdir()
+    without = top / "without"
+    without.mkdir()
+    for module in ("numpy", "matplotlib"):
+        (without / f"{module}.py").write_text(f"raise ImportError('no {module}')\n")
+    (top / "contact.csv").write_text("time,displacement_end\n0,0\n")
+    template = (source / "cmake/script.in").read_text()
+    for name, package in (("plot", "python3-matplotlib"), ("paraview", "python3-numpy")):
+        installed = top / "bin" / f"thermocontact-{name}"
+        (top / "share/scripts" / installed.name).symlink_to(name)
+        text = template.replace("@script@", f"../share/scripts/{installed.name}")
+
+        def call(*arguments, python="/usr/bin/python3", path=os.environ["PATH"], **environment):
+            installed.write_text(text.replace("/usr/bin/python3", python))
+            installed.chmod(0o755)
+            return subprocess.run([installed, *arguments], capture_output=True, text=True,
+                                  check=False, env={**os.environ, "PATH": path, **environment})
+
+        result = call("--help")
+        check(f"{installed.name} --help", result.returncode == 0 and
+              result.stdout.startswith(f"usage: {installed.name} ") and
+              f"scripts/{name}" not in result.stdout, result.stderr)
+        result = call()
+        check(f"{installed.name} without DIR", result.returncode == 2 and
+              result.stderr.startswith(f"{installed.name}: "), result.stderr)
+        result = call(str(top), PYTHONPATH=str(without))
+        check(f"{installed.name} without {package}", result.returncode == 2 and
+              len(result.stderr.splitlines()) == 1 and
+              result.stderr.startswith(f"{installed.name}: ") and
+              f"install Debian's {package}" in result.stderr, result.stderr)
+        result = call(str(top), python="/nonexistent/python3", path=str(without))
+        check(f"{installed.name} without Python", result.returncode == 2 and result.stderr ==
+              f"{installed.name}: python3 is not there; install Debian's python3\n",
+              result.stderr)
+
+
 def check_run(top):
     project = Project(top)
     result, calls = project.run("run", "--help")
@@ -252,5 +291,6 @@ with tempfile.TemporaryDirectory() as scratch:
     check_build(Path(scratch) / "build of")
     check_run(Path(scratch) / "run of")
     check_foreign_clone(Path(scratch) / "foreign")
+    check_installed(Path(scratch) / "installed")
 check_help()
 sys.exit(1 if n_failed else 0)

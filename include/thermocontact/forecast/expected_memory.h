@@ -8,10 +8,10 @@
 namespace ThermoContact
 {
   /**
-   * Memory of all processes of a run in two or three dimensions, bytes, within
+   * Memory of all processes of a run, bytes, in two and three dimensions within
    * a factor of about two, doc/bodies.md: what a process takes before it
    * computes anything, and what the body takes; of the direct solver mostly the
-   * factors of the step sizes that are kept.
+   * factors of the step sizes that are kept. A rod takes next to nothing.
    */
   double
   expected_memory(const Scene &scene, const unsigned int n_ranks);

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -85,6 +86,20 @@ namespace ThermoContact
   differentiate(const std::string                   &formula,
                 const double                         time,
                 const std::map<std::string, double> &constants = {});
+
+
+
+  /**
+   * Times at which a formula may jump or bend, or have a pulse: where parts of
+   * it that are linear in time are zero, or two of them are equal that it
+   * compares, as 2 in if(3*t<6,1,0) and exp(-((t/4-0.5)/0.1)^2).
+   *
+   * @param formula components separated by ";"; other variables than t may
+   *   stand there. What cannot be read is left out.
+   * @param time at which parts are looked at; far from those where they bend
+   */
+  std::vector<double>
+  zeros_of_linear_parts(const std::string &formula, const double time);
 } // namespace ThermoContact
 
 #endif

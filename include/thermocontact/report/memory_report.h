@@ -8,8 +8,16 @@
 
 #include <mpi.h>
 
+#include <string>
+
 namespace ThermoContact
 {
+  /** Bytes with two significant digits and their unit. */
+  std::string
+  gigabytes(const double bytes);
+
+
+
   /**
    * Prints how much memory a body in two or three dimensions is expected to
    * take on this machine and how much there is, with a warning if that is less.

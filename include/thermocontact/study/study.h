@@ -32,6 +32,17 @@ namespace ThermoContact
 
 
   /**
+   * Says what the runs take of the memory of the machine,
+   * StudyMemory::report(), before they are made. Collective on MPI_COMM_WORLD.
+   *
+   * @throw InputError if that is far too much
+   */
+  void
+  check_study_memory(const StudyPlan &plan, Log &log);
+
+
+
+  /**
    * What `--check` says of a study: its runs, their steps altogether, and that
    * each can be run.
    *

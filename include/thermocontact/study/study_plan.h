@@ -54,6 +54,10 @@ namespace ThermoContact
     Overrides
     overrides(const unsigned int run) const;
 
+    /** "run 3: Contact/Gap = 0.1, Mesh/Cells = 4" */
+    std::string
+    description(const unsigned int run) const;
+
     /** Paths of all entries that are varied, in the order of their names'
      * first use. */
     const std::vector<std::string> &
