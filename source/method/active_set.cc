@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/method/active_set.h>
+#include <thermocontact/method/two_stops.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,41 @@ namespace ThermoContact
           is_active[i] = !is_active[i];
           changed      = true;
         }
+    return changed;
+  }
+
+
+
+  bool
+  update_active_set(const std::vector<double> &pressure,
+                    const std::vector<double> &reach,
+                    const std::vector<double> &rear_reach,
+                    const std::vector<bool>   &may_change,
+                    const double               rounding,
+                    const bool                 only_the_first,
+                    SetsBetweenStops          &sets)
+  {
+    // of a node in the set the stop that it is at, of an open one the nearer
+    std::vector<double> seen_pressure(pressure), seen_reach(reach);
+    std::vector<bool>   is_rear(sets.is_rear);
+    for (unsigned int i = 0; i < reach.size(); ++i)
+      {
+        if (!sets.is_active[i])
+          is_rear[i] = nearer_stop(reach[i], rear_reach[i]) < 0;
+        if (is_rear[i])
+          {
+            seen_pressure[i] = -pressure[i];
+            seen_reach[i]    = rear_reach[i];
+          }
+      }
+    const bool changed = update_active_set(seen_pressure,
+                                           seen_reach,
+                                           may_change,
+                                           rounding,
+                                           only_the_first,
+                                           sets.is_active);
+    for (unsigned int i = 0; i < reach.size(); ++i)
+      sets.is_rear[i] = sets.is_active[i] && is_rear[i];
     return changed;
   }
 } // namespace ThermoContact

@@ -1,59 +1,66 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/method/damped_contact.h>
 #include <thermocontact/method/two_stops.h>
+
+#include <utility>
 
 namespace ThermoContact
 {
-  namespace
+  void
+  NearerStops::look(const std::vector<double> &front,
+                    const std::vector<double> &rear)
   {
-    /** At the front stop. */
-    double
-    pressure_of_stop(const ContactLaw &law,
-                     const double      tau,
-                     const double      start,
-                     const double      free_velocity,
-                     const double      receptance,
-                     const bool        is_held)
-    {
-      if (law.damping() > 0.)
+    near_ = front;
+    far_  = rear;
+    sides.assign(rear.size(), 1.);
+    for (unsigned int i = 0; i < rear.size(); ++i)
+      if (nearer_stop(front[i], rear[i]) < 0)
         {
-          dealii::FullMatrix<double> response(1, 1);
-          response(0, 0) = receptance / tau;
-          std::vector<double> pressure(1, 0.);
-          DampedContact(law).solve(response,
-                                   {tau, {start}, {free_velocity}, {is_held}},
-                                   pressure);
-          return pressure[0];
+          sides[i] = -1.;
+          std::swap(near_[i], far_[i]);
         }
-      const double free_penetration = start + tau * free_velocity;
-      return is_held ? law.local_closed_pressure(free_penetration, receptance) :
-                       law.local_pressure(free_penetration, receptance);
-    }
-  } // namespace
+  }
 
 
 
-  double
-  two_stops_pressure(const ContactLaw &law,
-                     const StopReach  &reach,
-                     const double      receptance,
-                     const bool        is_held)
+  void
+  NearerStops::turn(std::vector<double> &values) const
   {
-    const bool is_front = is_held ?
-                            reach.front > reach.rear :
-                            reach.front + reach.tau * reach.free_velocity > 0.;
-    return is_front ? pressure_of_stop(law,
-                                       reach.tau,
-                                       reach.front,
-                                       reach.free_velocity,
-                                       receptance,
-                                       is_held) :
-                      -pressure_of_stop(law,
-                                        reach.tau,
-                                        reach.rear,
-                                        -reach.free_velocity,
-                                        receptance,
-                                        is_held);
+    if (are_two())
+      for (unsigned int i = 0; i < values.size(); ++i)
+        if (sides[i] < 0.)
+          values[i] = 0. - values[i]; // zero stays positive
+  }
+
+
+
+  void
+  NearerStops::turn_rows(dealii::FullMatrix<double> &matrix) const
+  {
+    if (are_two())
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        for (unsigned int j = 0; j < matrix.n(); ++j)
+          matrix(i, j) *= sides[i];
+  }
+
+
+
+  void
+  NearerStops::turn_columns(dealii::FullMatrix<double> &matrix) const
+  {
+    if (are_two())
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        for (unsigned int j = 0; j < matrix.n(); ++j)
+          matrix(i, j) *= sides[j];
+  }
+
+
+
+  dealii::FullMatrix<double>
+  NearerStops::turned(dealii::FullMatrix<double> matrix) const
+  {
+    turn_rows(matrix);
+    turn_columns(matrix);
+    return matrix;
   }
 } // namespace ThermoContact

@@ -3,42 +3,93 @@
 #ifndef thermocontact_method_two_stops_h
 #define thermocontact_method_two_stops_h
 
-#include <thermocontact/method/contact_law.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <vector>
 
 namespace ThermoContact
 {
-  /** One node between two stops in a stage without contact. */
-  struct StopReach
+  /**
+   * The stop that a node is nearer to: 1 for the one in front, -1 for the one
+   * behind. Nothing else decides between the two.
+   *
+   * @param front,rear penetrations $u-g$ and $-u-g_2$
+   */
+  inline int
+  nearer_stop(const double front, const double rear)
   {
-    double tau;           ///< stage length
-    double front;         ///< $\tilde u-g$, where the stage starts from
-    double rear;          ///< $-\tilde u-g_2$, likewise
-    double free_velocity; ///< without contact
-
-    /** Reaches beyond a stop. */
-    bool
-    touches() const
-    {
-      return front + tau * free_velocity > 0. ||
-             rear - tau * free_velocity > 0.;
-    }
-  };
+    return rear > front ? -1 : 1;
+  }
 
 
 
   /**
-   * The pressure of a node between two stops with the same law, doc/model.md
-   * (M.107): positive at the front stop, negative at the rear one, for which
-   * the problem is the mirrored one.
-   *
-   * @param receptance loss of displacement per unit pressure
-   * @param is_held contact with the nearer stop that cannot open
+   * Contact nodes between two stops, each seen from the stop that is nearer to
+   * it, doc/model.md (M.107): values of nodes at the rear stop are mirrored, so
+   * that a positive one leads into the nearer stop, and a positive pressure is
+   * the push of that stop. With one stop nothing is turned. No communication.
    */
-  double
-  two_stops_pressure(const ContactLaw &law,
-                     const StopReach  &reach,
-                     const double      receptance,
-                     const bool        is_held);
+  class NearerStops
+  {
+  public:
+    /**
+     * Takes where the nodes are.
+     *
+     * @param front,rear penetrations of each node; @p rear empty: there is one
+     *   stop
+     */
+    void
+    look(const std::vector<double> &front, const std::vector<double> &rear);
+
+    /** False if there is one stop. */
+    bool
+    are_two() const
+    {
+      return !far_.empty();
+    }
+
+    /** 1: the front stop is nearer; -1: the rear one. */
+    double
+    side(const unsigned int node) const
+    {
+      return are_two() ? sides[node] : 1.;
+    }
+
+    /** Penetrations at the nearer stop. */
+    const std::vector<double> &
+    near() const
+    {
+      return near_;
+    }
+
+    /** Those at the other one; empty: there is one stop. */
+    const std::vector<double> &
+    far() const
+    {
+      return far_;
+    }
+
+    /** Displacements, velocities or pressures become those seen, or back. */
+    void
+    turn(std::vector<double> &values) const;
+
+    /** What rows of a matrix say of displacements. */
+    void
+    turn_rows(dealii::FullMatrix<double> &matrix) const;
+
+    /** What columns of a matrix say for pressures. */
+    void
+    turn_columns(dealii::FullMatrix<double> &matrix) const;
+
+    /** @p matrix with its rows and columns turned. */
+    dealii::FullMatrix<double>
+    turned(dealii::FullMatrix<double> matrix) const;
+
+  private:
+    std::vector<double> sides;
+    std::vector<double> near_;
+    std::vector<double> far_;
+  };
 } // namespace ThermoContact
 
 #endif
