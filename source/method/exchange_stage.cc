@@ -2,7 +2,6 @@
 
 #include <thermocontact/method/contact_solver.h>
 #include <thermocontact/method/exchange_stage.h>
-#include <thermocontact/method/two_stops.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +35,19 @@ namespace ThermoContact
       return result;
     }
   } // namespace
+
+
+
+  EndResponse
+  seen_from_stops(const EndResponse &response, const NearerStops &stops)
+  {
+    EndResponse seen(response);
+    stops.turn_rows(seen.penetration_by_pressure);
+    stops.turn_columns(seen.penetration_by_pressure);
+    stops.turn_rows(seen.penetration_by_flux);
+    stops.turn_columns(seen.temperature_by_pressure);
+    return seen;
+  }
 
 
 

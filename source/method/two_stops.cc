@@ -7,17 +7,14 @@
 namespace ThermoContact
 {
   void
-  NearerStops::look(const std::vector<double> &front,
-                    const std::vector<double> &rear)
+  NearerStops::choose()
   {
-    near_ = front;
-    far_  = rear;
-    sides.assign(rear.size(), 1.);
-    for (unsigned int i = 0; i < rear.size(); ++i)
-      if (nearer_stop(front[i], rear[i]) < 0)
+    sides.assign(far.size(), 1.);
+    for (unsigned int i = 0; i < far.size(); ++i)
+      if (nearer_stop(near[i], far[i]) < 0)
         {
           sides[i] = -1.;
-          std::swap(near_[i], far_[i]);
+          std::swap(near[i], far[i]);
         }
   }
 

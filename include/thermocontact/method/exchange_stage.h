@@ -6,6 +6,7 @@
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/damped_contact.h>
 #include <thermocontact/method/heat_exchange.h>
+#include <thermocontact/method/two_stops.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -32,6 +33,12 @@ namespace ThermoContact
     /** $s^{free}$ at a second stop on the other side; empty: there is none. */
     std::vector<double> far_penetration = {};
   };
+
+
+
+  /** The same with each node seen from its stop. */
+  EndResponse
+  seen_from_stops(const EndResponse &response, const NearerStops &stops);
 
 
 

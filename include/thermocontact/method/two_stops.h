@@ -29,23 +29,28 @@ namespace ThermoContact
    * that a positive one leads into the nearer stop, and a positive pressure is
    * the push of that stop. With one stop nothing is turned. No communication.
    */
-  class NearerStops
+  struct NearerStops
   {
-  public:
+    /** Penetrations at the nearer stop. */
+    std::vector<double> near;
+
+    /** Those at the other one; empty: there is one stop. */
+    std::vector<double> far;
+
     /**
-     * Takes where the nodes are.
+     * Decides which stop is the nearer one.
      *
-     * @param front,rear penetrations of each node; @p rear empty: there is one
-     *   stop
+     * @pre @p near has the penetrations at the front stop, @p far those at the
+     *   rear one
      */
     void
-    look(const std::vector<double> &front, const std::vector<double> &rear);
+    choose();
 
     /** False if there is one stop. */
     bool
     are_two() const
     {
-      return !far_.empty();
+      return !far.empty();
     }
 
     /** 1: the front stop is nearer; -1: the rear one. */
@@ -53,20 +58,6 @@ namespace ThermoContact
     side(const unsigned int node) const
     {
       return are_two() ? sides[node] : 1.;
-    }
-
-    /** Penetrations at the nearer stop. */
-    const std::vector<double> &
-    near() const
-    {
-      return near_;
-    }
-
-    /** Those at the other one; empty: there is one stop. */
-    const std::vector<double> &
-    far() const
-    {
-      return far_;
     }
 
     /** Displacements, velocities or pressures become those seen, or back. */
@@ -87,8 +78,6 @@ namespace ThermoContact
 
   private:
     std::vector<double> sides;
-    std::vector<double> near_;
-    std::vector<double> far_;
   };
 } // namespace ThermoContact
 
