@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/method/active_set.h>
-#include <thermocontact/method/two_stops.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +49,9 @@ namespace ThermoContact
                     const bool                 only_the_first,
                     SetsBetweenStops          &sets)
   {
+    if (rear_reach.empty())
+      return update_active_set(
+        pressure, reach, may_change, rounding, only_the_first, sets.is_active);
     // of a node in the set the stop that it is at, of an open one the nearer
     std::vector<double> seen_pressure(pressure), seen_reach(reach);
     std::vector<bool>   is_rear(sets.is_rear);
@@ -72,5 +74,18 @@ namespace ThermoContact
     for (unsigned int i = 0; i < reach.size(); ++i)
       sets.is_rear[i] = sets.is_active[i] && is_rear[i];
     return changed;
+  }
+
+
+
+  void
+  remove_pull(const SetsBetweenStops  &sets,
+              const std::vector<bool> &may_pull,
+              std::vector<double>     &pressure)
+  {
+    for (unsigned int i = 0; i < pressure.size(); ++i)
+      if (!may_pull[i])
+        pressure[i] = sets.is_rear[i] ? std::min(pressure[i], 0.) :
+                                        std::max(pressure[i], 0.);
   }
 } // namespace ThermoContact

@@ -199,7 +199,8 @@ namespace ThermoContact
                  law.local_closed_pressure(free_penetration, receptance) :
                free_penetration > 0. ?
                  law.local_pressure(free_penetration, receptance) :
-                 0. - law.local_pressure(beyond(i, free_penetration), receptance);
+                 0. -
+                   law.local_pressure(beyond(i, free_penetration), receptance);
       }
 
       double
@@ -311,7 +312,7 @@ namespace ThermoContact
                        const std::vector<double>        &free_penetration,
                        std::vector<double>              &pressure,
                        const std::vector<bool>          &is_held,
-                       const std::vector<double> &far_penetration) const
+                       const std::vector<double>        &far_penetration) const
   {
     const unsigned int n = free_penetration.size();
     if (!law.is_active())
@@ -340,7 +341,7 @@ namespace ThermoContact
     std::vector<bool> is_active(n), is_far(n);
     for (unsigned int i = 0; i < n; ++i)
       {
-        is_far[i] = !held[i] && !far_penetration.empty() && pressure[i] < 0.;
+        is_far[i]    = !held[i] && !far_penetration.empty() && pressure[i] < 0.;
         is_active[i] = held[i] || is_far[i] || pressure[i] > 0.;
       }
     for (unsigned int iteration = 1;

@@ -50,9 +50,9 @@ namespace ThermoContact
                      tau * factor / law.tangent(elastic) + c * elastic :
                      0.;
           }
-        return is_held ? tau * factor_at_touch() /
-                           law.tangent(law.pressure(-s)) :
-                         0.;
+        return is_held ?
+                 tau * factor_at_touch() / law.tangent(law.pressure(-s)) :
+                 0.;
       }
 
       double
@@ -96,9 +96,7 @@ namespace ThermoContact
       velocity_at_touch() const
       {
         constexpr double infinity = std::numeric_limits<double>::infinity();
-        return tau > 0.   ? -start / tau :
-               start > 0. ? -infinity :
-                            infinity;
+        return tau > 0. ? -start / tau : start > 0. ? -infinity : infinity;
       }
 
       double

@@ -140,11 +140,8 @@ namespace ThermoContact
     if (mode == ContactMode::closed)
       ContactSolver(law).solve_closed(receptance, free_penetration, pressure);
     else if (mode == ContactMode::unilateral && is_in_reach)
-      n_iterations = ContactSolver(law).solve(receptance,
-                                              free_penetration,
-                                              pressure,
-                                              is_held,
-                                              far_penetration);
+      n_iterations = ContactSolver(law).solve(
+        receptance, free_penetration, pressure, is_held, far_penetration);
     else
       pressure.assign(n, 0.);
   }

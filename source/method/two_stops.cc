@@ -2,6 +2,7 @@
 
 #include <thermocontact/method/two_stops.h>
 
+#include <limits>
 #include <utility>
 
 namespace ThermoContact
@@ -59,5 +60,23 @@ namespace ThermoContact
     turn_rows(matrix);
     turn_columns(matrix);
     return matrix;
+  }
+
+
+
+  NearerStops
+  NearerStops::in_motion(const std::vector<unsigned int> &nodes,
+                         const std::vector<double>       &velocity) const
+  {
+    NearerStops result;
+    for (const unsigned int node : nodes)
+      {
+        result.near.push_back(side(node) * velocity[node]);
+        if (!are_two())
+          continue;
+        result.sides.push_back(side(node));
+        result.far.push_back(-std::numeric_limits<double>::infinity());
+      }
+    return result;
   }
 } // namespace ThermoContact

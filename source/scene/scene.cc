@@ -153,8 +153,8 @@ namespace ThermoContact
         return false; // the rule knows no single nodes
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
-      if (law.damping() > 0. || parameters.contact.rear_gap)
-        return false; // damping acts on what has inertia, as do two stops
+      if (law.damping() > 0.)
+        return false; // it acts on what has inertia
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
       return scheme.needs_massless_contact ||

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/space/h1_projection.h>
 #include <thermocontact/time/contact_equilibrium.h>
@@ -125,7 +126,7 @@ namespace ThermoContact
 
 
 
-    /** Nor must a rigid stop behind the end of a rod. */
+    /** Nor must a rigid stop behind the end. */
     void
     check_rear_penetration(const double displacement,
                            const double reached,
@@ -168,12 +169,13 @@ namespace ThermoContact
                                     velocity);
       const bool is_prescribed =
         scene.has_prescribed_start && scene.parameters.time.end_time > 0.;
-      if (scene.contact.rear_gap) // a rod
-        check_rear_penetration(displacement[0],
-                               displacement[0] +
-                                 (is_prescribed ? first_step_size : 0.) *
-                                   velocity[0],
-                               *scene.contact.rear_gap);
+      if (scene.contact.rear_gap)
+        for (unsigned int i = 0; i < displacement.size(); ++i)
+          check_rear_penetration(displacement[i],
+                                 displacement[i] +
+                                   (is_prescribed ? first_step_size : 0.) *
+                                     velocity[i],
+                                 *scene.contact.rear_gap);
       std::vector<double> penetration;
       body.contact_end().get_penetrations(state, penetration);
       const unsigned int deepest =
@@ -276,12 +278,7 @@ namespace ThermoContact
       settle_contact_nodes(body, state);
     warn_of_contact(body, state, warnings);
 
-    std::vector<double> penetration;
-    body.contact_end().get_penetrations(state, penetration);
-    for (unsigned int i = 0; i < penetration.size(); ++i)
-      state.exchange_coefficient[i] =
-        body.scene.heat.exchange->coefficient(penetration[i],
-                                              state.contact_pressure[i]);
+    set_exchange_coefficients(body, state);
     return state;
   }
 

@@ -33,7 +33,9 @@ namespace ThermoContact
 
 
 #define INSTANTIATE(dim)                                                   \
-  template void look_at_stops(const Body<dim> &, const State &, NearerStops &); \
+  template void                look_at_stops(const Body<dim> &,            \
+                                             const State &,                \
+                                             NearerStops &);               \
   template std::vector<double> pressures_of_nearer_stop(const Body<dim> &, \
                                                         const State &)
 

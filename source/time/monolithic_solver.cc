@@ -347,12 +347,13 @@ namespace ThermoContact
     end_exchange.pressure    = known.contact_pressure;
     end_exchange.coefficient = known.exchange_coefficient;
     stops.turn(end_exchange.pressure);
-    rates.n_iterations = exchange_solver.solve(
-      stops.are_two() ? seen_from_stops(response, stops) : response,
-      mode,
-      end_exchange,
-      rates.is_held,
-      nodes_in_motion);
+    rates.n_iterations =
+      exchange_solver.solve(stops.are_two() ? seen_from_stops(response, stops) :
+                                              response,
+                            mode,
+                            end_exchange,
+                            rates.is_held,
+                            nodes_in_motion);
     stops.turn(end_exchange.pressure);
     rates.pressure             = end_exchange.pressure;
     rates.exchange_coefficient = end_exchange.coefficient;

@@ -108,7 +108,7 @@ namespace ThermoContact
   {
     if (body.law().damping() > 0.)
       return false; // not a body in equilibrium with its obstacle
-    const double tau = factorizations.front().matrix.tau();
+    const double tau  = factorizations.front().matrix.tau();
     const double free = largest_difference(free_penetration, stops.near);
     body.contact_end().get_values(Field::displacement,
                                   rates.velocity,

@@ -25,8 +25,8 @@ namespace ThermoContact
    * whose contact begins without stiffness are solved for the penetrations
    * instead, (M.70), since their $s'(0)$ is infinite. Between two stops the
    * margin $r$ of a node has an upper bound as well, where the other stop pulls
-   * the pressure below zero, (M.114): nodes are open or at one of both. No mesh,
-   * no communication.
+   * the pressure below zero, (M.114): nodes are open or at one of both. No
+   * mesh, no communication.
    */
   class ContactSolver
   {

@@ -76,6 +76,17 @@ namespace ThermoContact
     dealii::FullMatrix<double>
     turned(dealii::FullMatrix<double> matrix) const;
 
+    /**
+     * Some nodes with velocities in place of penetrations: how they move into
+     * their stops. The other ones are out of reach.
+     *
+     * @param nodes which
+     * @param velocity of all nodes
+     */
+    NearerStops
+    in_motion(const std::vector<unsigned int> &nodes,
+              const std::vector<double>       &velocity) const;
+
   private:
     std::vector<double> sides;
   };
