@@ -21,6 +21,8 @@ namespace ThermoContact
     {
       if (scene.sources.drives_end())
         return "none: the fixed end is heated or moved";
+      if (scene.sources.has_moving_obstacle)
+        return "none: the obstacle moves";
       if (scene.sources.any())
         return "no closed form with sources";
       if (scene.parameters.dimension > 1 && scene.heat.has_lateral_exchange())

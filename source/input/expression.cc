@@ -267,6 +267,14 @@ namespace ThermoContact
 
 
   bool
+  depends_on(const std::string &text, const std::string &name)
+  {
+    return std::regex_search(text, std::regex("\\b" + name + "\\b"));
+  }
+
+
+
+  bool
   Expression::is_zero() const
   {
     return equal_values(text, "0");

@@ -132,9 +132,12 @@ namespace ThermoContact
     class FormulaReader
     {
     public:
-      FormulaReader(const std::string &formula, const Jet &time)
+      FormulaReader(const std::string                   &formula,
+                    const Jet                           &time,
+                    const std::map<std::string, double> &constants)
         : next(formula.c_str())
         , time(time)
+        , constants(constants)
       {}
 
 
@@ -149,8 +152,9 @@ namespace ThermoContact
       }
 
     private:
-      const char *next;
-      const Jet   time;
+      const char                          *next;
+      const Jet                            time;
+      const std::map<std::string, double> &constants;
 
 
 
@@ -334,6 +338,9 @@ namespace ThermoContact
           return call(name);
         if (name == "t")
           return time;
+        if (const auto constant = constants.find(name);
+            constant != constants.end())
+          return Jet(constant->second);
         if (name == "pi" || name == "_pi")
           return Jet(dealii::numbers::PI);
         if (name == "_e")
@@ -381,10 +388,12 @@ namespace ThermoContact
 
 
   TimeDerivatives
-  differentiate(const std::string &formula, const double time)
+  differentiate(const std::string                   &formula,
+                const double                         time,
+                const std::map<std::string, double> &constants)
   {
     const Jet  t = boost::math::differentiation::make_fvar<double, 2>(time);
-    const Jet  result = FormulaReader(formula, t).read();
+    const Jet  result = FormulaReader(formula, t, constants).read();
     const auto finite = [](const double x) {
       return std::isfinite(x) ? x : 0.;
     };

@@ -19,9 +19,10 @@ namespace ThermoContact
 
 
     ExpressionNames
-    names_of_time()
+    names_of_time(const std::map<std::string, double> &place)
     {
       ExpressionNames names;
+      names.constants       = place;
       names.constants["pi"] = dealii::numbers::PI;
       names.variables       = {"t"};
       names.example         = "0.1*sin(2*pi*t)";
@@ -44,14 +45,16 @@ namespace ThermoContact
 
 
 
-  TimeFunction::TimeFunction(const Expression &expression)
+  TimeFunction::TimeFunction(const Expression                    &expression,
+                             const std::map<std::string, double> &place)
     : expression(expression)
+    , place(place)
   {
-    check_expression<1>(expression, 1, names_of_time());
-    function = make_function<1>(expression.text, names_of_time());
+    check_expression<1>(expression, 1, names_of_time(place));
+    function = make_function<1>(expression.text, names_of_time(place));
     try
       {
-        differentiate(expression.text, 0.);
+        differentiate(expression.text, 0., place);
       }
     catch (const std::invalid_argument &fault)
       {
@@ -72,7 +75,7 @@ namespace ThermoContact
   TimeDerivatives
   TimeFunction::derivatives(const double time) const
   {
-    TimeDerivatives result = differentiate(expression.text, time);
+    TimeDerivatives result = differentiate(expression.text, time, place);
     result.value           = value(time);
     return result;
   }
@@ -107,8 +110,8 @@ namespace ThermoContact
     for (unsigned int i = 0; i <= n_times; ++i)
       {
         const double time = end_time * i / n_times;
-        if (std::abs(differentiate(expression.text, time).value - value(time)) >
-            1e-9 * largest)
+        if (std::abs(differentiate(expression.text, time, place).value -
+                     value(time)) > 1e-9 * largest)
           throw ComputationError(ThermoContact::text(
             expression.path,
             " = ",

@@ -24,9 +24,53 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    [[noreturn]] void
+    refuse_gap(const Scene       &scene,
+               const std::string &allowed,
+               const std::string &remedy)
+    {
+      throw InputError(
+        "Contact/Gap = " + quote(scene.parameters.contact.gap_expression) +
+        "\n  allowed: " + allowed + "\n  remedy:  " + remedy);
+    }
+
+
+
+    void
+    check_moving_obstacle(const Scene &scene)
+    {
+      const MeshParameters &mesh = scene.parameters.mesh;
+      const TimeFunction    in_the_middle(
+        {"Contact/Gap", scene.parameters.contact.gap_expression},
+        {{"x", 1.}, {"y", 0.5 * mesh.width}, {"z", 0.5 * mesh.width}});
+      if (in_the_middle.starts_with_unbounded_rate(
+            scene.parameters.time.end_time))
+        refuse_gap(scene,
+                   "a velocity that stays finite at t = 0",
+                   "a motion that begins like t or t^2");
+      if (scene.parameters.time.start == "paper")
+        refuse_gap(scene,
+                   "an expression without t, since Time/Start = paper",
+                   "Time/Start = automatic: the paper prescribes the first "
+                   "step before an obstacle that rests");
+      if (scene.contact.rear_gap)
+        refuse_gap(scene,
+                   "an expression without t, since Contact/Rear gap is not "
+                   "none",
+                   "Boundary/Fixed end displacement: the base moves between "
+                   "stops that rest");
+    }
+  } // namespace
+
+
+
   void
   check_drives(const Scene &scene)
   {
+    if (scene.sources.has_moving_obstacle)
+      check_moving_obstacle(scene);
     const TimeParameters &time = scene.parameters.time;
     if (scene.sources.has_driven_temperature)
       scene.heat.fixed_end_drive->check(time.end_time);

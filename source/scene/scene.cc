@@ -54,14 +54,35 @@ namespace ThermoContact
 
 
 
-    SceneHeat
-    resolve_heat(const BoundaryParameters &boundary, const double gap)
+    /** SceneContact::gap. */
+    double
+    resolve_gap(const Parameters &parameters)
     {
+      const std::string &gap = parameters.contact.gap_expression;
+      if (gap.empty())
+        return parameters.contact.gap;
+      if (parameters.dimension > 1 &&
+          (depends_on(gap, "x") || depends_on(gap, "y") ||
+           depends_on(gap, "z")))
+        return std::numeric_limits<double>::quiet_NaN();
+      return TimeFunction({"Contact/Gap", gap}, {{"x", 1.}}).value(0.);
+    }
+
+
+
+    SceneHeat
+    resolve_heat(const Parameters &parameters)
+    {
+      const BoundaryParameters &boundary    = parameters.boundary;
+      const double              initial_gap = resolve_gap(parameters);
+      const double       gap      = std::isnan(initial_gap) ? 0. : initial_gap;
+      const double       rear_gap = parameters.contact.rear_gap.value_or(gap);
       const std::string &expression = boundary.exchange_expression;
       SceneHeat          heat;
-      heat.exchange              = expression.empty() ?
-                                     constant_exchange(boundary.heat_exchange) :
-                                     exchange_by_expression(expression, std::max(gap, 1.));
+      heat.exchange =
+        expression.empty() ?
+          constant_exchange(boundary.heat_exchange) :
+          exchange_by_expression(expression, std::max({gap, rear_gap, 1.}));
       heat.fixed_end_temperature = boundary.fixed_end_temperature;
       if (!boundary.fixed_end_expression.empty())
         {
@@ -73,9 +94,10 @@ namespace ThermoContact
       heat.obstacle_temperature  = boundary.obstacle_expression.empty() ?
                                      boundary.obstacle_temperature :
                                      first_temperature(boundary);
-      heat.reference_coefficient = heat.exchange->coefficient(-gap, 0.);
-      heat.lateral_exchange      = boundary.lateral_heat_exchange;
-      heat.ambient_temperature   = boundary.ambient_temperature;
+      heat.reference_coefficient = // at the nearer stop
+        heat.exchange->coefficient(-std::min(gap, rear_gap), 0.);
+      heat.lateral_exchange    = boundary.lateral_heat_exchange;
+      heat.ambient_temperature = boundary.ambient_temperature;
       return heat;
     }
 
@@ -98,7 +120,8 @@ namespace ThermoContact
     resolve_sources(const Parameters  &parameters,
                     const SceneFields &fields,
                     const SceneHeat   &heat,
-                    const bool         has_motion)
+                    const bool         has_motion,
+                    const bool         has_obstacle)
     {
       const SourceParameters &sources = parameters.sources;
 
@@ -112,7 +135,9 @@ namespace ThermoContact
               fields.has_temperature && heat.linear_coefficient() > 0. &&
                 !parameters.boundary.obstacle_expression.empty(),
               fields.has_temperature && heat.fixed_end_drive != nullptr,
-              has_motion};
+              has_motion,
+              has_obstacle &&
+                depends_on(parameters.contact.gap_expression, "t")};
     }
 
 
@@ -165,6 +190,16 @@ namespace ThermoContact
 
 
 
+    std::unique_ptr<const ContactLaw>
+    resolve_law(const ContactParameters &contact, const SceneFields &fields)
+    {
+      return (fields.has_displacement ? contact_law(contact.condition) :
+                                        no_obstacle())
+        .make(contact);
+    }
+
+
+
     SceneContact
     resolve_contact(const Parameters  &parameters,
                     const SceneFields &fields,
@@ -173,13 +208,8 @@ namespace ThermoContact
                     const bool         has_prescribed_start)
     {
       SceneContact contact;
-      contact.law =
-        (fields.has_displacement ? contact_law(parameters.contact.condition) :
-                                   no_obstacle())
-          .make(parameters.contact);
-      contact.gap = parameters.contact.gap_expression.empty() ?
-                      parameters.contact.gap :
-                      std::numeric_limits<double>::quiet_NaN();
+      contact.law = resolve_law(parameters.contact, fields);
+      contact.gap = resolve_gap(parameters);
       if (contact.law->is_active())
         contact.rear_gap = parameters.contact.rear_gap;
       contact.has_massless_nodes = resolve_massless_nodes(parameters,
@@ -294,17 +324,22 @@ namespace ThermoContact
     , geometry(ThermoContact::geometry(parameters.mesh.geometry)
                  .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, fields))
-    , heat(resolve_heat(parameters.boundary, parameters.contact.gap))
+    , heat(resolve_heat(parameters))
     , fixed_end_motion(resolve_motion(parameters.boundary, fields))
     , sources(
-        resolve_sources(parameters, fields, heat, fixed_end_motion != nullptr))
+        resolve_sources(parameters,
+                        fields,
+                        heat,
+                        fixed_end_motion != nullptr,
+                        resolve_law(parameters.contact, fields)->is_active()))
     , scheme(ThermoContact::scheme(parameters.time.scheme))
     , has_prescribed_start(
         resolve_prescribed_start(parameters,
                                  fields,
                                  heat,
                                  scheme,
-                                 fixed_end_motion != nullptr))
+                                 fixed_end_motion != nullptr ||
+                                   sources.has_moving_obstacle))
     , contact(resolve_contact(parameters,
                               fields,
                               material,

@@ -216,11 +216,12 @@ namespace ThermoContact
     void
     check_gap(const Parameters &parameters)
     {
+      const std::string &gap = parameters.contact.gap_expression;
       if (parameters.dimension == 1 &&
-          !parameters.contact.gap_expression.empty())
+          (depends_on(gap, "y") || depends_on(gap, "z")))
         refuse("Contact/Gap",
-               parameters.contact.gap_expression,
-               "a number, since Dimension = 1",
+               gap,
+               "a number or an expression in t, since Dimension = 1",
                "Dimension = 2 or 3 for an obstacle with a shape");
     }
 
@@ -247,6 +248,7 @@ namespace ThermoContact
   void
   check_scene(const Parameters &parameters)
   {
+    check_gap(parameters);
     const Scene  scene(parameters);
     const double nu = parameters.model.poisson_ratio;
     if (!(nu > -1. && nu < 0.5))
@@ -279,7 +281,6 @@ namespace ThermoContact
     check_scheme(scene);
     check_neighbours(scene);
     check_support(scene);
-    check_gap(parameters);
     check_linear_solver(scene);
     check_error_bars(parameters);
   }

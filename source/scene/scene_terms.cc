@@ -71,6 +71,7 @@ namespace ThermoContact
     terms.add_if(scene.sources.has_driven_temperature,
                  "varying temperature of the fixed end");
     terms.add_if(scene.sources.has_moving_end, "moving fixed end");
+    terms.add_if(scene.sources.has_moving_obstacle, "moving obstacle");
     return terms.list;
   }
 } // namespace ThermoContact

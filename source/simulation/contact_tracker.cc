@@ -61,7 +61,7 @@ namespace ThermoContact
                    state.displacement,
                    values.displacement);
     end.get_penetrations(state, values.penetration);
-    end.get_values(Field::displacement, state.velocity, values.velocity);
+    end.get_approach(state, values.velocity);
     values.pressure = state.contact_pressure;
     values.rear_penetration.clear();
     if (body.scene.contact.rear_gap)
@@ -79,6 +79,17 @@ namespace ThermoContact
               std::copysign(law.pressure(std::abs(s)), s) :
               law.pressure(s) - law.pressure(values.rear_penetration[i]);
         }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactTracker<dim>::book(const ImpactCost &cost, StepResult &result)
+  {
+    result.impulse += cost.impulse;
+    result.work += cost.work;
+    result.numerical_dissipation += cost.numerical_dissipation;
   }
 
 
@@ -116,11 +127,8 @@ namespace ThermoContact
     if (body.law().is_rigid() && !body.scene.contact.is_in_equilibrium &&
         locator.mode() == ContactMode::closed)
       {
-        impacted.emplace(Impacted{accepted, energy});
-        transition.impact(impacted->state,
-                          impacted->energy,
-                          impacted->impulse,
-                          impacted->numerical_dissipation);
+        impacted.emplace(Impacted{accepted, energy, {}});
+        transition.impact(impacted->state, impacted->energy, impacted->cost);
       }
     return {ContactVerdict::in_other_state};
   }
@@ -173,6 +181,7 @@ namespace ThermoContact
                               std::vector<ContactEvent> &events)
   {
     const ContactMode mode = locator.mode();
+    ImpactCost        cost;
     if (!result.closed_nodes.empty())
       {
         transition.settle_closed_nodes(result);
@@ -194,20 +203,38 @@ namespace ThermoContact
         if (body.law().is_rigid() && mode != ContactMode::closed &&
             locator.mode() == ContactMode::closed)
           {
-            transition.impact(result.state,
-                              result.energy,
-                              result.impulse,
-                              result.numerical_dissipation);
+            transition.impact(result.state, result.energy, cost);
             // an end of contact at once is that of nodes that have stopped
             get_values(result.state, next);
             locator.set_present(next);
           }
       }
-    if (!impacted)
-      return;
-    result.impulse += impacted->impulse;
-    result.numerical_dissipation += impacted->numerical_dissipation;
+    if (impacted)
+      cost += impacted->cost;
     impacted.reset();
+    book(cost, result);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactTracker<dim>::turn(const double new_time, StepResult &result)
+  {
+    State &state = result.state;
+    body.obstacle.set_rates(new_time, state);
+    std::vector<double> approach;
+    body.contact_end().get_approach(state, approach);
+    if (body.scene.contact.has_impacts() &&
+        locator.mode() == ContactMode::closed &&
+        *std::max_element(approach.begin(), approach.end()) > 0.)
+      {
+        ImpactCost cost;
+        transition.impact(state, result.energy, cost);
+        book(cost, result);
+      }
+    get_values(state, next);
+    locator.set_present(next);
   }
 
 

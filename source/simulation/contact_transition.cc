@@ -56,22 +56,24 @@ namespace ThermoContact
 
 
   template <int dim>
-  double
-  ContactTransition<dim>::stop_contact_nodes(Vector &velocity)
+  void
+  ContactTransition<dim>::stop_contact_nodes(State &state, ImpactCost &cost)
   {
     if (!mass_solver)
       compute_impulse_responses();
     std::vector<double> contact_velocity;
-    body.contact_end().get_values(Field::displacement,
-                                  velocity,
-                                  contact_velocity);
+    body.contact_end().get_approach(state, contact_velocity);
     std::vector<double> impulses(contact_velocity.size(), 0.);
     for (unsigned int i = 0; i < impulses.size(); ++i)
       for (unsigned int j = 0; j < impulses.size(); ++j)
         impulses[i] += inverse_receptance(i, j) * contact_velocity[j];
     for (unsigned int i = 0; i < impulses.size(); ++i)
-      velocity.add(-impulses[i], impulse_responses[i]);
-    return body.contact_end().mean(impulses);
+      {
+        state.velocity.add(-impulses[i], impulse_responses[i]);
+        cost.work -=
+          body.contact_end().share(i) * impulses[i] * state.gap_rate[i];
+      }
+    cost.impulse += body.contact_end().mean(impulses);
   }
 
 
@@ -80,11 +82,11 @@ namespace ThermoContact
   void
   ContactTransition<dim>::impact(State       &state,
                                  EnergyTerms &energy_terms,
-                                 double      &impulse,
-                                 double      &numerical_dissipation)
+                                 ImpactCost  &cost)
   {
+    ImpactCost own;
     if (body.scene.contact.has_mass())
-      impulse += stop_contact_nodes(state.velocity);
+      stop_contact_nodes(state, own);
     const std::optional<double> &rear_gap = body.scene.contact.rear_gap;
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
@@ -95,9 +97,10 @@ namespace ThermoContact
                                                                    gap;
       }
     set_exchange_of_law(body, state);
-    const double old_energy = energy_terms.sum();
-    energy_terms            = body.energy.energy(state);
-    numerical_dissipation += old_energy - energy_terms.sum();
+    const double old_energy   = energy_terms.sum();
+    energy_terms              = body.energy.energy(state);
+    own.numerical_dissipation = old_energy - energy_terms.sum() + own.work;
+    cost += own;
   }
 
 

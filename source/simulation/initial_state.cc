@@ -254,6 +254,7 @@ namespace ThermoContact
   {
     const Discretization<dim> &discretization = body.discretization;
     State                      state          = discretization.make_state();
+    body.obstacle.place(0., state);
     {
       H1Projection<dim> projection(discretization,
                                    body.equations.matrix_free());

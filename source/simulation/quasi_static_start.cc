@@ -187,6 +187,8 @@ namespace ThermoContact
     body.contact_end().get_values(Field::displacement,
                                   state.velocity,
                                   nodes.free_velocity);
+    for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
+      nodes.free_velocity[i] -= state.gap_rate[i];
     stops.turn(nodes.free_velocity);
     std::vector<double> &p = state.contact_pressure;
     stops.turn(p);
@@ -217,6 +219,11 @@ namespace ThermoContact
     body.contact_end().get_values(Field::displacement,
                                   state.velocity,
                                   velocity);
+    // velocities are scaled
+    const double factor =
+      body.scene.material.viscosity / (body.scene.material.viscosity + 1.);
+    for (unsigned int i = 0; i < velocity.size(); ++i)
+      velocity[i] -= factor * state.gap_rate[i];
     const auto no_inward_velocity = rigid_obstacle().make({});
     add_contact(*no_inward_velocity,
                 nodes,

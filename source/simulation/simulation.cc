@@ -276,6 +276,10 @@ namespace ThermoContact
           break;
       }
     tracker.accept(verdict, result, history_.events);
+    if (body_.obstacle.is_active())
+      if (const LoadBreak *at =
+            controller.followed_loads().break_at(result.state.time))
+        tracker.turn(at->new_time, result);
     jump(result);
     return true;
   }

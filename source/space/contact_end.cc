@@ -246,6 +246,18 @@ namespace ThermoContact
 
   template <int dim>
   void
+  ContactEnd<dim>::get_approach(const State         &state,
+                                std::vector<double> &velocities) const
+  {
+    get_values(Field::displacement, state.velocity, velocities);
+    for (unsigned int i = 0; i < n_nodes(); ++i)
+      velocities[i] -= state.gap_rate[i];
+  }
+
+
+
+  template <int dim>
+  void
   ContactEnd<dim>::get_rear_penetrations(
     const Vector        &displacement,
     const double         rear_gap,

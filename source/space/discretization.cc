@@ -171,6 +171,7 @@ namespace ThermoContact
     state.exchange_coefficient = state.contact_pressure;
     for (const ContactNode<dim> &node : contact_end_->nodes())
       state.gap.push_back(node.gap);
+    state.gap_rate = state.contact_pressure;
     return state;
   }
 

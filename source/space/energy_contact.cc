@@ -34,12 +34,25 @@ namespace ThermoContact
       return 0.;
     const ContactEnd<dim>     &end     = discretization.contact_end();
     const std::vector<double> &elastic = elastic_pressures(state, end_pressure);
-    end.get_values(Field::displacement, state.velocity, end_displacement);
+    end.get_approach(state, approach);
     double rate = 0.;
     for (unsigned int i = 0; i < elastic.size(); ++i)
-      rate += end.share(i) * (state.contact_pressure[i] - elastic[i]) *
-              end_displacement[i];
+      rate +=
+        end.share(i) * (state.contact_pressure[i] - elastic[i]) * approach[i];
     return rate;
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::obstacle_power(const State &state) const
+  {
+    const ContactEnd<dim> &end   = discretization.contact_end();
+    double                 power = 0.;
+    for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
+      power -= end.share(i) * state.contact_pressure[i] * state.gap_rate[i];
+    return power;
   }
 
 
@@ -62,7 +75,8 @@ namespace ThermoContact
     double sum = 0.;
     for (unsigned int i = 0; i < pressure.size(); ++i)
       {
-        const double change = end_displacement[i] - old_end_displacement[i];
+        const double change = end_displacement[i] - old_end_displacement[i] -
+                              (state.gap[i] - old_state.gap[i]);
         sum +=
           end.share(i) *
           (rear_gap && pressure[i] < 0. ? // mirrored
@@ -82,6 +96,7 @@ namespace ThermoContact
   template const std::vector<double> &Energy<dim>::elastic_pressures( \
     const State &, std::vector<double> &) const;                      \
   template double Energy<dim>::damping_rate(const State &) const;     \
+  template double Energy<dim>::obstacle_power(const State &) const;   \
   template double Energy<dim>::contact_dissipation(const State &,     \
                                                    const State &) const
 

@@ -34,15 +34,6 @@ namespace ThermoContact
 
 
 
-    bool
-    depends_on_time(const std::string &expression)
-    {
-      static const std::regex time("\\bt\\b");
-      return std::regex_search(expression, time);
-    }
-
-
-
     /** The numbers in an expression, without signs. */
     std::vector<double>
     numbers_in(const std::string &expression)
@@ -176,6 +167,24 @@ namespace ThermoContact
 
 
 
+    /** Of the gaps of an obstacle that moves. */
+    template <int dim>
+    LoadSample
+    sample_of_gap(const Scene &scene)
+    {
+      const std::shared_ptr<Function<dim>> gap = contact_gap<dim>(scene);
+      const auto                           places =
+        sample_places<dim>(true, dim > 1 ? scene.parameters.mesh.width : 0.);
+      return [gap, places](const double t, std::vector<double> &values) {
+        gap->set_time(t);
+        values.clear();
+        for (const Point<dim> &place : places)
+          values.push_back(gap->value(place));
+      };
+    }
+
+
+
     /** Those of the sources and of the obstacle. */
     template <int dim>
     void
@@ -188,7 +197,7 @@ namespace ThermoContact
                            const std::string   &expression,
                            const Function<dim> *function,
                            const bool           is_on_end) {
-        if (function != nullptr && depends_on_time(expression))
+        if (function != nullptr && depends_on(expression, "t"))
           loads.push_back({path,
                            expression,
                            sample_of<dim>(data,
@@ -217,13 +226,14 @@ namespace ThermoContact
 
 
 
+    template <int dim>
     void
     add_drives(const Scene &scene, std::vector<Load> &loads)
     {
       const auto add = [&](const std::string  &path,
                            const TimeFunction &drive,
                            const std::string  &no_jump) {
-        if (depends_on_time(drive.text()))
+        if (depends_on(drive.text(), "t"))
           loads.push_back(
             {path, drive.text(), sample_of(drive), no_jump, true});
       };
@@ -234,6 +244,12 @@ namespace ThermoContact
             *scene.fixed_end_motion,
             "a ramp of a length that the body can follow: an end that jumps "
             "has no velocity");
+      if (scene.sources.has_moving_obstacle)
+        loads.push_back({"Contact/Gap",
+                         scene.parameters.contact.gap_expression,
+                         sample_of_gap<dim>(scene),
+                         "a ramp of a length that the body can follow: an "
+                         "obstacle that jumps has no velocity"});
     }
 
 
@@ -318,7 +334,7 @@ namespace ThermoContact
     LoadHistory           history;
     std::vector<Load>     loads;
     add_sources(scene, data, loads);
-    add_drives(scene, loads);
+    add_drives<dim>(scene, loads);
     for (const Load &load : loads)
       if (time.end_time > 0. &&
           (time.has_error_control() || !load.no_jump.empty()))

@@ -60,16 +60,17 @@ namespace ThermoContact
 
 
   template <int dim>
-  std::unique_ptr<const Function<dim>>
+  std::unique_ptr<Function<dim>>
   contact_gap(const Scene &scene)
   {
     const SceneContact &contact = scene.contact;
-    if (!contact.law->is_active() || contact.has_uniform_gap())
-      return std::make_unique<const Functions::ConstantFunction<dim>>(
-        contact.gap);
+    if (!contact.law->is_active() ||
+        (contact.has_uniform_gap() && !scene.sources.has_moving_obstacle))
+      return std::make_unique<Functions::ConstantFunction<dim>>(contact.gap);
     ExpressionNames names; // x is known too: it is one on the end
     names.constants["pi"] = numbers::PI;
-    names.example         = "0.1+(y-0.05)^2/2";
+    names.has_time        = true;
+    names.example         = dim > 1 ? "0.1+(y-0.05)^2/2" : "0.1+0.02*sin(t)";
     return make_function<dim>(
       check_expression<dim>(
         {"Contact/Gap", scene.parameters.contact.gap_expression}, 1, names),
@@ -229,11 +230,11 @@ namespace ThermoContact
 
 
 
-  template std::unique_ptr<const Function<1>>
+  template std::unique_ptr<Function<1>>
   contact_gap(const Scene &);
-  template std::unique_ptr<const Function<2>>
+  template std::unique_ptr<Function<2>>
   contact_gap(const Scene &);
-  template std::unique_ptr<const Function<3>>
+  template std::unique_ptr<Function<3>>
   contact_gap(const Scene &);
 
   template class ProblemData<1>;

@@ -78,16 +78,30 @@ namespace ThermoContact
 
   namespace
   {
-    /** Before the obstacle or in it: of all nodes of the end. */
+    /**
+     * Penetrations of all nodes of the end, or their rates; where there is no
+     * pressure, displacements.
+     */
+    std::vector<double>
+    before_obstacle(const std::vector<double> &gap,
+                    const std::vector<double> &displacement)
+    {
+      std::vector<double> penetration(displacement);
+      for (unsigned int i = 0; i < gap.size(); ++i)
+        penetration[i] -= gap[i];
+      return penetration;
+    }
+
+
+
+    /** The same with a stop behind, if there is one. */
     template <int dim>
     EndPenetrations
     all_penetrations(const Body<dim>           &body,
                      const State               &state,
                      const std::vector<double> &displacement)
     {
-      EndPenetrations penetration{displacement, {}};
-      for (unsigned int i = 0; i < state.gap.size(); ++i)
-        penetration.front[i] -= state.gap[i];
+      EndPenetrations penetration{before_obstacle(state.gap, displacement), {}};
       if (body.scene.contact.rear_gap)
         for (const double u : displacement)
           penetration.rear.push_back(-u - *body.scene.contact.rear_gap);
@@ -137,7 +151,8 @@ namespace ThermoContact
                       std::vector<bool>(p.size(), body.law().is_active()),
                       p);
       const std::vector<double> acceleration =
-        problem.solve_for_same_set(rate_load, velocity);
+        problem.solve_for_same_set(rate_load,
+                                   before_obstacle(state.gap_rate, velocity));
       for (unsigned int i = 0; i < displacement.size(); ++i)
         {
           velocity[i] += acceleration[i];
@@ -173,7 +188,7 @@ namespace ThermoContact
       end.get_all_values(Field::displacement, state.velocity, velocity);
       // towards the other stop nodes are free
       constexpr double infinity = std::numeric_limits<double>::infinity();
-      EndPenetrations  into{velocity, {}};
+      EndPenetrations  into{before_obstacle(state.gap_rate, velocity), {}};
       if (stops.are_two())
         into.rear.assign(velocity.size(), -infinity);
       for (unsigned int i = 0; i < p.size(); ++i)
@@ -188,7 +203,8 @@ namespace ThermoContact
       const std::vector<double> change =
         problem.solve(load, into, is_closed, p);
       for (unsigned int i = 0; i < velocity.size(); ++i)
-        velocity[i] = i < p.size() && p[i] != 0. ? 0. : velocity[i] + change[i];
+        velocity[i] = i < p.size() && p[i] != 0. ? state.gap_rate[i] :
+                                                   velocity[i] + change[i];
       end.set_all_values(Field::displacement, velocity, state.velocity);
     }
   } // namespace
@@ -259,6 +275,8 @@ namespace ThermoContact
     force *= -1.;
     const std::vector<double> s_rate =
       moved_by_force(end, flexibility, force, state.velocity);
+    const std::vector<double> approach =
+      before_obstacle(state.gap_rate, s_rate);
     std::vector<bool> has_pressure;
     for (const double pressure : p)
       has_pressure.push_back(pressure != 0.);
@@ -266,8 +284,8 @@ namespace ThermoContact
       solver.solve_linearized(square,
                               p,
                               has_pressure,
-                              std::vector<double>(s_rate.begin(),
-                                                  s_rate.begin() + p.size()));
+                              std::vector<double>(approach.begin(),
+                                                  approach.begin() + p.size()));
     for (const auto &[node, entry] : end.all_entries(Field::displacement))
       {
         double displacement = s[node], velocity = s_rate[node];
@@ -279,7 +297,8 @@ namespace ThermoContact
         if (node < p.size() && has_pressure[node])
           {
             displacement = displacement_of_law(body, state, node);
-            velocity     = body.law().tangent(p[node]) * p_rate[node];
+            velocity =
+              state.gap_rate[node] + body.law().tangent(p[node]) * p_rate[node];
           }
         state.displacement.begin()[entry] = displacement;
         state.velocity.begin()[entry]     = velocity;
@@ -365,7 +384,7 @@ namespace ThermoContact
     response.extract_submatrix_from(receptance, nodes, nodes);
     NearerStops stops;
     look_at_stops(body, state, stops);
-    stops = stops.in_motion(nodes, free);
+    stops = stops.in_motion(nodes, before_obstacle(state.gap_rate, free));
     ContactSolver(body.law())
       .solve(stops.turned(response), stops.near, p, {}, stops.far);
     stops.turn(p);

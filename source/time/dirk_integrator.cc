@@ -46,6 +46,9 @@ namespace ThermoContact
     , driven(body.driven_end.is_active() ?
                std::make_unique<DrivenStep<dim>>(body) :
                nullptr)
+    , obstacle(body.obstacle.is_active() ?
+                 std::make_unique<ObstacleStep<dim>>(body) :
+                 nullptr)
     , stages(tableau.n_stages())
     , accelerations(tableau.n_stages(),
                     body.discretization.make_vector(Field::displacement))
@@ -188,17 +191,13 @@ namespace ThermoContact
     start_sums(result);
     result.n_iterations  = 0;
     result.is_prescribed = false;
-    if (driven)
-      {
-        StageTimes loads_at{{}, tableau.b()};
-        for (unsigned int i = 0; i < tableau.n_stages(); ++i)
-          loads_at.times.push_back(load_time(state, time_step, i));
-        driven->start(state, time_step.size, loads_at);
-      }
+    start_drives(state, time_step);
     for (unsigned int i = 0; i < tableau.n_stages(); ++i)
       {
         StageRates &stage = stages[i];
         set_known_values(state, time_step.size, i);
+        if (obstacle)
+          place_obstacle(i, tau, mode);
         if (holds)
           hold_closing_nodes(state, i);
         else
@@ -224,6 +223,7 @@ namespace ThermoContact
       result.state = known; // the first one: gets its layout
     else
       result.state.swap(known);
+    body.obstacle.place(time_step.end, result.state);
     find_closed_nodes(state, mode, result);
     result.energy = body.energy.energy(result.state);
     if (tableau.has_error_estimate())
@@ -371,7 +371,8 @@ namespace ThermoContact
       weight * body.contact_end().mean(stage_state.contact_pressure);
     if (body.energy.has_work())
       result.work +=
-        weight * body.energy.work_rate(heat_load, momentum_load, stage_state);
+        weight * (body.energy.work_rate(heat_load, momentum_load, stage_state) +
+                  body.energy.obstacle_power(stage_state));
   }
 
 

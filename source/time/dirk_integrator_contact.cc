@@ -7,6 +7,37 @@
 namespace ThermoContact
 {
   template <int dim>
+  void
+  DirkIntegrator<dim>::start_drives(const State    &state,
+                                    const TimeStep &time_step)
+  {
+    if (!driven && !obstacle)
+      return;
+    StageTimes loads_at{{}, tableau.b()};
+    for (unsigned int i = 0; i < tableau.n_stages(); ++i)
+      loads_at.times.push_back(load_time(state, time_step, i));
+    if (driven)
+      driven->start(state, time_step.size, loads_at);
+    if (obstacle)
+      obstacle->start(state, time_step.size, loads_at);
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::place_obstacle(const unsigned int i,
+                                      const double       tau,
+                                      const ContactMode  mode)
+  {
+    obstacle->place(tableau, i, known);
+    if (mode == ContactMode::closed && body.scene.contact.has_impacts())
+      obstacle->hold(i, tau, known);
+  }
+
+
+
+  template <int dim>
   bool
   DirkIntegrator<dim>::can_change_at_once(const ContactMode mode) const
   {
@@ -80,6 +111,11 @@ namespace ThermoContact
 
 
 #define INSTANTIATE(dim)                                                     \
+  template void DirkIntegrator<dim>::start_drives(const State &,             \
+                                                  const TimeStep &);         \
+  template void DirkIntegrator<dim>::place_obstacle(const unsigned int,      \
+                                                    const double,            \
+                                                    const ContactMode);      \
   template bool DirkIntegrator<dim>::can_change_at_once(const ContactMode)   \
     const;                                                                   \
   template bool DirkIntegrator<dim>::holds_closing_nodes(const ContactMode)  \

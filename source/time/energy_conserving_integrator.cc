@@ -1,45 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/space/direct_solver.h>
-#include <thermocontact/time/contact_equilibrium.h>
 #include <thermocontact/time/energy_conserving_integrator.h>
 #include <thermocontact/time/make_stage_solver.h>
 #include <thermocontact/time/schemes.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace ThermoContact
 {
-  namespace
-  {
-    /** @p matrix times @p vector. */
-    std::vector<double>
-    product(const FullMatrix<double> &matrix, const std::vector<double> &vector)
-    {
-      std::vector<double> result(matrix.m(), 0.);
-      for (unsigned int i = 0; i < matrix.m(); ++i)
-        for (unsigned int j = 0; j < matrix.n(); ++j)
-          result[i] += matrix(i, j) * vector[j];
-      return result;
-    }
-
-
-
-    /** Penetrations of contact nodes at these positions. */
-    std::vector<double>
-    penetrations(const std::vector<double> &position,
-                 const std::vector<double> &gap)
-    {
-      std::vector<double> penetration(position);
-      for (unsigned int i = 0; i < position.size(); ++i)
-        penetration[i] -= gap[i];
-      return penetration;
-    }
-  } // namespace
-
-
-
   Scheme
   energy_conserving_scheme()
   {
@@ -97,50 +65,6 @@ namespace ThermoContact
 
   template <int dim>
   void
-  EnergyConservingIntegrator<dim>::add_heating(FullMatrix<double> &stiffness)
-  {
-    const ContactEnd<dim> &end = body.contact_end();
-    DirectSolver           mass_solver(body.equations.heat_stage_matrix(0.));
-    ++counters_.factorizations;
-    Vector unit(momentum_load), force(momentum_load), heat(heat_load);
-    stiffness.add(-1.,
-                  end.all_response_matrix(
-                    [&](const unsigned int node) -> const Vector & {
-                      std::vector<double> unit_value(end.n_all_nodes(), 0.);
-                      unit_value[node] = 1.;
-                      unit             = 0.;
-                      end.set_all_values(Field::displacement, unit_value, unit);
-                      heat = 0.;
-                      body.equations.subtract_heating(unit, heat);
-                      Vector &response =
-                        temperature_responses.emplace_back(heat);
-                      mass_solver.solve(response, heat);
-                      ++counters_.responses;
-                      force = 0.;
-                      body.equations.add_thermal_stress(response, 1., force);
-                      return force;
-                    }));
-  }
-
-
-
-  template <int dim>
-  void
-  EnergyConservingIntegrator<dim>::set_up_contact()
-  {
-    FullMatrix<double> stiffness = contact_stiffness(body);
-    if (body.equations.is_coupled())
-      add_heating(stiffness);
-    stiffness.gauss_jordan(); // its inverse
-    all_receptance = contact_receptance(body.contact_end(), stiffness);
-    receptance     = between_pressures(all_receptance);
-    contact = std::make_unique<ConservingContact>(body.law(), receptance);
-  }
-
-
-
-  template <int dim>
-  void
   EnergyConservingIntegrator<dim>::assemble_loads(const double begin,
                                                   const double end)
   {
@@ -164,133 +88,6 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  EnergyConservingIntegrator<dim>::apply_contact(const State    &state,
-                                                 const TimeStep &time_step)
-  {
-    const unsigned int  n = body.contact_end().n_nodes();
-    std::vector<double> old_displacement, velocity;
-    body.contact_end().get_values(Field::displacement,
-                                  state.displacement,
-                                  old_displacement);
-    body.contact_end().get_values(Field::displacement,
-                                  rates.velocity,
-                                  velocity);
-    old_free_position = product(receptance, state.contact_pressure);
-    free_position.resize(n);
-    double displacement_scale = 0.;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        old_free_position[i] += old_displacement[i];
-        displacement_scale =
-          std::max(displacement_scale,
-                   std::abs(state.gap[i]) + std::abs(old_free_position[i]));
-        free_position[i] =
-          2. * (old_displacement[i] + 0.5 * time_step.size * velocity[i]) -
-          old_free_position[i];
-      }
-    FullMatrix<double> difference(solver->response());
-    difference.add(-1., receptance);
-    rates.pressure = state.contact_pressure;
-    rates.n_iterations =
-      contact->step_pressure(penetrations(old_free_position, state.gap),
-                             penetrations(free_position, new_gap),
-                             difference,
-                             displacement_scale,
-                             rates.pressure);
-    solver->apply_pressure(rates);
-    const std::vector<double> loss = product(difference, rates.pressure);
-    for (unsigned int i = 0; i < n; ++i)
-      free_position[i] -= 2. * loss[i];
-  }
-
-
-
-  template <int dim>
-  void
-  EnergyConservingIntegrator<dim>::finish_contact(const State    &state,
-                                                  const TimeStep &time_step,
-                                                  State          &new_state)
-  {
-    std::vector<double> &pressure = new_state.contact_pressure;
-    pressure                      = rates.pressure;
-    contact->equilibrium(penetrations(free_position, new_state.gap), pressure);
-
-    std::vector<double> old_displacement, displacement;
-    body.contact_end().get_all_values(Field::displacement,
-                                      state.displacement,
-                                      old_displacement);
-    body.contact_end().get_all_values(Field::displacement,
-                                      new_state.displacement,
-                                      displacement);
-    const std::vector<double> loss = product(receptance, pressure);
-
-    // nodes without pressure follow from the middle of the step to its end
-    std::vector<double> change(pressure);
-    for (unsigned int i = 0; i < change.size(); ++i)
-      change[i] =
-        2. * rates.pressure[i] - state.contact_pressure[i] - change[i];
-    std::vector<double> position = product(all_receptance, change);
-    for (unsigned int i = 0; i < position.size(); ++i)
-      {
-        position[i] = i >= pressure.size() ?
-                        displacement[i] + position[i] :
-                      pressure[i] > 0. ?
-                        new_state.gap[i] + body.law().penetration(pressure[i]) :
-                        free_position[i] - loss[i];
-        if (!temperature_responses.empty())
-          new_state.temperature.add(position[i] - displacement[i],
-                                    temperature_responses[i]);
-      }
-    for (const auto &[node, entry] :
-         body.contact_end().all_entries(Field::displacement))
-      {
-        new_state.displacement.begin()[entry] = position[node];
-        new_state.velocity.begin()[entry] =
-          (position[node] - old_displacement[node]) / time_step.size;
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  EnergyConservingIntegrator<dim>::apply_step_contact(const State    &state,
-                                                      const TimeStep &time_step)
-  {
-    const ContactEnd<dim> &end = body.contact_end();
-    AssertDimension(end.n_nodes(), 1);
-    end.get_penetrations(state, penetration);
-    // the velocity first, then where it leads
-    end.get_values(Field::displacement, rates.velocity, free_penetration);
-    free_penetration[0] = penetration[0] + time_step.size * free_penetration[0];
-    rates.pressure.assign(1, 0.);
-    rates.n_iterations = 0;
-    if (penetration[0] <= 0. && free_penetration[0] <= 0.)
-      return;
-    rates.pressure[0]  = step_contact->pressure(penetration[0],
-                                               free_penetration[0],
-                                               2. * solver->response()(0, 0));
-    rates.n_iterations = 1;
-    solver->apply_pressure(rates);
-  }
-
-
-
-  template <int dim>
-  void
-  EnergyConservingIntegrator<dim>::finish_step_contact(State &new_state)
-  {
-    new_state.contact_pressure = rates.pressure;
-    if (!step_contact->conserves_energy())
-      return;
-    body.contact_end().get_penetrations(new_state, penetration);
-    new_state.contact_pressure[0] = body.law().pressure(penetration[0]);
-  }
-
-
-
-  template <int dim>
   double
   EnergyConservingIntegrator<dim>::work(const double size,
                                         const State &new_state)
@@ -300,7 +97,9 @@ namespace ThermoContact
       for (const auto &[node, entry] :
            body.contact_end().all_entries(Field::displacement))
         midpoint.velocity.begin()[entry] = new_state.velocity.begin()[entry];
-    return size * body.energy.work_rate(heat_load, momentum_load, midpoint);
+    midpoint.contact_pressure = rates.pressure;
+    return size * (body.energy.work_rate(heat_load, momentum_load, midpoint) +
+                   body.energy.obstacle_power(midpoint));
   }
 
 
@@ -348,7 +147,7 @@ namespace ThermoContact
   {
     const double size = time_step.size;
     midpoint.time     = state.time + 0.5 * size;
-    new_gap           = state.gap;
+    move_obstacle(state, time_step);
     assemble_loads(time_step.first_loads, time_step.last_loads);
     solve_without_contact(state, time_step);
     if (step_contact)
@@ -362,9 +161,10 @@ namespace ThermoContact
     midpoint.temperature = state.temperature;
     midpoint.temperature.add(0.5 * size, rates.temperature_rate);
 
-    result.state      = state;
-    result.state.time = time_step.end;
-    result.state.gap  = new_gap;
+    result.state          = state;
+    result.state.time     = time_step.end;
+    result.state.gap      = obstacle.gap;
+    result.state.gap_rate = obstacle.gap_rate;
     result.state.temperature.add(size, rates.temperature_rate);
     result.state.displacement.add(size, rates.velocity);
     result.state.velocity.sadd(-1., 2., rates.velocity);

@@ -62,12 +62,15 @@ namespace ThermoContact
     StageRates              &rates)
   {
     const StopWatch watch(counters_.solve_seconds);
-    const double    tau = 1.; // its matrix is (zeta + 1) S
+    const double    tau      = 1.; // its matrix is (zeta + 1) S
+    const Material &material = body.scene.material;
     stage.prepare(
       known, tau, heat_load, momentum_load, known.contact_pressure, false);
-    // towards the other stop nodes are free
+    // of the velocity; towards the other stop nodes are free
     constexpr double    infinity = std::numeric_limits<double>::infinity();
-    std::vector<double> front(is_closed.size(), 0.), rear(stops.far.size(), 0.);
+    std::vector<double> front(known.gap_rate), rear(stops.far.size(), 0.);
+    for (double &value : front)
+      value *= -material.viscosity / (material.viscosity + 1.);
     for (unsigned int i = 0; i < rear.size(); ++i)
       (stops.side(i) > 0. ? rear : front)[i] = -infinity;
     stage.set_penetrations(front, rear);

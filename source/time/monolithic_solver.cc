@@ -302,7 +302,7 @@ namespace ThermoContact
               rates.pressure.begin());
     stops.turn(rates.pressure);
     if (body.law().damping() > 0.)
-      solve_damped_contact(mode, rates);
+      solve_damped_contact(known, mode, rates);
     else if (mode == ContactMode::closed)
       contact_solver.solve_closed(seen_response(),
                                   free_penetration,
@@ -334,7 +334,7 @@ namespace ThermoContact
     response.free_penetration       = free_penetration;
     response.far_penetration        = far_penetration;
     if (body.law().damping() > 0.)
-      get_nodes_in_motion(mode, rates);
+      get_nodes_in_motion(known, mode, rates);
     end.get_values(Field::temperature, known.temperature, known_values);
     end.get_values(Field::temperature,
                    rates.temperature_rate,

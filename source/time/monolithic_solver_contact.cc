@@ -69,7 +69,8 @@ namespace ThermoContact
 
   template <int dim>
   void
-  MonolithicSolver<dim>::get_nodes_in_motion(const ContactMode mode,
+  MonolithicSolver<dim>::get_nodes_in_motion(const State      &known,
+                                             const ContactMode mode,
                                              const StageRates &rates)
   {
     const ContactEnd<dim> &end = body.contact_end();
@@ -82,6 +83,12 @@ namespace ThermoContact
     end.get_values(Field::displacement,
                    rates.velocity,
                    nodes_in_motion.free_velocity);
+    // as the obstacle sees them, which has moved to the end of the stage
+    for (unsigned int i = 0; i < known.gap_rate.size(); ++i)
+      {
+        nodes_in_motion.start[i] += nodes_in_motion.tau * known.gap_rate[i];
+        nodes_in_motion.free_velocity[i] -= known.gap_rate[i];
+      }
     stops.turn(nodes_in_motion.free_velocity);
   }
 
@@ -89,10 +96,11 @@ namespace ThermoContact
 
   template <int dim>
   void
-  MonolithicSolver<dim>::solve_damped_contact(const ContactMode mode,
+  MonolithicSolver<dim>::solve_damped_contact(const State      &known,
+                                              const ContactMode mode,
                                               StageRates       &rates)
   {
-    get_nodes_in_motion(mode, rates);
+    get_nodes_in_motion(known, mode, rates);
     FullMatrix<double> velocity_response(seen_response());
     velocity_response /= nodes_in_motion.tau;
     rates.n_iterations =
@@ -267,8 +275,9 @@ namespace ThermoContact
   template void MonolithicSolver<dim>::keep_contact(                           \
     const std::vector<bool> &, const std::vector<double> &, State &);          \
   template void MonolithicSolver<dim>::get_nodes_in_motion(                    \
-    const ContactMode, const StageRates &);                                    \
-  template void MonolithicSolver<dim>::solve_damped_contact(const ContactMode, \
+    const State &, const ContactMode, const StageRates &);                     \
+  template void MonolithicSolver<dim>::solve_damped_contact(const State &,     \
+                                                            const ContactMode, \
                                                             StageRates &);     \
   template std::vector<double> MonolithicSolver<dim>::misfit_of_law(           \
     const std::vector<bool> &, const std::vector<double> &, const Vector &)    \

@@ -26,6 +26,12 @@ namespace ThermoContact
 
 
 
+  /** True if the name occurs in the text of an expression. */
+  bool
+  depends_on(const std::string &text, const std::string &name);
+
+
+
   /** The names that an expression of a scene may use. */
   struct ExpressionNames
   {

@@ -5,6 +5,7 @@
 
 #include <thermocontact/input/expression.h>
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -31,9 +32,11 @@ namespace ThermoContact
   public:
     /**
      * @param expression in t; pi is known
+     * @param place values of other names, such as y
      * @throw InputError if it cannot be read, or not be differentiated
      */
-    explicit TimeFunction(const Expression &expression);
+    explicit TimeFunction(const Expression                    &expression,
+                          const std::map<std::string, double> &place = {});
 
     double
     value(const double time) const;
@@ -66,6 +69,7 @@ namespace ThermoContact
 
   private:
     const Expression                         expression;
+    const std::map<std::string, double>      place;
     std::unique_ptr<const FunctionParser<1>> function;
   };
 
@@ -74,10 +78,13 @@ namespace ThermoContact
   /**
    * The formula and its derivatives at @p time.
    *
+   * @param constants values of names other than t and pi
    * @throw std::invalid_argument saying what of it cannot be differentiated
    */
   TimeDerivatives
-  differentiate(const std::string &formula, const double time);
+  differentiate(const std::string                   &formula,
+                const double                         time,
+                const std::map<std::string, double> &constants = {});
 } // namespace ThermoContact
 
 #endif

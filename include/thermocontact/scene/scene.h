@@ -193,7 +193,10 @@ namespace ThermoContact
   {
     std::unique_ptr<const ContactLaw> law;
 
-    /** $g$ of the undeformed body; NaN if it is not the same everywhere. */
+    /**
+     * $g$ of the undeformed body, at $t=0$ if the obstacle moves; NaN if it is
+     * not the same everywhere.
+     */
     double gap;
 
     /** $g_2$ of a stop behind the end, (M.107); none if there is no such. */
@@ -276,12 +279,14 @@ namespace ThermoContact
     bool has_varying_obstacle;   ///< its temperature
     bool has_driven_temperature; ///< of the fixed end
     bool has_moving_end;         ///< the fixed end
+    bool has_moving_obstacle;
 
     bool
     any() const
     {
       return has_heat_source || has_body_force || has_end_traction ||
-             has_end_heat_flux || has_varying_obstacle || drives_end();
+             has_end_heat_flux || has_varying_obstacle || drives_end() ||
+             has_moving_obstacle;
     }
 
     /** The fixed end is heated or moved as a function of time. */

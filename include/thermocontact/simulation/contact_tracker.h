@@ -115,6 +115,16 @@ namespace ThermoContact
     void
     jump(const State &state, std::vector<ContactEvent> &events);
 
+    /**
+     * The velocity of the obstacle jumps where the step that was accepted last
+     * ends: an impact, if a rigid one turns towards the nodes that lie on it.
+     *
+     * @param new_time the first time with the new velocity
+     * @param result in, out: of the step, whose costs are added
+     */
+    void
+    turn(const double new_time, StepResult &result);
+
     /** What impacts have spent. */
     const SolverCounters &
     counters() const
@@ -143,8 +153,7 @@ namespace ThermoContact
     {
       State       state;
       EnergyTerms energy;
-      double      impulse               = 0.;
-      double      numerical_dissipation = 0.;
+      ImpactCost  cost;
     };
 
     const Body<dim>        &body;
@@ -164,6 +173,10 @@ namespace ThermoContact
 
     ContactVerdict
     hold_nothing();
+
+    /** Adds what impacts have cost to a step. */
+    static void
+    book(const ImpactCost &cost, StepResult &result);
   };
 } // namespace ThermoContact
 

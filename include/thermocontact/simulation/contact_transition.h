@@ -16,6 +16,25 @@
 
 namespace ThermoContact
 {
+  /** What impacts cost, per unit cross-section. */
+  struct ImpactCost
+  {
+    double impulse               = 0.;
+    double work                  = 0.; ///< of an obstacle that moves
+    double numerical_dissipation = 0.;
+
+    ImpactCost &
+    operator+=(const ImpactCost &other)
+    {
+      impulse += other.impulse;
+      work += other.work;
+      numerical_dissipation += other.numerical_dissipation;
+      return *this;
+    }
+  };
+
+
+
   /**
    * What happens to a state where contact begins or ends: the velocity that a
    * rigid obstacle takes away, and pressures that no stage has seen.
@@ -37,19 +56,17 @@ namespace ThermoContact
 
     /**
      * Impact of all contact nodes on a rigid obstacle: they are put on it, and
-     * an impulse through the mass matrix takes their velocity away, so that the
-     * velocity jumps to the nearest one, in the norm of the kinetic energy,
-     * with which they rest (M.33). Nodes without mass need no impulse.
+     * an impulse through the mass matrix takes their velocity into it away, so
+     * that the velocity jumps to the nearest one, in the norm of the kinetic
+     * energy, with which they stay there (M.33). Nodes without mass need no
+     * impulse.
      *
      * @param energy out: of the new state
-     * @param impulse,numerical_dissipation what the impact costs is added
+     * @param cost what the impact costs is added
      * @throw ComputationError if the mass matrix cannot be factorised
      */
     void
-    impact(State       &state,
-           EnergyTerms &energy,
-           double      &impulse,
-           double      &numerical_dissipation);
+    impact(State &state, EnergyTerms &energy, ImpactCost &cost);
 
     /**
      * Pressures of a step that is accepted: none pulls, and where contact
@@ -88,9 +105,9 @@ namespace ThermoContact
     void
     compute_impulse_responses();
 
-    /** Takes the velocity of the contact nodes away; returns the impulse. */
-    double
-    stop_contact_nodes(Vector &velocity);
+    /** Takes the velocity into the obstacle away; adds impulse and work. */
+    void
+    stop_contact_nodes(State &state, ImpactCost &cost);
   };
 } // namespace ThermoContact
 

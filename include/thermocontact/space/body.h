@@ -8,6 +8,7 @@
 #include <thermocontact/space/driven_end.h>
 #include <thermocontact/space/energy.h>
 #include <thermocontact/space/loads.h>
+#include <thermocontact/space/obstacle_motion.h>
 #include <thermocontact/space/problem_data.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
@@ -48,6 +49,7 @@ namespace ThermoContact
       , loads(scene, discretization, data)
       , energy(scene, discretization, equations, loads)
       , driven_end(scene, discretization, equations, loads, energy)
+      , obstacle(scene, contact_end())
     {}
 
     const Scene                                     &scene;
@@ -59,6 +61,7 @@ namespace ThermoContact
     Loads<dim>                                       loads;
     const Energy<dim>                                energy;
     const DrivenEnd<dim>                             driven_end;
+    const ObstacleMotion<dim>                        obstacle;
 
     /** The contact law, which every node has. */
     const ContactLaw &
@@ -82,7 +85,7 @@ namespace ThermoContact
     {
       std::vector<double> penetration, velocity;
       contact_end().get_penetrations(state, penetration);
-      contact_end().get_values(Field::displacement, state.velocity, velocity);
+      contact_end().get_approach(state, velocity);
       for (unsigned int i = 0; i < penetration.size(); ++i)
         state.contact_pressure[i] =
           law().damped_pressure(penetration[i], velocity[i]);

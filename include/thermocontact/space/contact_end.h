@@ -139,7 +139,11 @@ namespace ThermoContact
     get_penetrations(const State         &state,
                      std::vector<double> &penetrations) const;
 
-    /** Those of a stop behind them, $-u_n-g_2$. */
+    /** Their rates, velocities into the obstacle $v_n-g'$. */
+    void
+    get_approach(const State &state, std::vector<double> &velocities) const;
+
+    /** Penetrations of a stop behind them, $-u_n-g_2$. */
     void
     get_rear_penetrations(const Vector        &displacement,
                           const double         rear_gap,

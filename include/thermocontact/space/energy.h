@@ -95,6 +95,13 @@ namespace ThermoContact
     damping_rate(const State &state) const;
 
     /**
+     * Power of an obstacle that moves, its pressures on the body times its
+     * velocity towards it, $-\sum_iw_ip_ig'_i$ per unit cross-section; (M.111).
+     */
+    double
+    obstacle_power(const State &state) const;
+
+    /**
      * Numerical dissipation of one backward Euler step, (M.24); every term is
      * not negative. Both states carry the pressures of the scheme.
      */
@@ -159,6 +166,7 @@ namespace ThermoContact
     mutable Vector                         momentum_scratch;
     mutable Vector                         momentum_product;
     mutable std::vector<double>            end_displacement;
+    mutable std::vector<double>            approach;
     mutable std::vector<double>            old_end_displacement;
     mutable std::vector<double>            old_penetration;
     mutable std::vector<double>            end_temperature;

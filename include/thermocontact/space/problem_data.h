@@ -15,12 +15,12 @@ namespace ThermoContact
 {
   /**
    * $g$ of the undeformed body at the places of its contact end, doc/model.md
-   * (M.4).
+   * (M.4); its time is 0.
    *
    * @throw InputError naming the expression, if it cannot be parsed
    */
   template <int dim>
-  std::unique_ptr<const Function<dim>>
+  std::unique_ptr<Function<dim>>
   contact_gap(const Scene &scene);
 
 

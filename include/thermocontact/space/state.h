@@ -33,6 +33,9 @@ namespace ThermoContact
     /** Gaps $g$ at the contact nodes, on all ranks: where the obstacle is. */
     std::vector<double> gap;
 
+    /** $g'$ there: how fast an obstacle that moves goes away from the body. */
+    std::vector<double> gap_rate;
+
     /** Time at which a jump of the loads moved it last; negative: none did. */
     double jump_time = -1.;
 
@@ -57,6 +60,7 @@ namespace ThermoContact
       velocity.swap(other.velocity);
       contact_pressure.swap(other.contact_pressure);
       gap.swap(other.gap);
+      gap_rate.swap(other.gap_rate);
       exchange_coefficient.swap(other.exchange_coefficient);
     }
 
@@ -65,7 +69,8 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &time &contact_pressure &exchange_coefficient &gap &jump_time;
+      archive &time &contact_pressure &exchange_coefficient &gap &gap_rate
+        &jump_time;
     }
   };
 } // namespace ThermoContact

@@ -6,6 +6,7 @@
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/method/butcher_tableau.h>
 #include <thermocontact/time/driven_step.h>
+#include <thermocontact/time/obstacle_step.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <array>
@@ -67,6 +68,9 @@ namespace ThermoContact
     /** Of a fixed end that is heated or moved; else null. */
     const std::unique_ptr<DrivenStep<dim>> driven;
 
+    /** Of an obstacle that moves; else null. */
+    const std::unique_ptr<ObstacleStep<dim>> obstacle;
+
     std::vector<StageRates> stages;
     std::vector<Vector>     accelerations; ///< $v'$ of a stage
     State                   known;
@@ -76,6 +80,16 @@ namespace ThermoContact
 
     /** Of the rates of temperature, displacement and velocity. */
     std::array<std::vector<Multiple>, 3> rate_sums;
+
+    /** What moves the ends of the body in a step from @p state. */
+    void
+    start_drives(const State &state, const TimeStep &time_step);
+
+    /** The obstacle of stage @p i, and the nodes that it holds. */
+    void
+    place_obstacle(const unsigned int i,
+                   const double       tau,
+                   const ContactMode  mode);
 
     /** The known values of stage @p i of a step by @p step_size. */
     void

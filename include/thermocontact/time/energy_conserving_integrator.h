@@ -59,13 +59,13 @@ namespace ThermoContact
     const std::unique_ptr<DrivenStep<dim>> driven;
 
 
-    StageRates          rates;
-    State               midpoint;
-    std::vector<double> new_gap; ///< at the end of the step
-    Vector              heat_load;
-    Vector              momentum_load;
-    Vector              acceleration; ///< of an end that rests
-    FullMatrix<double>  receptance;   ///< $X$ of (M.39)
+    StageRates         rates;
+    State              midpoint;
+    State              obstacle; ///< gaps alone, at the end of the step
+    Vector             heat_load;
+    Vector             momentum_load;
+    Vector             acceleration; ///< of an end that rests
+    FullMatrix<double> receptance;   ///< $X$ of (M.39)
 
     /** $X$ with rows for nodes that have no pressure. */
     FullMatrix<double> all_receptance;
@@ -93,6 +93,10 @@ namespace ThermoContact
      */
     void
     add_heating(FullMatrix<double> &stiffness);
+
+    /** Where the obstacle will be, and its mean velocity. */
+    void
+    move_obstacle(const State &state, const TimeStep &time_step);
 
     /** The stage to the middle of the step, with a driven end. */
     void

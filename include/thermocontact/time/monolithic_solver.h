@@ -171,11 +171,15 @@ namespace ThermoContact
 
     /** The same with the velocities, for a damped obstacle. */
     void
-    get_nodes_in_motion(const ContactMode mode, const StageRates &rates);
+    get_nodes_in_motion(const State      &known,
+                        const ContactMode mode,
+                        const StageRates &rates);
 
     /** Pressures of a damped obstacle from the velocities without contact. */
     void
-    solve_damped_contact(const ContactMode mode, StageRates &rates);
+    solve_damped_contact(const State      &known,
+                         const ContactMode mode,
+                         StageRates       &rates);
 
     /** Pressures from the penetrations without contact. */
     void

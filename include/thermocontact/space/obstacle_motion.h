@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_obstacle_motion_h
+#define thermocontact_space_obstacle_motion_h
+
+#include <thermocontact/input/time_function.h>
+#include <thermocontact/scene/scene.h>
+#include <thermocontact/space/contact_end.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * An obstacle that moves: gaps $g(t)$ of the contact nodes, or $g(y,z,t)$ at
+   * their places, with their rates; doc/model.md section 25. Those of an
+   * obstacle that stands still never change. Nondimensional; the obstacle goes
+   * away from the body where the rate is positive.
+   */
+  template <int dim>
+  class ObstacleMotion
+  {
+  public:
+    /**
+     * @param end of the body
+     * @throw InputError if the rate of the gap cannot be found
+     */
+    ObstacleMotion(const Scene &scene, const ContactEnd<dim> &end);
+
+    /** False: everything here does nothing. */
+    bool
+    is_active() const
+    {
+      return !places.empty();
+    }
+
+    /**
+     * Gap and its derivatives at each node.
+     *
+     * @throw ComputationError if a gap is not finite
+     */
+    void
+    get_derivatives(const double                  time,
+                    std::vector<TimeDerivatives> &derivatives) const;
+
+    /** The obstacle of a state is where it is at @p time. */
+    void
+    place(const double time, State &state) const;
+
+    /**
+     * The rates of the gaps of a state are those at @p time, which may be
+     * behind a jump of the rates at the time of the state.
+     */
+    void
+    set_rates(const double time, State &state) const;
+
+  private:
+    using Place = std::map<std::string, double>;
+
+    const std::string  formula;
+    const unsigned int n_nodes;
+
+    /** Names and values of the coordinates; of all nodes, or the same one. */
+    std::vector<Place> places;
+
+    mutable std::vector<TimeDerivatives> scratch;
+  };
+} // namespace ThermoContact
+
+#endif
