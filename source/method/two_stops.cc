@@ -1,12 +1,43 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/method/bracketed_root.h>
 #include <thermocontact/method/two_stops.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 namespace ThermoContact
 {
+  double
+  crossing_pressure(const double compliance,
+                    const double start,
+                    const double free_end,
+                    const double receptance,
+                    const double width)
+  {
+    const auto potential = [&](const double s) {
+      const double beyond = std::max({s, -s - width, 0.});
+      return beyond * beyond / (2. * compliance);
+    };
+    const auto mean = [&](const double end) {
+      return (potential(end) - potential(start)) / (end - start);
+    };
+    // grows with the end, since the potential is convex
+    const auto excess = [&](const double end) {
+      return end + receptance * mean(end) - free_end;
+    };
+    const double other = free_end - receptance * mean(free_end);
+    if (other == free_end)
+      return mean(free_end);
+    return mean(bracketed_root(excess,
+                               std::min(other, free_end),
+                               std::max(other, free_end))
+                  .first);
+  }
+
+
+
   void
   NearerStops::choose()
   {

@@ -54,18 +54,10 @@ namespace ThermoContact
                             "\n  remedy:  ",
                             remedy));
     };
-    const auto refuse_since = [&](const std::string &reason,
-                                  const std::string &remedy) {
-      refuse("none, since " + reason, remedy);
-    };
     if (!(rear_gap > 0.))
       refuse("none, or g_2 > 0", "Contact/Rear gap = none for one stop");
     if (scene.contact.gap + rear_gap <= 0.)
       refuse(text("above ", -scene.contact.gap, ", minus Contact/Gap"),
              "a larger one: the stops overlap");
-    if (!scene.scheme.needs_linear_contact.empty())
-      refuse_since("Time/Scheme = " + scene.scheme.name,
-                   "Time/Scheme = " + default_scheme().name +
-                     ": the pressures of that scheme are those of one stop");
   }
 } // namespace ThermoContact

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -150,6 +151,25 @@ namespace ThermoContact
 
 
 
+    /** The gap of a shaped obstacle is known at its nodes. */
+    template <int dim>
+    void
+    check_overlap(const Body<dim> &body, const State &state)
+    {
+      const std::optional<double> &rear_gap = body.scene.contact.rear_gap;
+      const double                 smallest =
+        *std::min_element(state.gap.begin(), state.gap.end());
+      if (rear_gap && smallest + *rear_gap <= 0.)
+        throw InputError(text("Contact/Rear gap = ",
+                              *rear_gap,
+                              "\n  allowed: above ",
+                              -smallest,
+                              ", minus the smallest Contact/Gap\n  remedy:  a "
+                              "larger one: the stops overlap"));
+    }
+
+
+
     /** A rigid obstacle must not be penetrated. */
     template <int dim>
     void
@@ -265,6 +285,7 @@ namespace ThermoContact
       projection.project(body.data.initial_velocity(), unused, state.velocity);
     }
     check_values(body, state, warnings);
+    check_overlap(body, state);
     stay_before_obstacle(body, state);
     check_penetration(body, first_step_size, state);
     for (const unsigned int entry :

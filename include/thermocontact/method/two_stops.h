@@ -24,6 +24,26 @@ namespace ThermoContact
 
 
   /**
+   * Mean pressure of a node that goes from beyond one of two linear stops to
+   * beyond the other in a step, which does the work of their potential
+   * $([s]_+^2+[s_2]_+^2)/2\varepsilon$: $\bar p=(V(s_1)-V(s_0))/(s_1-s_0)$.
+   *
+   * @param compliance $\varepsilon$
+   * @param start $s_0$
+   * @param free_end $s_1+\chi\bar p$
+   * @param receptance $\chi\ge0$
+   * @param width between the stops
+   */
+  double
+  crossing_pressure(const double compliance,
+                    const double start,
+                    const double free_end,
+                    const double receptance,
+                    const double width);
+
+
+
+  /**
    * Contact nodes between two stops, each seen from the stop that is nearer to
    * it, doc/model.md (M.107): values of nodes at the rear stop are mirrored, so
    * that a positive one leads into the nearer stop, and a positive pressure is
