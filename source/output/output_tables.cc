@@ -244,16 +244,19 @@ namespace ThermoContact
     OutputTable
     face_table()
     {
-      return {"fields/contact-*.vtu",
-              "The contact end of a strip or a block at the times of the "
-              "snapshots; `contact.pvd`.",
-              "array",
-              {{"contact_pressure", "stress", "not negative"},
-               {"gap", "length", "what is left, g − u"},
-               {"in_contact", "", "1 where there is pressure, else 0"},
-               {"temperature", "temperature", "θ"},
-               {"TIME", "time", "of the snapshot, field data of the file"},
-               {"CYCLE", "", "its number, likewise; 0 is left out"}}};
+      return {
+        "fields/contact-*.vtu",
+        "The contact end of a strip or a block at the times of the "
+        "snapshots; `contact.pvd`.",
+        "array",
+        {{"contact_pressure", "stress", "not negative, but at a rear stop"},
+         {"gap",
+          "length",
+          "what is left, g − u; of two stops, to the nearer one"},
+         {"in_contact", "", "1 where there is pressure, else 0"},
+         {"temperature", "temperature", "θ"},
+         {"TIME", "time", "of the snapshot, field data of the file"},
+         {"CYCLE", "", "its number, likewise; 0 is left out"}}};
     }
 
 

@@ -155,9 +155,8 @@ namespace ThermoContact
         end.get_rear_penetrations(state.displacement,
                                   *body.scene.contact.rear_gap,
                                   contact_values);
-        record.gap = std::min(record.gap,
-                              0. - *std::max_element(contact_values.begin(),
-                                                     contact_values.end()));
+        for (const double penetration : contact_values)
+          record.gap = std::min(record.gap, 0. - penetration);
       }
 
     if (!(body.scene.material.is_static() && state.was_moved_at_once()))
