@@ -387,13 +387,13 @@ main(int argc, char **argv)
   check_conservation("rigid", rigid + many);
   check_conservation("box scheme", elastic + box);
 
-  check_both_at_once("elastic", Overrides{"Contact/Compliance=0.02"}, true);
+  const Overrides at_rest{"Initial values/Velocity=0"};
+  const Overrides soft{"Contact/Compliance=0.02"};
+  check_both_at_once("elastic", at_rest + soft, true);
   check_both_at_once("damped power law",
-                     Overrides{"Contact/Compliance=0.02"} + power + damped,
+                     at_rest + soft + power + damped,
                      false);
-  check_both_at_once("rigid", rigid + massless, true);
+  check_both_at_once("rigid", at_rest + rigid + massless, true);
   check_both_at_once("quasi-static rigid", rigid + quasi_static, true);
-  check_both_at_once("heat exchange",
-                     by_gap + Overrides{"Contact/Compliance=0.02"},
-                     false);
+  check_both_at_once("heat exchange", at_rest + soft + by_gap, false);
 }
