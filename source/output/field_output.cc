@@ -302,7 +302,9 @@ namespace ThermoContact
     };
     if (fields.times().empty() && !body.scene.contact.has_uniform_gap())
       write(directory + "/obstacle.vtu",
-            obstacle_file(body.contact_end(), units));
+            obstacle_file(body.contact_end(),
+                          units,
+                          body.scene.contact.rear_gap));
     if constexpr (dim > 1)
       if (contact_face)
         write(contact_face->next_path(),

@@ -265,7 +265,8 @@ namespace ThermoContact
     obstacle_table()
     {
       return {"obstacle.vtu",
-              "An obstacle with a shape (`Contact/Gap` an expression).",
+              "An obstacle with a shape (`Contact/Gap` an expression), and "
+              "the rear stop, if there is one.",
               "array",
               {{"gap", "length", "at t = 0, without displacement"},
                {"displacement",
