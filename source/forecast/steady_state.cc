@@ -79,9 +79,14 @@ namespace ThermoContact
     imbalance(const Scene &scene, const double drop)
     {
       const SteadyState state = state_of_drop(scene, drop);
-      const double      k     = scene.heat.exchange->coefficient(
-        state.in_contact ? 0. : state.displacement_end - scene.contact.gap,
-        state.contact_force);
+      const double      u     = state.displacement_end;
+      const double      reach = // beyond the nearer stop
+        !scene.contact.rear_gap ?
+               u - scene.contact.gap :
+               std::max(u - scene.contact.gap, -u - *scene.contact.rear_gap);
+      const double k =
+        scene.heat.exchange->coefficient(state.in_contact ? 0. : reach,
+                                         std::abs(state.contact_force));
       return drop - k / (1. + k);
     }
 

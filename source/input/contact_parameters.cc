@@ -69,7 +69,7 @@ namespace ThermoContact
       prm,
       "Rear gap",
       "none",
-      "Gap g_2 to a second stop behind the end of a rod, u(1) >= -g_2, with the "
+      "Gap g_2 to a second stop behind the end x = 1, u(1) >= -g_2, with the "
       "same law; none: there is no such stop. Its pressures are negative.",
       [this](const double *gap_2) {
         rear_gap = gap_2 ? std::optional<double>(*gap_2) : std::nullopt;

@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/method/conserving_contact.h>
 #include <thermocontact/method/scheme.h>
+#include <thermocontact/method/two_stops.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -89,6 +90,20 @@ namespace ThermoContact
 
 
 
+  NodesBeforeStops
+  NodesBeforeStops::on_way_to(const NodesBeforeStops &end,
+                              const double            part) const
+  {
+    NodesBeforeStops result(*this);
+    for (unsigned int i = 0; i < front.size(); ++i)
+      result.front[i] = front[i] + part * (end.front[i] - front[i]);
+    for (unsigned int i = 0; i < rear.size(); ++i)
+      result.rear[i] = rear[i] + part * (end.rear[i] - rear[i]);
+    return result;
+  }
+
+
+
   ConservingContact::ConservingContact(
     const ContactLaw                 &law,
     const dealii::FullMatrix<double> &receptance)
@@ -100,10 +115,10 @@ namespace ThermoContact
 
 
   void
-  ConservingContact::equilibrium(const std::vector<double> &s,
-                                 std::vector<double>       &pressure) const
+  ConservingContact::equilibrium(const NodesBeforeStops &s,
+                                 std::vector<double>    &pressure) const
   {
-    contact_solver.solve(static_receptance, s, pressure);
+    contact_solver.solve(static_receptance, s.front, pressure, {}, s.rear);
   }
 
 
@@ -141,29 +156,74 @@ namespace ThermoContact
 
 
   double
-  ConservingContact::distance_to_change(const std::vector<bool>      &is_active,
-                                        const dealii::Vector<double> &begin,
-                                        const dealii::Vector<double> &slope,
-                                        const dealii::Vector<double> &p,
-                                        const dealii::Vector<double> &change,
-                                        const double peep) const
+  ConservingContact::step_pressure_of_node(const double near_start,
+                                           const double near_end,
+                                           const double receptance,
+                                           const double far_start,
+                                           const double far_end) const
   {
-    double distance = std::numeric_limits<double>::infinity();
-    for (unsigned int i = 0; i < is_active.size(); ++i)
+    const double p = step_pressure_of_node(near_start, near_end, receptance);
+    const double r = std::max(receptance, 0.);
+    if (far_start <= 0. && far_end + 2. * r * p <= 0.)
+      return p;
+    const double far_p = step_pressure_of_node(far_start, far_end, receptance);
+    if (near_start <= 0. && near_end + 2. * r * far_p <= 0.)
+      return 0. - far_p;
+    return crossing_pressure(law.tangent(0.) + static_receptance(0, 0),
+                             near_start,
+                             near_end,
+                             2. * r,
+                             -near_start - far_start);
+  }
+
+
+
+  double
+  ConservingContact::step_pressure_of_node(const NodesBeforeStops &start,
+                                           const NodesBeforeStops &free_end,
+                                           const double receptance) const
+  {
+    const double s = start.front[0], end = free_end.front[0];
+    if (start.rear.empty())
+      return step_pressure_of_node(s, end, receptance);
+    const double rear = start.rear[0], rear_end = free_end.rear[0];
+    return nearer_stop(s, rear) > 0 ?
+             step_pressure_of_node(s, end, receptance, rear, rear_end) :
+             0. - step_pressure_of_node(rear, rear_end, receptance, s, end);
+  }
+
+
+
+  double
+  ConservingContact::distance_to_change(const Stretch &stretch,
+                                        const double   peep) const
+  {
+    double     distance = std::numeric_limits<double>::infinity();
+    const auto look     = [&](const double value, const double rate) {
+      if (rate < 0.)
+        distance = std::min(distance, std::max(-value / rate, peep));
+    };
+    const unsigned int n = stretch.is_active.size();
+    for (unsigned int i = 0; i < n; ++i)
       {
-        double value = p(i), rate = change(i);
-        if (!is_active[i])
+        const double p = stretch.p(i), change = stretch.change(i);
+        if (stretch.is_active[i])
           {
-            value = -begin(i);
-            rate  = -slope(i);
-            for (unsigned int j = 0; j < is_active.size(); ++j)
-              {
-                value += static_receptance(i, j) * p(j);
-                rate += static_receptance(i, j) * change(j);
-              }
+            look(stretch.is_rear[i] ? -p : p,
+                 stretch.is_rear[i] ? -change : change);
+            continue;
           }
-        if (rate < 0.)
-          distance = std::min(distance, std::max(-value / rate, peep));
+        double by_pressure = 0., by_change = 0.;
+        for (unsigned int j = 0; j < n; ++j)
+          {
+            by_pressure += static_receptance(i, j) * stretch.p(j);
+            by_change += static_receptance(i, j) * stretch.change(j);
+          }
+        look(by_pressure - stretch.begin.front[i],
+             by_change - stretch.slope(i));
+        if (!stretch.begin.rear.empty())
+          look(-by_pressure - stretch.begin.rear[i],
+               stretch.slope(i) - by_change);
       }
     return distance;
   }
@@ -171,12 +231,12 @@ namespace ThermoContact
 
 
   void
-  ConservingContact::mean_pressure(const std::vector<double>  &start,
-                                   const std::vector<double>  &end,
+  ConservingContact::mean_pressure(const NodesBeforeStops     &start,
+                                   const NodesBeforeStops     &end,
                                    std::vector<double>        &mean,
                                    dealii::FullMatrix<double> &derivative) const
   {
-    const unsigned int n = start.size();
+    const unsigned int n = start.front.size();
     mean.assign(n, 0.);
     derivative.reinit(n, n);
     dealii::FullMatrix<double> matrix(static_receptance);
@@ -188,33 +248,37 @@ namespace ThermoContact
     // Nodes that move within rounding are not seen to change: then further on.
     const double           smallest_peep = 1e-10;
     double                 peep          = smallest_peep;
-    std::vector<double>    s(n), pressure(n, 0.);
-    dealii::Vector<double> begin(n), slope(n), p(n), change(n);
+    std::vector<double>    pressure(n, 0.);
+    dealii::Vector<double> at_stop(n);
+    Stretch                stretch;
+    stretch.is_active.resize(n);
+    stretch.is_rear.resize(n);
+    for (dealii::Vector<double> *vector :
+         {&stretch.slope, &stretch.p, &stretch.change})
+      vector->reinit(n);
+    for (unsigned int i = 0; i < n; ++i)
+      stretch.slope(i) = end.front[i] - start.front[i];
     for (double xi = 0.; xi < 1.;)
       {
-        for (unsigned int i = 0; i < n; ++i)
-          s[i] = start[i] + (xi + peep) * (end[i] - start[i]);
-        contact_solver.solve(static_receptance, s, pressure);
-        std::vector<bool> is_active(n);
-        for (unsigned int i = 0; i < n; ++i)
-          is_active[i] = pressure[i] > 0.;
-        const dealii::FullMatrix<double> inverse =
-          inverse_on(is_active, matrix);
-
+        equilibrium(start.on_way_to(end, xi + peep), pressure);
+        stretch.begin = start.on_way_to(end, xi);
         for (unsigned int i = 0; i < n; ++i)
           {
-            begin(i) = start[i] + xi * (end[i] - start[i]);
-            slope(i) = end[i] - start[i];
+            stretch.is_active[i] = pressure[i] != 0.;
+            stretch.is_rear[i]   = pressure[i] < 0.;
+            at_stop(i)           = stretch.is_rear[i] ? -stretch.begin.rear[i] :
+                                                        stretch.begin.front[i];
           }
-        inverse.vmult(p, begin);
-        inverse.vmult(change, slope);
+        const dealii::FullMatrix<double> inverse =
+          inverse_on(stretch.is_active, matrix);
+        inverse.vmult(stretch.p, at_stop);
+        inverse.vmult(stretch.change, stretch.slope);
 
-        const double next = std::min(
-          1.,
-          xi + distance_to_change(is_active, begin, slope, p, change, peep));
+        const double next =
+          std::min(1., xi + distance_to_change(stretch, peep));
         const double length = next - xi;
         for (unsigned int i = 0; i < n; ++i)
-          mean[i] += length * (p(i) + 0.5 * length * change(i));
+          mean[i] += length * (stretch.p(i) + 0.5 * length * stretch.change(i));
         derivative.add(0.5 * (next * next - xi * xi), inverse);
         peep = next > xi + peep ? smallest_peep : 2. * peep;
         xi   = next;
@@ -224,30 +288,31 @@ namespace ThermoContact
 
 
   unsigned int
-  ConservingContact::step_pressure(const std::vector<double>        &start,
-                                   const std::vector<double>        &free_end,
+  ConservingContact::step_pressure(const NodesBeforeStops           &start,
+                                   const NodesBeforeStops           &free_end,
                                    const dealii::FullMatrix<double> &receptance,
                                    const double         displacement_scale,
                                    std::vector<double> &pressure) const
   {
-    const unsigned int n = start.size();
+    const unsigned int n = start.front.size();
     if (n == 1)
       {
-        pressure[0] =
-          step_pressure_of_node(start[0], free_end[0], receptance(0, 0));
+        pressure[0] = step_pressure_of_node(start, free_end, receptance(0, 0));
         return 1;
       }
 
-    std::vector<double>        end(n), mean;
+    NodesBeforeStops           end;
+    std::vector<double>        mean;
     dealii::FullMatrix<double> derivative;
     dealii::Vector<double>     residual(n), update(n);
     const auto                 evaluate = [&](const std::vector<double> &p) {
+      end = free_end;
       for (unsigned int i = 0; i < n; ++i)
-        {
-          end[i] = free_end[i];
-          for (unsigned int j = 0; j < n; ++j)
-            end[i] -= 2. * receptance(i, j) * p[j];
-        }
+        for (unsigned int j = 0; j < n; ++j)
+          end.front[i] -= 2. * receptance(i, j) * p[j];
+      for (unsigned int i = 0; i < end.rear.size(); ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          end.rear[i] += 2. * receptance(i, j) * p[j];
       mean_pressure(start, end, mean, derivative);
       for (unsigned int i = 0; i < n; ++i)
         residual(i) = p[i] - mean[i];
@@ -274,8 +339,8 @@ namespace ThermoContact
         if (norm >= old_norm &&
             old_norm <= 1e-14 * (derivative.linfty_norm() *
                                    position_scale(displacement_scale,
-                                                  start,
-                                                  free_end,
+                                                  start.front,
+                                                  free_end.front,
                                                   receptance,
                                                   old_pressure) +
                                  largest_entry(old_pressure)))

@@ -13,57 +13,59 @@ namespace ThermoContact
 {
   namespace
   {
-    /** The pressure of each node as a function of its velocity. */
-    class LawOfVelocities : public NodalLaws
+    /** Pressure of one node at one stop as a function of its velocity. */
+    class DampedStop
     {
     public:
-      LawOfVelocities(const ContactLaw &law, const NodesInMotion &nodes)
+      /** @param start $\tilde s$ */
+      DampedStop(const ContactLaw &law,
+                 const double      tau,
+                 const double      start,
+                 const bool        is_held)
         : law(law)
-        , nodes(nodes)
         , c(law.damping())
+        , tau(tau)
+        , start(start)
+        , is_held(is_held)
       {}
 
       double
-      pressure(const unsigned int i, const double v) const override
+      pressure(const double v) const
       {
-        const double s = penetration(i, v);
-        return s > 0.     ? law.damped_pressure(s, v) :
-               is_held(i) ? -law.pressure(-s) * factor_at_touch(i) :
-                            0.;
+        const double s = penetration(v);
+        return s > 0.  ? law.damped_pressure(s, v) :
+               is_held ? -law.pressure(-s) * factor_at_touch() :
+                         0.;
       }
 
       double
-      stiffness(const unsigned int i,
-                const double       v,
-                const double) const override
+      stiffness(const double v) const
       {
-        const double s = penetration(i, v);
+        const double s = penetration(v);
         if (s > 0.)
           {
             const double elastic = law.pressure(s);
             const double factor  = 1. + c * v;
             return factor > 0. ?
-                     nodes.tau * factor / law.tangent(elastic) + c * elastic :
+                     tau * factor / law.tangent(elastic) + c * elastic :
                      0.;
           }
-        return is_held(i) ? nodes.tau * factor_at_touch(i) /
-                              law.tangent(law.pressure(-s)) :
-                            0.;
+        return is_held ?
+                 tau * factor_at_touch() / law.tangent(law.pressure(-s)) :
+                 0.;
       }
 
       double
-      local_pressure(const unsigned int i,
-                     const double       free_velocity,
-                     const double       receptance) const override
+      local_pressure(const double free_velocity, const double receptance) const
       {
-        const double touch = velocity_at_touch(i);
+        const double touch = velocity_at_touch();
         const double low   = std::max(touch, -1. / c);
         if (!(free_velocity > low))
-          return is_held(i) && free_velocity < touch ?
-                   pull(i, free_velocity - touch, receptance) :
+          return is_held && free_velocity < touch ?
+                   pull(free_velocity - touch, receptance) :
                    0.;
         const auto excess = [&](const double v) {
-          return v + receptance * pressure(i, v) - free_velocity;
+          return v + receptance * pressure(v) - free_velocity;
         };
         // 1 - c (1/c) may be rounding, which a hard obstacle takes for contact
         if (excess(low) >= 0.)
@@ -71,9 +73,86 @@ namespace ThermoContact
         const auto [v, above] = bracketed_root(excess, low, free_velocity);
         // of the two the one that loses less by the rounding of v, also next
         // to the velocity at which the pressure begins
-        return receptance * (pressure(i, above) - pressure(i, v)) > above - v ?
+        return receptance * (pressure(above) - pressure(v)) > above - v ?
                  (free_velocity - v) / receptance :
-                 pressure(i, v);
+                 pressure(v);
+      }
+
+    private:
+      const ContactLaw &law;
+      const double      c;
+      const double      tau;
+      const double      start;
+      const bool        is_held;
+
+      double
+      penetration(const double v) const
+      {
+        return start + tau * v;
+      }
+
+      /** The velocity with which the node ends at $s=0$. */
+      double
+      velocity_at_touch() const
+      {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        return tau > 0. ? -start / tau : start > 0. ? -infinity : infinity;
+      }
+
+      double
+      factor_at_touch() const
+      {
+        return std::max(0., 1. + c * velocity_at_touch());
+      }
+
+      /** Negative pressure of a node that is held. */
+      double
+      pull(const double beyond_touch, const double receptance) const
+      {
+        const double factor = factor_at_touch();
+        if (factor == 0.)
+          return 0.;
+        return factor * law.local_closed_pressure(tau * beyond_touch,
+                                                  tau * receptance * factor);
+      }
+    };
+
+
+
+    /** The pressure of each node as a function of its velocity. */
+    class LawOfVelocities : public NodalLaws
+    {
+    public:
+      LawOfVelocities(const ContactLaw &law, const NodesInMotion &nodes)
+        : law(law)
+        , nodes(nodes)
+      {}
+
+      double
+      pressure(const unsigned int i, const double v) const override
+      {
+        const double p = near_stop(i).pressure(v);
+        return p == 0. && has_far_stop(i) ? 0. - far_stop(i).pressure(-v) : p;
+      }
+
+      double
+      stiffness(const unsigned int i,
+                const double       v,
+                const double) const override
+      {
+        const double by_near = near_stop(i).stiffness(v);
+        return has_far_stop(i) ? by_near + far_stop(i).stiffness(-v) : by_near;
+      }
+
+      double
+      local_pressure(const unsigned int i,
+                     const double       free_velocity,
+                     const double       receptance) const override
+      {
+        const double p = near_stop(i).local_pressure(free_velocity, receptance);
+        return p == 0. && has_far_stop(i) ?
+                 0. - far_stop(i).local_pressure(-free_velocity, receptance) :
+                 p;
       }
 
       double
@@ -88,7 +167,6 @@ namespace ThermoContact
     private:
       const ContactLaw    &law;
       const NodesInMotion &nodes;
-      const double         c;
 
       bool
       is_held(const unsigned int i) const
@@ -96,40 +174,22 @@ namespace ThermoContact
         return nodes.tau > 0. && !nodes.is_held.empty() && nodes.is_held[i];
       }
 
-      double
-      penetration(const unsigned int i, const double v) const
+      bool
+      has_far_stop(const unsigned int i) const
       {
-        return nodes.start[i] + nodes.tau * v;
+        return !nodes.far_start.empty() && !is_held(i);
       }
 
-      /** The velocity with which the node ends at $s=0$. */
-      double
-      velocity_at_touch(const unsigned int i) const
+      DampedStop
+      near_stop(const unsigned int i) const
       {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        return nodes.tau > 0.      ? -nodes.start[i] / nodes.tau :
-               nodes.start[i] > 0. ? -infinity :
-                                     infinity;
+        return {law, nodes.tau, nodes.start[i], is_held(i)};
       }
 
-      double
-      factor_at_touch(const unsigned int i) const
+      DampedStop
+      far_stop(const unsigned int i) const
       {
-        return std::max(0., 1. + c * velocity_at_touch(i));
-      }
-
-      /** Negative pressure of a node that is held. */
-      double
-      pull(const unsigned int i,
-           const double       beyond_touch,
-           const double       receptance) const
-      {
-        const double factor = factor_at_touch(i);
-        if (factor == 0.)
-          return 0.;
-        return factor *
-               law.local_closed_pressure(nodes.tau * beyond_touch,
-                                         nodes.tau * receptance * factor);
+        return {law, nodes.tau, nodes.far_start[i], false};
       }
     };
   } // namespace

@@ -28,6 +28,18 @@ namespace ThermoContact
 
 
 
+    /** Between two stops: at that which the values are not seen from. */
+    bool
+    any_at_other_stop(const ContactValues &values)
+    {
+      return !values.rear_penetration.empty() &&
+             std::any_of(values.pressure.begin(),
+                         values.pressure.end(),
+                         [](const double p) { return p < 0.; });
+    }
+
+
+
     /** The node that contact changes first or last. */
     unsigned int
     foremost(const ContactValues &values)
@@ -76,7 +88,9 @@ namespace ThermoContact
     const auto is_closed = [](const double p) { return p > 0.; };
     if (std::all_of(values.pressure.begin(), values.pressure.end(), is_closed))
       return ContactMode::closed;
-    return any_in_contact(values) ? ContactMode::unilateral : ContactMode::open;
+    return any_in_contact(values) || any_at_other_stop(values) ?
+             ContactMode::unilateral :
+             ContactMode::open;
   }
 
 
@@ -85,7 +99,7 @@ namespace ThermoContact
   EventLocator::start(const ContactValues       &first,
                       std::vector<ContactEvent> &events)
   {
-    side = !first.rear_penetration.empty() && first.pressure[0] < 0. ? -1 : 1;
+    side = any_at_other_stop(first) && !any_in_contact(first) ? -1 : 1;
     const ContactValues &initial = seen_from(first, side, mirrored_next);
     present                      = initial;
     mode_                        = mode_of(initial);
@@ -198,8 +212,10 @@ namespace ThermoContact
       (miss_of_event * tolerance + rounding_of_event) * sizes.displacement;
     std::vector<bool> is_closed;
     for (unsigned int i = 0; i < values.pressure.size(); ++i)
-      is_closed.push_back(values.pressure[i] > 0. ||
-                          values.penetration[i] >= -allowed);
+      is_closed.push_back(
+        values.pressure[i] > 0. || values.penetration[i] >= -allowed ||
+        (!values.rear_penetration.empty() &&
+         (values.pressure[i] < 0. || values.rear_penetration[i] >= -allowed)));
     return is_closed;
   }
 
@@ -321,13 +337,15 @@ namespace ThermoContact
   EventLocator::accept_unilateral(const ContactValues       &next_values,
                                   std::vector<ContactEvent> &events)
   {
-    if (!next_values.rear_penetration.empty() &&
-        next_values.pressure[0] * side < 0.)
+    if (const ContactValues &seen = seen_from(next_values, side, mirrored_next);
+        any_at_other_stop(seen) && !any_in_contact(seen))
       {
         if (is_in_contact) // from one stop to the other
-          add_event(
-            {present.time, ContactEvent::end, side * present.velocity[0], side},
-            events);
+          add_event({present.time,
+                     ContactEvent::end,
+                     side * present.velocity[foremost(present)],
+                     side},
+                    events);
         turn_to(-side);
       }
     const ContactValues &next    = seen_from(next_values, side, mirrored_next);

@@ -38,6 +38,19 @@ namespace ThermoContact
 
 
 
+  EndResponse
+  seen_from_stops(const EndResponse &response, const NearerStops &stops)
+  {
+    EndResponse seen(response);
+    stops.turn_rows(seen.penetration_by_pressure);
+    stops.turn_columns(seen.penetration_by_pressure);
+    stops.turn_rows(seen.penetration_by_flux);
+    stops.turn_columns(seen.temperature_by_pressure);
+    return seen;
+  }
+
+
+
   ExchangeStage::ExchangeStage(const ContactLaw        &law,
                                const HeatExchange      &exchange,
                                const EndResponse       &response,
@@ -53,6 +66,7 @@ namespace ThermoContact
     , mode(mode)
     , is_held(is_held)
     , motion(motion)
+    , is_far(n, false)
   {}
 
 
@@ -76,6 +90,9 @@ namespace ThermoContact
     free_penetration = response.free_penetration;
     for (unsigned int i = 0; i < n; ++i)
       free_penetration[i] -= free_loss[i];
+    far_penetration = response.far_penetration;
+    for (unsigned int i = 0; i < far_penetration.size(); ++i)
+      far_penetration[i] += free_loss[i];
     receptance = response.penetration_by_pressure;
     receptance.add(-1., multiply(shrinkage, response.temperature_by_pressure));
   }
@@ -118,14 +135,13 @@ namespace ThermoContact
       return solve_damped_contact();
     bool is_in_reach = false;
     for (unsigned int i = 0; i < n; ++i)
-      is_in_reach |= free_penetration[i] > 0. || stays_closed(i);
+      is_in_reach |= free_penetration[i] > 0. || stays_closed(i) ||
+                     (!far_penetration.empty() && far_penetration[i] > 0.);
     if (mode == ContactMode::closed)
       ContactSolver(law).solve_closed(receptance, free_penetration, pressure);
     else if (mode == ContactMode::unilateral && is_in_reach)
-      n_iterations = ContactSolver(law).solve(receptance,
-                                              free_penetration,
-                                              pressure,
-                                              is_held);
+      n_iterations = ContactSolver(law).solve(
+        receptance, free_penetration, pressure, is_held, far_penetration);
     else
       pressure.assign(n, 0.);
   }
@@ -150,13 +166,29 @@ namespace ThermoContact
     Values result(n);
     for (unsigned int i = 0; i < n; ++i)
       {
-        penetration[i] -= by_flux[i] + by_contact[i];
+        const double way = by_flux[i] + by_contact[i];
+        penetration[i] -= way;
+        if (!response.far_penetration.empty())
+          {
+            const double far = response.far_penetration[i] + way;
+            is_far[i] =
+              !stays_closed(i) && nearer_stop(penetration[i], far) < 0;
+            if (is_far[i])
+              penetration[i] = far;
+          }
         if (is_closed(i))
           penetration[i] = 0.;
-        result[i] =
-          exchange.coefficient(penetration[i], std::max(pressure[i], 0.));
+        result[i] = exchange.coefficient(penetration[i], push(i));
       }
     return result;
+  }
+
+
+
+  double
+  ExchangeStage::push(const unsigned int i) const
+  {
+    return std::max(is_far[i] ? -pressure[i] : pressure[i], 0.);
   }
 
 
@@ -209,7 +241,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < n; ++i)
       {
         length = std::max(length, std::abs(response.free_penetration[i]));
-        load   = std::max(load, pressure[i]);
+        load   = std::max(load, push(i));
       }
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -217,7 +249,7 @@ namespace ThermoContact
         const bool   closed = is_closed(i);
         const double h      = 1e-7 * (closed ? load : length);
         const double s      = penetration[i];
-        const double p      = std::max(pressure[i], 0.);
+        const double p      = push(i);
         const double slope =
           h == 0. ?
             0. :
@@ -225,7 +257,8 @@ namespace ThermoContact
              exchange.coefficient(s, p)) /
               h;
         for (unsigned int j = 0; j < n; ++j)
-          result(i, j) = slope * (closed ? by_pressure(i, j) : result(i, j));
+          result(i, j) = (is_far[i] ? -slope : slope) *
+                         (closed ? by_pressure(i, j) : result(i, j));
       }
     return result;
   }

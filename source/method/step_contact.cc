@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/method/step_contact.h>
+#include <thermocontact/method/two_stops.h>
 
 #include <cmath>
 
@@ -22,6 +23,35 @@ namespace ThermoContact
     return conserves_energy_ ?
              discrete_gradient(old_penetration, free_penetration, receptance) :
              law.local_pressure(free_penetration, receptance);
+  }
+
+
+
+  double
+  StepContact::pressure(const double old_penetration,
+                        const double free_penetration,
+                        const double receptance,
+                        const double far_old_penetration,
+                        const double far_free_penetration) const
+  {
+    const double p = pressure(old_penetration, free_penetration, receptance);
+    if (!conserves_energy_)
+      return p > 0. ? p :
+                      0. - pressure(far_old_penetration,
+                                    far_free_penetration,
+                                    receptance);
+    if (far_old_penetration <= 0. &&
+        far_free_penetration + receptance * p <= 0.)
+      return p;
+    const double far_p =
+      pressure(far_old_penetration, far_free_penetration, receptance);
+    if (old_penetration <= 0. && free_penetration + receptance * far_p <= 0.)
+      return 0. - far_p;
+    return crossing_pressure(compliance,
+                             old_penetration,
+                             free_penetration,
+                             receptance,
+                             -old_penetration - far_old_penetration);
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/patch_units.h>
+#include <thermocontact/space/nearer_stop.h>
 
 #include <sstream>
 
@@ -31,12 +32,14 @@ namespace ThermoContact
     std::vector<NamedValues>
     values_of(const Body<dim> &body, const State &state)
     {
-      std::vector<double> gap, temperature, in_contact;
-      body.contact_end().get_penetrations(state, gap);
+      std::vector<double> temperature, in_contact;
+      NearerStops         stops;
+      look_at_stops(body, state, stops);
+      std::vector<double> &gap = stops.near;
       for (double &value : gap)
         value = 0. - value;
       for (const double pressure : state.contact_pressure)
-        in_contact.push_back(pressure > 0. ? 1. : 0.);
+        in_contact.push_back(pressure != 0. ? 1. : 0.);
       std::vector<NamedValues> values = {{"contact_pressure",
                                           state.contact_pressure},
                                          {"gap", gap},

@@ -307,11 +307,13 @@ namespace ThermoContact
       {
         gap->set_time(state.time);
         write(obstacle->next_path(),
-              obstacle_file(body.contact_end(), units, gap.get()));
+              obstacle_file(body.contact_end(), units, {}, gap.get()));
       }
     else if (fields.times().empty() && !body.scene.contact.has_uniform_gap())
       write(directory + "/obstacle.vtu",
-            obstacle_file(body.contact_end(), units));
+            obstacle_file(body.contact_end(),
+                          units,
+                          body.scene.contact.rear_gap));
     if constexpr (dim > 1)
       if (contact_face)
         write(contact_face->next_path(),

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace ThermoContact
@@ -49,10 +50,23 @@ namespace ThermoContact
   std::string
   obstacle_file(const ContactEnd<dim>       &end,
                 const OutputUnits           &units,
+                const std::optional<double> &rear_gap,
                 const dealii::Function<dim> *gap_at)
   {
-    const auto         nodes   = sorted_nodes(end);
-    const auto         corners = contact_face_corners(nodes);
+    auto       nodes   = sorted_nodes(end);
+    auto       corners = contact_face_corners(nodes);
+    const auto n_front = nodes.size();
+    if (rear_gap)
+      {
+        const auto front_corners = corners;
+        for (const unsigned int corner : front_corners)
+          corners.push_back(n_front + corner);
+        for (unsigned int i = 0; i < n_front; ++i)
+          {
+            nodes.push_back(nodes[i]);
+            nodes.back().gap = *rear_gap;
+          }
+      }
     const unsigned int n_nodes = nodes.size(), n_corners = dim > 2 ? 4 : 2,
                        n_cells = corners.size() / n_corners;
     const auto number          = [](const double value) {
@@ -98,7 +112,9 @@ namespace ThermoContact
            array("type=\"Float64\" Name=\"gap\"", n_nodes, gap) +
            array("type=\"Float64\" Name=\"displacement\" " + vector,
                  n_nodes,
-                 [&](const unsigned int i) { return gap(i) + " 0 0"; }) +
+                 [&](const unsigned int i) {
+                   return (i < n_front ? "" : "-") + gap(i) + " 0 0";
+                 }) +
            "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   }
 
@@ -107,13 +123,16 @@ namespace ThermoContact
   template std::string
   obstacle_file(const ContactEnd<1> &,
                 const OutputUnits &,
+                const std::optional<double> &,
                 const dealii::Function<1> *);
   template std::string
   obstacle_file(const ContactEnd<2> &,
                 const OutputUnits &,
+                const std::optional<double> &,
                 const dealii::Function<2> *);
   template std::string
   obstacle_file(const ContactEnd<3> &,
                 const OutputUnits &,
+                const std::optional<double> &,
                 const dealii::Function<3> *);
 } // namespace ThermoContact

@@ -244,16 +244,20 @@ namespace ThermoContact
     OutputTable
     face_table()
     {
-      return {"fields/contact-*.vtu",
-              "The contact end of a strip or a block at the times of the "
-              "snapshots; `contact.pvd`.",
-              "array",
-              {{"contact_pressure", "stress", "not negative"},
-               {"gap", "length", "what is left, g − u, g that of the time"},
-               {"in_contact", "", "1 where there is pressure, else 0"},
-               {"temperature", "temperature", "θ"},
-               {"TIME", "time", "of the snapshot, field data of the file"},
-               {"CYCLE", "", "its number, likewise; 0 is left out"}}};
+      return {
+        "fields/contact-*.vtu",
+        "The contact end of a strip or a block at the times of the "
+        "snapshots; `contact.pvd`.",
+        "array",
+        {{"contact_pressure", "stress", "not negative, but at a rear stop"},
+         {"gap",
+          "length",
+          "what is left, g − u, g that of the time; of two stops, to the "
+          "nearer one"},
+         {"in_contact", "", "1 where there is pressure, else 0"},
+         {"temperature", "temperature", "θ"},
+         {"TIME", "time", "of the snapshot, field data of the file"},
+         {"CYCLE", "", "its number, likewise; 0 is left out"}}};
     }
 
 
@@ -261,15 +265,17 @@ namespace ThermoContact
     OutputTable
     obstacle_table()
     {
-      return {"obstacle.vtu",
-              "An obstacle with a shape (`Contact/Gap` an expression in y, z). "
-              "One that moves is in `fields/obstacle-*.vtu`, one file for each "
-              "snapshot, which `obstacle.pvd` opens at their times.",
-              "array",
-              {{"gap", "length", "g of the time, without displacement"},
-               {"displacement",
-                "length",
-                "that moves a copy of the end to the obstacle"}}};
+      return {
+        "obstacle.vtu",
+        "An obstacle with a shape (`Contact/Gap` an expression in y, z), "
+        "and the rear stop, if there is one. An obstacle that moves is in "
+        "`fields/obstacle-*.vtu`, one file for each snapshot, which "
+        "`obstacle.pvd` opens at their times.",
+        "array",
+        {{"gap", "length", "g of the time, without displacement"},
+         {"displacement",
+          "length",
+          "that moves a copy of the end to the obstacle"}}};
     }
 
 

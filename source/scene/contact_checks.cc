@@ -44,9 +44,8 @@ namespace ThermoContact
   {
     if (!scene.contact.rear_gap)
       return;
-    const Parameters &parameters = scene.parameters;
-    const double      rear_gap   = *scene.contact.rear_gap;
-    const auto        refuse     = [rear_gap](const std::string &allowed,
+    const double rear_gap = *scene.contact.rear_gap;
+    const auto   refuse   = [rear_gap](const std::string &allowed,
                                    const std::string &remedy) {
       throw InputError(text("Contact/Rear gap = ",
                             rear_gap,
@@ -55,36 +54,10 @@ namespace ThermoContact
                             "\n  remedy:  ",
                             remedy));
     };
-    const auto refuse_since = [&](const std::string &reason,
-                                  const std::string &remedy) {
-      refuse("none, since " + reason, remedy);
-    };
     if (!(rear_gap > 0.))
       refuse("none, or g_2 > 0", "Contact/Rear gap = none for one stop");
-    if (parameters.dimension > 1)
-      refuse_since(text("Dimension = ", parameters.dimension),
-                   "Dimension = 1: the stop is behind the end of a rod");
     if (scene.contact.gap + rear_gap <= 0.)
       refuse(text("above ", -scene.contact.gap, ", minus Contact/Gap"),
              "a larger one: the stops overlap");
-    if (!scene.material.has_inertia())
-      refuse_since("Model/Inertia = 0",
-                   "a small Model/Inertia: an end without one may be at either "
-                   "stop at once");
-    if (!scene.scheme.needs_linear_contact.empty())
-      refuse_since("Time/Scheme = " + scene.scheme.name,
-                   "Time/Scheme = " + default_scheme().name +
-                     ": the pressures of that scheme are those of one stop");
-    if (scene.contact.has_massless_nodes)
-      refuse_since(
-        "Contact/Massless nodes = on",
-        "Contact/Massless nodes = automatic: the end keeps its mass");
-    if (scene.is_fixed_point)
-      refuse_since("Solver/Step solver = fixed point",
-                   "Solver/Step solver = monolithic: the iteration of the "
-                   "paper is that of one stop");
-    if (!scene.heat.exchange->is_constant())
-      refuse_since("Boundary/Heat exchange is an expression",
-                   "a number: gap and pressure are those of one stop");
   }
 } // namespace ThermoContact

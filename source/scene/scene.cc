@@ -78,14 +78,18 @@ namespace ThermoContact
 
 
     SceneHeat
-    resolve_heat(const BoundaryParameters &boundary, const double initial_gap)
+    resolve_heat(const Parameters &parameters)
     {
+      const BoundaryParameters &boundary    = parameters.boundary;
+      const double              initial_gap = resolve_gap(parameters);
+      const double       gap      = std::isnan(initial_gap) ? 0. : initial_gap;
+      const double       rear_gap = parameters.contact.rear_gap.value_or(gap);
       const std::string &expression = boundary.exchange_expression;
-      const double       gap = std::isnan(initial_gap) ? 0. : initial_gap;
       SceneHeat          heat;
-      heat.exchange              = expression.empty() ?
-                                     constant_exchange(boundary.heat_exchange) :
-                                     exchange_by_expression(expression, std::max(gap, 1.));
+      heat.exchange =
+        expression.empty() ?
+          constant_exchange(boundary.heat_exchange) :
+          exchange_by_expression(expression, std::max({gap, rear_gap, 1.}));
       heat.fixed_end_temperature = boundary.fixed_end_temperature;
       if (!boundary.fixed_end_expression.empty())
         {
@@ -97,9 +101,10 @@ namespace ThermoContact
       heat.obstacle_temperature  = boundary.obstacle_expression.empty() ?
                                      boundary.obstacle_temperature :
                                      first_temperature(boundary);
-      heat.reference_coefficient = heat.exchange->coefficient(-gap, 0.);
-      heat.lateral_exchange      = boundary.lateral_heat_exchange;
-      heat.ambient_temperature   = boundary.ambient_temperature;
+      heat.reference_coefficient = // at the nearer stop
+        heat.exchange->coefficient(-std::min(gap, rear_gap), 0.);
+      heat.lateral_exchange    = boundary.lateral_heat_exchange;
+      heat.ambient_temperature = boundary.ambient_temperature;
       return heat;
     }
 
@@ -180,8 +185,8 @@ namespace ThermoContact
         return false; // the rule knows no single nodes
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
-      if (law.damping() > 0. || parameters.contact.rear_gap)
-        return false; // damping acts on what has inertia, as do two stops
+      if (law.damping() > 0.)
+        return false; // it acts on what has inertia
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
       return scheme.needs_massless_contact ||
@@ -326,7 +331,7 @@ namespace ThermoContact
     , geometry(ThermoContact::geometry(parameters.mesh.geometry)
                  .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, fields))
-    , heat(resolve_heat(parameters.boundary, resolve_gap(parameters)))
+    , heat(resolve_heat(parameters))
     , fixed_end_motion(resolve_motion(parameters.boundary, fields))
     , sources(
         resolve_sources(parameters,

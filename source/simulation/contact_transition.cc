@@ -93,7 +93,8 @@ namespace ThermoContact
       {
         const double gap = state.gap[node];
         double      &u   = state.displacement.begin()[entry];
-        u = rear_gap && -u - *rear_gap > u - gap ? -*rear_gap : gap;
+        u = rear_gap && nearer_stop(u - gap, -u - *rear_gap) < 0 ? -*rear_gap :
+                                                                   gap;
       }
     set_exchange_of_law(body, state);
     const double old_energy   = energy_terms.sum();

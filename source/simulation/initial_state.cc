@@ -2,12 +2,14 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/space/h1_projection.h>
 #include <thermocontact/time/contact_equilibrium.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -135,7 +137,7 @@ namespace ThermoContact
 
 
 
-    /** Nor must a rigid stop behind the end of a rod. */
+    /** Nor must a rigid stop behind the end. */
     void
     check_rear_penetration(const double displacement,
                            const double reached,
@@ -159,6 +161,25 @@ namespace ThermoContact
 
 
 
+    /** The gap of a shaped obstacle is known at its nodes. */
+    template <int dim>
+    void
+    check_overlap(const Body<dim> &body, const State &state)
+    {
+      const std::optional<double> &rear_gap = body.scene.contact.rear_gap;
+      const double                 smallest =
+        *std::min_element(state.gap.begin(), state.gap.end());
+      if (rear_gap && smallest + *rear_gap <= 0.)
+        throw InputError(text("Contact/Rear gap = ",
+                              *rear_gap,
+                              "\n  allowed: above ",
+                              -smallest,
+                              ", minus the smallest Contact/Gap\n  remedy:  a "
+                              "larger one: the stops overlap"));
+    }
+
+
+
     /** A rigid obstacle must not be penetrated. */
     template <int dim>
     void
@@ -178,12 +199,13 @@ namespace ThermoContact
                                     velocity);
       const bool is_prescribed =
         scene.has_prescribed_start && scene.parameters.time.end_time > 0.;
-      if (scene.contact.rear_gap) // a rod
-        check_rear_penetration(displacement[0],
-                               displacement[0] +
-                                 (is_prescribed ? first_step_size : 0.) *
-                                   velocity[0],
-                               *scene.contact.rear_gap);
+      if (scene.contact.rear_gap)
+        for (unsigned int i = 0; i < displacement.size(); ++i)
+          check_rear_penetration(displacement[i],
+                                 displacement[i] +
+                                   (is_prescribed ? first_step_size : 0.) *
+                                     velocity[i],
+                                 *scene.contact.rear_gap);
       std::vector<double> penetration;
       body.contact_end().get_penetrations(state, penetration);
       const unsigned int deepest =
@@ -276,6 +298,7 @@ namespace ThermoContact
       projection.project(body.data.initial_velocity(), unused, state.velocity);
     }
     check_values(body, state, warnings);
+    check_overlap(body, state);
     stay_before_obstacle(body, state);
     check_penetration(body, first_step_size, state);
     for (const unsigned int entry :
@@ -290,12 +313,7 @@ namespace ThermoContact
       settle_contact_nodes(body, state);
     warn_of_contact(body, state, warnings);
 
-    std::vector<double> penetration;
-    body.contact_end().get_penetrations(state, penetration);
-    for (unsigned int i = 0; i < penetration.size(); ++i)
-      state.exchange_coefficient[i] =
-        body.scene.heat.exchange->coefficient(penetration[i],
-                                              state.contact_pressure[i]);
+    set_exchange_coefficients(body, state);
     return state;
   }
 

@@ -150,12 +150,13 @@ namespace ThermoContact
         record.gap =
           0. - *std::max_element(contact_values.begin(), contact_values.end());
       }
-    if (body.scene.contact.rear_gap) // a rod
+    if (body.scene.contact.rear_gap)
       {
         end.get_rear_penetrations(state.displacement,
                                   *body.scene.contact.rear_gap,
                                   contact_values);
-        record.gap = std::min(record.gap, 0. - contact_values[0]);
+        for (const double penetration : contact_values)
+          record.gap = std::min(record.gap, 0. - penetration);
       }
 
     if (!(body.scene.material.is_static() && state.was_moved_at_once()))
@@ -166,11 +167,11 @@ namespace ThermoContact
           record.velocity_end = value(last_cell_weights, state.velocity);
       }
 
-    const double largest_pressure =
-      body.scene.contact.rear_gap ?
-        std::abs(state.contact_pressure[0]) :
-        *std::max_element(state.contact_pressure.begin(),
+    const auto [smallest, largest] =
+      std::minmax_element(state.contact_pressure.begin(),
                           state.contact_pressure.end());
+    const double largest_pressure = // of either stop
+      body.scene.contact.rear_gap ? std::max(*largest, -*smallest) : *largest;
     record.contact_force = end.mean(state.contact_pressure);
     record.penetration   = body.law().penetration(largest_pressure);
     record.in_contact    = largest_pressure > 0.;
@@ -216,10 +217,11 @@ namespace ThermoContact
     const bool is_axis_inside   = !body.scene.geometry->has_axis_at_side();
     face                        = FaceRecord();
     for (unsigned int i = 0; i < end.n_nodes(); ++i)
-      if (const double p = state.contact_pressure[i]; p > 0.)
+      if (const double p = state.contact_pressure[i];
+          p > 0. || (p < 0. && body.scene.contact.rear_gap))
         {
           face.contact_area += end.share(i);
-          face.max_pressure = std::max(face.max_pressure, p);
+          face.max_pressure = std::max(face.max_pressure, std::abs(p));
           if (!is_axis_inside)
             continue;
           const Tensor<1, dim> arm = end.nodes()[i].position - axis;

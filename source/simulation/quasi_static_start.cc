@@ -3,6 +3,7 @@
 #include <thermocontact/method/contact_solver.h>
 #include <thermocontact/method/damped_contact.h>
 #include <thermocontact/simulation/quasi_static_start.h>
+#include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/time/iterative_solver.h>
 
 #include <algorithm>
@@ -14,18 +15,13 @@ namespace ThermoContact
   {
     /** Those that were given, else those that do not lie before the obstacle.
      */
-    template <int dim>
     std::vector<bool>
-    closed_nodes(const Body<dim>         &body,
-                 const std::vector<bool> &is_closed,
-                 const State             &state)
+    closed_nodes(const std::vector<bool> &is_closed, const NearerStops &stops)
     {
       if (!is_closed.empty())
         return is_closed;
-      std::vector<double> penetration;
-      body.contact_end().get_penetrations(state, penetration);
       std::vector<bool> result;
-      for (const double s : penetration)
+      for (const double s : stops.near)
         result.push_back(s >= 0.);
       return result;
     }
@@ -69,37 +65,45 @@ namespace ThermoContact
 
   template <int dim>
   void
-  QuasiStaticStart<dim>::solve_with_contact(const ContactLaw          &law,
-                                            const std::vector<double> &gaps,
-                                            const std::vector<bool>   &excluded,
-                                            const Vector              &load,
-                                            Vector                    &w,
-                                            std::vector<double>       &pressure)
+  QuasiStaticStart<dim>::add_contact(const ContactLaw                &law,
+                                     const std::vector<unsigned int> &nodes,
+                                     const NearerStops               &stops,
+                                     Vector                          &w,
+                                     std::vector<double>             &pressure)
   {
-    factors->solve(w, load);
-    std::vector<unsigned int> nodes;
-    for (unsigned int i = 0; i < excluded.size(); ++i)
-      if (!excluded[i])
-        nodes.push_back(i);
     if (!law.is_active() || nodes.empty())
       return;
-
     const unsigned int  n = nodes.size();
     FullMatrix<double>  matrix(n, n);
-    std::vector<double> values, free(n), p(n);
+    std::vector<double> p(n);
     matrix.extract_submatrix_from(response, nodes, nodes);
-    body.contact_end().get_values(Field::displacement, w, values);
     for (unsigned int i = 0; i < n; ++i)
-      {
-        free[i] = values[nodes[i]] - gaps[nodes[i]];
-        p[i]    = pressure[nodes[i]];
-      }
-    ContactSolver(law).solve(matrix, free, p);
+      p[i] = pressure[nodes[i]];
+    stops.turn(p);
+    ContactSolver(law).solve(
+      stops.turned(matrix), stops.near, p, {}, stops.far);
+    stops.turn(p);
     for (unsigned int i = 0; i < n; ++i)
       {
         w.add(-p[i], unit_responses[nodes[i]]);
         pressure[nodes[i]] = p[i];
       }
+  }
+
+
+
+  template <int dim>
+  void
+  QuasiStaticStart<dim>::solve_static(const Vector &load, State &state)
+  {
+    factors->solve(state.displacement, load);
+    NearerStops stops;
+    look_at_stops(body, state, stops);
+    std::vector<unsigned int> all;
+    for (unsigned int i = 0; i < stops.near.size(); ++i)
+      all.push_back(i);
+    add_contact(
+      body.law(), all, stops, state.displacement, state.contact_pressure);
   }
 
 
@@ -137,12 +141,13 @@ namespace ThermoContact
       body.driven_end.subtract_viscous_stress(state.time, momentum_load);
       if (body.law().is_rigid())
         {
+          NearerStops stops;
+          look_at_stops(body, state, stops);
           solver.solve_quasi_static_velocity(known,
                                              heat_load,
                                              momentum_load,
-                                             closed_nodes(body,
-                                                          is_closed,
-                                                          state),
+                                             closed_nodes(is_closed, stops),
+                                             stops,
                                              rates);
           state.contact_pressure = rates.pressure;
         }
@@ -172,19 +177,59 @@ namespace ThermoContact
     const double factor    = (viscosity + 1.) / viscosity;
     factors->solve(state.velocity, load);
     state.velocity *= factor;
-    FullMatrix<double> velocity_response(response);
+    NearerStops stops;
+    look_at_stops(body, state, stops);
+    FullMatrix<double> velocity_response = stops.turned(response);
     velocity_response *= factor;
     NodesInMotion nodes; // where they are
-    body.contact_end().get_penetrations(state, nodes.start);
+    nodes.start     = stops.near;
+    nodes.far_start = stops.far;
     body.contact_end().get_values(Field::displacement,
                                   state.velocity,
                                   nodes.free_velocity);
     for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
       nodes.free_velocity[i] -= state.gap_rate[i];
+    stops.turn(nodes.free_velocity);
     std::vector<double> &p = state.contact_pressure;
+    stops.turn(p);
     DampedContact(body.law()).solve(velocity_response, nodes, p);
+    stops.turn(p);
     for (unsigned int i = 0; i < p.size(); ++i)
       state.velocity.add(-p[i] * factor, unit_responses[i]);
+  }
+
+
+
+  template <int dim>
+  void
+  QuasiStaticStart<dim>::solve_on_rigid(const std::vector<bool> &is_closed,
+                                        const Vector            &load,
+                                        State                   &state)
+  {
+    NearerStops stops;
+    look_at_stops(body, state, stops);
+    const std::vector<bool>   may_push = closed_nodes(is_closed, stops);
+    std::vector<unsigned int> nodes;
+    for (unsigned int i = 0; i < may_push.size(); ++i)
+      if (may_push[i])
+        nodes.push_back(i);
+    std::fill(state.contact_pressure.begin(), state.contact_pressure.end(), 0.);
+    factors->solve(state.velocity, load);
+    std::vector<double> velocity;
+    body.contact_end().get_values(Field::displacement,
+                                  state.velocity,
+                                  velocity);
+    // velocities are scaled
+    const double factor =
+      body.scene.material.viscosity / (body.scene.material.viscosity + 1.);
+    for (unsigned int i = 0; i < velocity.size(); ++i)
+      velocity[i] -= factor * state.gap_rate[i];
+    const auto no_inward_velocity = rigid_obstacle().make({});
+    add_contact(*no_inward_velocity,
+                nodes,
+                stops.in_motion(nodes, velocity),
+                state.velocity,
+                state.contact_pressure);
   }
 
 
@@ -221,15 +266,9 @@ namespace ThermoContact
       body.driven_end.subtract_viscous_stress(state.time, momentum_load);
     body.equations.stage_rhs(
       state, 1., heat_load, momentum_load, heat_rhs, rhs);
-    const unsigned int n = state.contact_pressure.size();
     if (material.is_static())
       {
-        solve_with_contact(body.law(),
-                           state.gap,
-                           std::vector<bool>(n, false),
-                           rhs,
-                           state.displacement,
-                           state.contact_pressure);
+        solve_static(rhs, state);
         return;
       }
 
@@ -238,30 +277,16 @@ namespace ThermoContact
         solve_with_damping(rhs, state);
         return;
       }
-    std::vector<bool> is_away(n, true);
     if (body.law().is_rigid())
+      solve_on_rigid(is_closed, rhs, state);
+    else
       {
-        is_away = closed_nodes(body, is_closed, state);
-        is_away.flip();
-        std::fill(state.contact_pressure.begin(),
-                  state.contact_pressure.end(),
-                  0.);
+        body.contact_end().subtract_load(Field::displacement,
+                                         state.contact_pressure,
+                                         1.,
+                                         rhs);
+        factors->solve(state.velocity, rhs);
       }
-    body.contact_end().subtract_load(Field::displacement,
-                                     state.contact_pressure,
-                                     1.,
-                                     rhs);
-    // nodes on a rigid obstacle cannot move into it; velocities are scaled
-    std::vector<double> rate(state.gap_rate);
-    for (double &value : rate)
-      value *= material.viscosity / (material.viscosity + 1.);
-    const auto no_inward_velocity = rigid_obstacle().make({});
-    solve_with_contact(*no_inward_velocity,
-                       rate,
-                       is_away,
-                       rhs,
-                       state.velocity,
-                       state.contact_pressure);
     state.velocity *= (material.viscosity + 1.) / material.viscosity;
     body.driven_end.set_velocity(state.time, state.velocity);
   }

@@ -5,27 +5,43 @@
 namespace ThermoContact
 {
   template <int dim>
+  void
+  look_at_stops(const Body<dim> &body, const State &state, NearerStops &stops)
+  {
+    body.contact_end().get_penetrations(state, stops.near);
+    stops.far.clear();
+    if (body.scene.contact.rear_gap)
+      body.contact_end().get_rear_penetrations(state.displacement,
+                                               *body.scene.contact.rear_gap,
+                                               stops.far);
+    stops.choose();
+  }
+
+
+
+  template <int dim>
   std::vector<double>
   pressures_of_nearer_stop(const Body<dim> &body, const State &state)
   {
-    std::vector<double> front, rear;
-    body.contact_end().get_penetrations(state, front);
-    body.contact_end().get_rear_penetrations(state.displacement,
-                                             *body.scene.contact.rear_gap,
-                                             rear);
+    NearerStops stops;
+    look_at_stops(body, state, stops);
     std::vector<double> pressures(state.contact_pressure);
-    for (unsigned int i = 0; i < pressures.size(); ++i)
-      if (rear[i] > front[i])
-        pressures[i] = -pressures[i];
+    stops.turn(pressures);
     return pressures;
   }
 
 
 
-  template std::vector<double>
-  pressures_of_nearer_stop(const Body<1> &, const State &);
-  template std::vector<double>
-  pressures_of_nearer_stop(const Body<2> &, const State &);
-  template std::vector<double>
-  pressures_of_nearer_stop(const Body<3> &, const State &);
+#define INSTANTIATE(dim)                                                   \
+  template void                look_at_stops(const Body<dim> &,            \
+                                             const State &,                \
+                                             NearerStops &);               \
+  template std::vector<double> pressures_of_nearer_stop(const Body<dim> &, \
+                                                        const State &)
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
 } // namespace ThermoContact

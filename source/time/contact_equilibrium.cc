@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/method/contact_solver.h>
+#include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/time/contact_equilibrium.h>
 #include <thermocontact/time/contact_node_problem.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace ThermoContact
@@ -92,6 +94,38 @@ namespace ThermoContact
 
 
 
+    /** The same with a stop behind, if there is one. */
+    template <int dim>
+    EndPenetrations
+    all_penetrations(const Body<dim>           &body,
+                     const State               &state,
+                     const std::vector<double> &displacement)
+    {
+      EndPenetrations penetration{before_obstacle(state.gap, displacement), {}};
+      if (body.scene.contact.rear_gap)
+        for (const double u : displacement)
+          penetration.rear.push_back(-u - *body.scene.contact.rear_gap);
+      return penetration;
+    }
+
+
+
+    /** Where a node with pressure is, exact to the rounding of u. */
+    template <int dim>
+    double
+    displacement_of_law(const Body<dim>   &body,
+                        const State       &state,
+                        const unsigned int node)
+    {
+      const double p = state.contact_pressure[node];
+      return (p < 0. && body.scene.contact.rear_gap ?
+                -*body.scene.contact.rear_gap :
+                state.gap[node]) +
+             body.law().penetration(p);
+    }
+
+
+
     /**
      * As settle_contact_nodes(), for as many nodes as there may be.
      *
@@ -113,7 +147,7 @@ namespace ThermoContact
       end.get_all_values(Field::displacement, state.velocity, velocity);
       const std::vector<double> change =
         problem.solve(load,
-                      before_obstacle(state.gap, displacement),
+                      all_penetrations(body, state, displacement),
                       std::vector<bool>(p.size(), body.law().is_active()),
                       p);
       const std::vector<double> acceleration =
@@ -123,8 +157,8 @@ namespace ThermoContact
         {
           velocity[i] += acceleration[i];
           // where there is pressure, the law is exact to rounding of u
-          displacement[i] = i < p.size() && p[i] > 0. ?
-                              state.gap[i] + body.law().penetration(p[i]) :
+          displacement[i] = i < p.size() && p[i] != 0. ?
+                              displacement_of_law(body, state, i) :
                               displacement[i] + change[i];
         }
       end.set_all_values(Field::displacement, displacement, state.displacement);
@@ -149,14 +183,28 @@ namespace ThermoContact
       ContactNodeProblem<dim> problem(body, body.scene.material.viscosity);
       std::vector<double>    &p = state.contact_pressure;
       std::vector<double>     velocity;
+      NearerStops             stops;
+      look_at_stops(body, state, stops);
       end.get_all_values(Field::displacement, state.velocity, velocity);
+      // towards the other stop nodes are free
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      EndPenetrations  into{before_obstacle(state.gap_rate, velocity), {}};
+      if (stops.are_two())
+        into.rear.assign(velocity.size(), -infinity);
       for (unsigned int i = 0; i < p.size(); ++i)
-        p[i] = is_closed[i] ? std::max(p[i], 0.) : 0.;
-      const std::vector<double> change = problem.solve(
-        load, before_obstacle(state.gap_rate, velocity), is_closed, p);
+        {
+          const double side = stops.side(i);
+          p[i]              = is_closed[i] && side * p[i] > 0. ? p[i] : 0.;
+          if (side > 0.)
+            continue;
+          into.front[i] = -infinity;
+          into.rear[i]  = -velocity[i];
+        }
+      const std::vector<double> change =
+        problem.solve(load, into, is_closed, p);
       for (unsigned int i = 0; i < velocity.size(); ++i)
-        velocity[i] = i < p.size() && p[i] > 0. ? state.gap_rate[i] :
-                                                  velocity[i] + change[i];
+        velocity[i] = i < p.size() && p[i] != 0. ? state.gap_rate[i] :
+                                                   velocity[i] + change[i];
       end.set_all_values(Field::displacement, velocity, state.velocity);
     }
   } // namespace
@@ -208,13 +256,20 @@ namespace ThermoContact
     const FullMatrix<double>  receptance = contact_receptance(end, flexibility);
     const std::vector<double> s =
       moved_by_force(end, flexibility, force, state.displacement);
-    std::vector<double> free_penetration(s.begin(), s.begin() + end.n_nodes());
+    NearerStops stops;
     for (unsigned int i = 0; i < end.n_nodes(); ++i)
-      free_penetration[i] -= state.gap[i];
+      {
+        stops.near.push_back(s[i] - state.gap[i]);
+        if (body.scene.contact.rear_gap)
+          stops.far.push_back(-s[i] - *body.scene.contact.rear_gap);
+      }
+    stops.choose();
     std::vector<double>     &p      = state.contact_pressure;
     const FullMatrix<double> square = between_pressures(receptance);
     const ContactSolver      solver(body.law());
-    solver.solve(square, free_penetration, p);
+    stops.turn(p);
+    solver.solve(stops.turned(square), stops.near, p, {}, stops.far);
+    stops.turn(p);
 
     body.equations.stiffness().vmult(force, state.velocity);
     force *= -1.;
@@ -224,7 +279,7 @@ namespace ThermoContact
       before_obstacle(state.gap_rate, s_rate);
     std::vector<bool> has_pressure;
     for (const double pressure : p)
-      has_pressure.push_back(pressure > 0.);
+      has_pressure.push_back(pressure != 0.);
     const std::vector<double> p_rate =
       solver.solve_linearized(square,
                               p,
@@ -241,8 +296,7 @@ namespace ThermoContact
           }
         if (node < p.size() && has_pressure[node])
           {
-            // the law, exact to rounding of u
-            displacement = state.gap[node] + body.law().penetration(p[node]);
+            displacement = displacement_of_law(body, state, node);
             velocity =
               state.gap_rate[node] + body.law().tangent(p[node]) * p_rate[node];
           }
@@ -272,7 +326,7 @@ namespace ThermoContact
         ContactNodeProblem<dim>   problem(body, 1., true);
         const std::vector<double> change =
           problem.solve(load,
-                        before_obstacle(state.gap, displacement),
+                        all_penetrations(body, state, displacement),
                         std::vector<bool>(pressure.size(),
                                           body.law().is_active()),
                         pressure);
@@ -326,11 +380,14 @@ namespace ThermoContact
         nodes.push_back(i);
     const unsigned int  n = nodes.size();
     FullMatrix<double>  response(n, n);
-    std::vector<double> free_velocity(n), p(n, 0.);
+    std::vector<double> p(n, 0.);
     response.extract_submatrix_from(receptance, nodes, nodes);
-    for (unsigned int i = 0; i < n; ++i)
-      free_velocity[i] = free[nodes[i]] - state.gap_rate[nodes[i]];
-    ContactSolver(body.law()).solve(response, free_velocity, p);
+    NearerStops stops;
+    look_at_stops(body, state, stops);
+    stops = stops.in_motion(nodes, before_obstacle(state.gap_rate, free));
+    ContactSolver(body.law())
+      .solve(stops.turned(response), stops.near, p, {}, stops.far);
+    stops.turn(p);
 
     std::fill(state.contact_pressure.begin(), state.contact_pressure.end(), 0.);
     for (unsigned int i = 0; i < n; ++i)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/method/active_set.h>
 #include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/matrix_free_operator.h>
 #include <thermocontact/time/contact_node_problem.h>
@@ -27,7 +26,8 @@ namespace ThermoContact
     : body(body)
     , factor(factor)
     , takes_heat(takes_heat && body.equations.is_coupled())
-    , is_active(body.contact_end().n_all_nodes(), false)
+    , sets{std::vector<bool>(body.contact_end().n_all_nodes(), false),
+           std::vector<bool>(body.contact_end().n_all_nodes(), false)}
     , values(body.discretization.make_vector(Field::displacement))
     , forces(values)
   {
@@ -50,7 +50,7 @@ namespace ThermoContact
   double
   ContactNodeProblem<dim>::spring(const unsigned int node) const
   {
-    return is_active[node] && !body.law().is_rigid() ?
+    return sets.is_active[node] && !body.law().is_rigid() ?
              body.contact_end().nodes()[node].weight / body.law().tangent(0.) :
              0.;
   }
@@ -172,36 +172,47 @@ namespace ThermoContact
   template <int dim>
   std::vector<double>
   ContactNodeProblem<dim>::solve(const std::vector<double> &load,
-                                 const std::vector<double> &penetration,
+                                 const EndPenetrations     &penetration,
                                  const std::vector<bool>   &can_touch,
                                  std::vector<double>       &pressure)
   {
     const ContactEnd<dim> &end      = body.contact_end();
     const unsigned int     n        = pressure.size();
     const unsigned int     max_sets = 200 + 2 * n;
+    const bool             are_two  = !penetration.rear.empty();
     for (unsigned int i = 0; i < n; ++i)
-      is_active[i] = can_touch[i] && pressure[i] > 0.;
+      {
+        sets.is_rear[i] = are_two && can_touch[i] && pressure[i] < 0.;
+        sets.is_active[i] =
+          sets.is_rear[i] || (can_touch[i] && pressure[i] > 0.);
+      }
     for (unsigned int n_sets = 1; n_sets <= max_sets; ++n_sets)
       {
-        const std::vector<double> change =
-          solve_for_same_set(load, penetration);
-        const std::vector<double> force = product(change);
-        std::vector<double>       reach(n);
+        std::vector<double> at_stop(penetration.front);
+        for (unsigned int i = 0; i < n; ++i)
+          if (sets.is_rear[i])
+            at_stop[i] = -penetration.rear[i];
+        const std::vector<double> change = solve_for_same_set(load, at_stop);
+        const std::vector<double> force  = product(change);
+        std::vector<double>       reach(n), rear_reach;
         for (unsigned int i = 0; i < n; ++i)
           {
-            reach[i] = penetration[i] + change[i];
-            pressure[i] =
-              is_active[i] ? (load[i] - force[i]) / end.nodes()[i].weight : 0.;
+            reach[i] = penetration.front[i] + change[i];
+            if (are_two)
+              rear_reach.push_back(penetration.rear[i] - change[i]);
+            pressure[i] = sets.is_active[i] ?
+                            (load[i] - force[i]) / end.nodes()[i].weight :
+                            0.;
           }
         if (!update_active_set(pressure,
                                reach,
+                               rear_reach,
                                can_touch,
                                10. * tolerance(),
                                n_sets > max_sets_of_many_changes,
-                               is_active))
+                               sets))
           {
-            for (double &p : pressure)
-              p = std::max(p, 0.);
+            remove_pull(sets, std::vector<bool>(n, false), pressure);
             return change;
           }
       }

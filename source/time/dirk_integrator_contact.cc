@@ -68,7 +68,8 @@ namespace ThermoContact
     is_held.assign(state.contact_pressure.size(), false);
     for (unsigned int j = 0; j < i; ++j)
       for (unsigned int node = 0; node < is_held.size(); ++node)
-        if (state.contact_pressure[node] == 0. && stages[j].pressure[node] > 0.)
+        if (state.contact_pressure[node] == 0. &&
+            stages[j].pressure[node] != 0.)
           is_held[node] = true;
   }
 
@@ -82,7 +83,7 @@ namespace ThermoContact
     std::vector<bool> is_closed(last.is_held);
     is_closed.resize(last.pressure.size(), false);
     for (unsigned int i = 0; i < is_closed.size(); ++i)
-      if (mode == ContactMode::closed || last.pressure[i] > 0.)
+      if (mode == ContactMode::closed || last.pressure[i] != 0.)
         is_closed[i] = true;
     return is_closed;
   }

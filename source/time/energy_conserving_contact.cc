@@ -3,11 +3,13 @@
 // Contact in the midpoint rule: what the pressures of a step are.
 
 #include <thermocontact/space/direct_solver.h>
+#include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/time/contact_equilibrium.h>
 #include <thermocontact/time/energy_conserving_integrator.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace ThermoContact
 {
@@ -27,14 +29,18 @@ namespace ThermoContact
 
 
     /** Penetrations of contact nodes at these positions. */
-    std::vector<double>
-    penetrations(const std::vector<double> &position,
-                 const std::vector<double> &gap)
+    NodesBeforeStops
+    penetrations(const std::vector<double>   &position,
+                 const std::vector<double>   &gap,
+                 const std::optional<double> &rear_gap)
     {
-      std::vector<double> penetration(position);
+      NodesBeforeStops nodes{position, {}};
       for (unsigned int i = 0; i < position.size(); ++i)
-        penetration[i] -= gap[i];
-      return penetration;
+        nodes.front[i] -= gap[i];
+      if (rear_gap)
+        for (const double u : position)
+          nodes.rear.push_back(-u - *rear_gap);
+      return nodes;
     }
   } // namespace
 
@@ -103,7 +109,8 @@ namespace ThermoContact
   EnergyConservingIntegrator<dim>::apply_contact(const State    &state,
                                                  const TimeStep &time_step)
   {
-    const unsigned int  n = body.contact_end().n_nodes();
+    const unsigned int  n        = body.contact_end().n_nodes();
+    const auto         &rear_gap = body.scene.contact.rear_gap;
     std::vector<double> old_displacement, velocity;
     body.contact_end().get_values(Field::displacement,
                                   state.displacement,
@@ -119,20 +126,21 @@ namespace ThermoContact
         old_free_position[i] += old_displacement[i];
         displacement_scale =
           std::max(displacement_scale,
-                   std::abs(state.gap[i]) + std::abs(old_free_position[i]));
+                   std::max(std::abs(state.gap[i]), rear_gap.value_or(0.)) +
+                     std::abs(old_free_position[i]));
         free_position[i] =
           2. * (old_displacement[i] + 0.5 * time_step.size * velocity[i]) -
           old_free_position[i];
       }
     FullMatrix<double> difference(solver->response());
     difference.add(-1., receptance);
-    rates.pressure = state.contact_pressure;
-    rates.n_iterations =
-      contact->step_pressure(penetrations(old_free_position, state.gap),
-                             penetrations(free_position, obstacle.gap),
-                             difference,
-                             displacement_scale,
-                             rates.pressure);
+    rates.pressure     = state.contact_pressure;
+    rates.n_iterations = contact->step_pressure(
+      penetrations(old_free_position, state.gap, rear_gap),
+      penetrations(free_position, obstacle.gap, rear_gap),
+      difference,
+      displacement_scale,
+      rates.pressure);
     solver->apply_pressure(rates);
     const std::vector<double> loss = product(difference, rates.pressure);
     for (unsigned int i = 0; i < n; ++i)
@@ -149,7 +157,9 @@ namespace ThermoContact
   {
     std::vector<double> &pressure = new_state.contact_pressure;
     pressure                      = rates.pressure;
-    contact->equilibrium(penetrations(free_position, new_state.gap), pressure);
+    const auto &rear_gap          = body.scene.contact.rear_gap;
+    contact->equilibrium(penetrations(free_position, new_state.gap, rear_gap),
+                         pressure);
 
     std::vector<double> old_displacement, displacement;
     body.contact_end().get_all_values(Field::displacement,
@@ -172,6 +182,8 @@ namespace ThermoContact
                         displacement[i] + position[i] :
                       pressure[i] > 0. ?
                         new_state.gap[i] + body.law().penetration(pressure[i]) :
+                      pressure[i] < 0. ?
+                        body.law().penetration(pressure[i]) - *rear_gap :
                         free_position[i] - loss[i];
         if (!temperature_responses.empty())
           new_state.temperature.add(position[i] - displacement[i],
@@ -195,19 +207,26 @@ namespace ThermoContact
   {
     const ContactEnd<dim> &end = body.contact_end();
     AssertDimension(end.n_nodes(), 1);
-    end.get_penetrations(state, penetration);
+    NearerStops stops;
+    look_at_stops(body, state, stops);
     // the velocity first, then where it leads
     end.get_values(Field::displacement, rates.velocity, free_penetration);
-    free_penetration[0] = penetration[0] +
-                          time_step.size * free_penetration[0] -
-                          (obstacle.gap[0] - state.gap[0]);
+    stops.turn(free_penetration);
+    const double way =
+      time_step.size * free_penetration[0] - (obstacle.gap[0] - state.gap[0]);
+    const double start = stops.near[0], free_end = start + way;
+    const double far      = stops.are_two() ? stops.far[0] : -1.,
+                 free_far = stops.are_two() ? far - way : -1.;
     rates.pressure.assign(1, 0.);
     rates.n_iterations = 0;
-    if (penetration[0] <= 0. && free_penetration[0] <= 0.)
+    if (std::max({start, free_end, far, free_far}) <= 0.)
       return;
-    rates.pressure[0]  = step_contact->pressure(penetration[0],
-                                               free_penetration[0],
-                                               2. * solver->response()(0, 0));
+    const double receptance = 2. * solver->response()(0, 0);
+    rates.pressure[0] =
+      stops.are_two() ?
+        step_contact->pressure(start, free_end, receptance, far, free_far) :
+        step_contact->pressure(start, free_end, receptance);
+    stops.turn(rates.pressure);
     rates.n_iterations = 1;
     solver->apply_pressure(rates);
   }
@@ -219,10 +238,8 @@ namespace ThermoContact
   EnergyConservingIntegrator<dim>::finish_step_contact(State &new_state)
   {
     new_state.contact_pressure = rates.pressure;
-    if (!step_contact->conserves_energy())
-      return;
-    body.contact_end().get_penetrations(new_state, penetration);
-    new_state.contact_pressure[0] = body.law().pressure(penetration[0]);
+    if (step_contact->conserves_energy())
+      body.set_pressures_of_law(new_state);
   }
 
 

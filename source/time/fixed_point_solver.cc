@@ -84,8 +84,13 @@ namespace ThermoContact
     end.get_values(Field::displacement, rates.velocity, contact_velocity);
     rates.pressure.resize(contact_velocity.size());
     for (unsigned int i = 0; i < rates.pressure.size(); ++i)
-      rates.pressure[i] =
-        body.law().pressure(known_penetration[i] + tau * contact_velocity[i]);
+      {
+        const double way  = tau * contact_velocity[i];
+        rates.pressure[i] = body.law().pressure(known_penetration[i] + way);
+        if (!known_rear_penetration.empty())
+          rates.pressure[i] -=
+            body.law().pressure(known_rear_penetration[i] - way);
+      }
   }
 
 
@@ -107,6 +112,10 @@ namespace ThermoContact
     body.equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
     body.contact_end().get_penetrations(known, known_penetration);
+    if (body.scene.contact.rear_gap)
+      body.contact_end().get_rear_penetrations(known.displacement,
+                                               *body.scene.contact.rear_gap,
+                                               known_rear_penetration);
 
     // the gap may be far beyond reach; it counts only if nothing moves
     const double reach =

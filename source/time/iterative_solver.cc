@@ -113,18 +113,24 @@ namespace ThermoContact
   {
     const unsigned int n = body.contact_end().n_nodes();
     rates.start(known);
-    std::vector<bool> is_active(n, false), is_held(rates.is_held);
+    SetsBetweenStops  sets = stage.empty_sets();
+    std::vector<bool> is_held(rates.is_held);
     is_held.resize(n, false);
     if (body.law().is_active() && mode != ContactMode::open)
       for (unsigned int i = 0; i < n; ++i)
-        is_active[i] = mode == ContactMode::closed || is_held[i] ||
-                       known.contact_pressure[i] > 0.;
+        {
+          const bool   is_fixed = mode == ContactMode::closed || is_held[i];
+          const double p        = known.contact_pressure[i];
+          sets.is_rear[i]       = is_fixed ? stage.is_nearer_to_rear(i) :
+                                             body.scene.contact.rear_gap && p < 0.;
+          sets.is_active[i]     = is_fixed || sets.is_rear[i] || p > 0.;
+        }
     if (body.law().is_active() && mode == ContactMode::unilateral)
       {
-        solve_by_sets(is_active, is_held, rates);
+        solve_by_sets(sets, is_held, rates);
         return;
       }
-    stage.set_active(is_active);
+    stage.set_active(sets);
     solve_linear(body.scene.linear_solver.tolerance, rates.pressure);
   }
 
@@ -132,7 +138,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeSolver<dim>::solve_by_sets(std::vector<bool>       &is_active,
+  IterativeSolver<dim>::solve_by_sets(SetsBetweenStops        &sets,
                                       const std::vector<bool> &is_fixed,
                                       StageRates              &rates)
   {
@@ -140,21 +146,22 @@ namespace ThermoContact
     unsigned int      n_sets            = 0;
     double            present_tolerance = std::max(tolerance, loose_tolerance);
     std::vector<bool> may_change(is_fixed);
-    std::vector<double> reach;
+    std::vector<double> reach, rear_reach;
     may_change.flip();
-    stage.set_active(is_active);
+    stage.set_active(sets);
     while (true)
       {
         ++n_sets;
         solve_linear(present_tolerance, rates.pressure);
-        stage.get_reach(reach);
+        stage.get_reach(reach, rear_reach);
         if (update_active_set(rates.pressure,
                               reach,
+                              rear_reach,
                               may_change,
                               sign_rounding,
                               n_sets > max_block_sets,
-                              is_active))
-          stage.set_active(is_active);
+                              sets))
+          stage.set_active(sets);
         else if (present_tolerance <= tolerance)
           break;
         else
@@ -164,13 +171,11 @@ namespace ThermoContact
           }
         if (n_sets > max_block_sets + max_single_sets)
           throw ComputationError(
-            "the active set of " + std::to_string(is_active.size()) +
+            "the active set of " + std::to_string(is_fixed.size()) +
             " contact nodes did not settle\n  remedy:  a larger "
             "Contact/Compliance or a smaller Time/Step size");
       }
-    for (unsigned int i = 0; i < is_active.size(); ++i)
-      if (!is_fixed[i])
-        rates.pressure[i] = std::max(rates.pressure[i], 0.);
+    remove_pull(sets, is_fixed, rates.pressure);
     rates.n_iterations = n_sets;
     counters_.active_set_iterations += n_sets;
   }
@@ -263,7 +268,7 @@ namespace ThermoContact
     const StopWatch    watch(counters_.solve_seconds);
     const unsigned int n_made = stage.preconditioners().n_made();
     stage.prepare_displacement(displacement);
-    stage.set_active(is_closed);
+    stage.set_active({is_closed, std::vector<bool>(is_closed.size(), false)});
     counters_.factorizations += stage.preconditioners().n_made() - n_made;
     count(
       stage.solve(estimate_tolerance, IterativeStage<dim>::Measure::of_start));

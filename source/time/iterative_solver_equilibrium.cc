@@ -4,6 +4,7 @@
 #include <thermocontact/time/iterative_solver.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -13,10 +14,9 @@ namespace ThermoContact
                                           const Vector &momentum_load,
                                           State        &known)
   {
-    const double      tau = 1.; // its matrix is S
-    StageRates        rates;
-    std::vector<bool> is_active;
-    const auto        move = [&]() {
+    const double tau = 1.; // its matrix is S
+    StageRates   rates;
+    const auto   move = [&]() {
       known.displacement += rates.velocity;
       known.contact_pressure = rates.pressure;
     };
@@ -25,23 +25,28 @@ namespace ThermoContact
     solve_momentum(
       known, tau, heat_load, momentum_load, ContactMode::unilateral, rates);
     move();
-    for (const double p : known.contact_pressure)
-      is_active.push_back(p > 0.);
+    SetsBetweenStops sets = stage.empty_sets();
+    for (unsigned int i = 0; i < known.contact_pressure.size(); ++i)
+      {
+        sets.is_rear[i]   = known.contact_pressure[i] < 0.;
+        sets.is_active[i] = known.contact_pressure[i] != 0.;
+      }
 
     // What is left of the forces would move the body in the first stage,
     // however short that is: once more, relative to what is left.
     const StopWatch watch(counters_.solve_seconds);
     stage.prepare(
       known, tau, heat_load, momentum_load, known.contact_pressure, false);
-    stage.set_active(is_active);
+    stage.set_active(sets);
     count(stage.solve(body.scene.linear_solver.tolerance,
                       IterativeStage<dim>::Measure::of_start));
     stage.get_pressures(rates.pressure);
     rates.velocity.copy_locally_owned_data_from(
       stage.unknowns(Field::displacement));
     move();
-    for (double &p : known.contact_pressure)
-      p = std::max(p, 0.);
+    remove_pull(sets,
+                std::vector<bool>(known.contact_pressure.size(), false),
+                known.contact_pressure);
   }
 
 
@@ -53,6 +58,7 @@ namespace ThermoContact
     const Vector            &heat_load,
     const Vector            &momentum_load,
     const std::vector<bool> &is_closed,
+    const NearerStops       &stops,
     StageRates              &rates)
   {
     const StopWatch watch(counters_.solve_seconds);
@@ -60,14 +66,19 @@ namespace ThermoContact
     const Material &material = body.scene.material;
     stage.prepare(
       known, tau, heat_load, momentum_load, known.contact_pressure, false);
-    std::vector<double> penetrations(known.gap_rate);
-    for (double &value : penetrations) // of the velocity
+    // of the velocity; towards the other stop nodes are free
+    constexpr double    infinity = std::numeric_limits<double>::infinity();
+    std::vector<double> front(known.gap_rate), rear(stops.far.size(), 0.);
+    for (double &value : front)
       value *= -material.viscosity / (material.viscosity + 1.);
-    stage.set_penetrations(penetrations);
-    std::vector<bool> is_active(is_closed.size(), false), is_away(is_closed);
+    for (unsigned int i = 0; i < rear.size(); ++i)
+      (stops.side(i) > 0. ? rear : front)[i] = -infinity;
+    stage.set_penetrations(front, rear);
+    SetsBetweenStops  sets = stage.empty_sets();
+    std::vector<bool> is_away(is_closed);
     is_away.flip();
     rates.pressure.assign(is_closed.size(), 0.);
-    solve_by_sets(is_active, is_away, rates);
+    solve_by_sets(sets, is_away, rates);
     ++counters_.solves;
     rates.velocity.copy_locally_owned_data_from(
       stage.unknowns(Field::displacement));
@@ -88,11 +99,13 @@ namespace ThermoContact
                                                   const Vector &,
                                                   const Vector &,
                                                   const std::vector<bool> &,
+                                                  const NearerStops &,
                                                   StageRates &);
   template void
   IterativeSolver<3>::solve_quasi_static_velocity(const State &,
                                                   const Vector &,
                                                   const Vector &,
                                                   const std::vector<bool> &,
+                                                  const NearerStops &,
                                                   StageRates &);
 } // namespace ThermoContact

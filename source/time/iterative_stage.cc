@@ -109,9 +109,15 @@ namespace ThermoContact
     hierarchies.provide(stage_length);
     tau      = stage_length;
     has_heat = with_heat && body.scene.fields.has_temperature;
-    body.contact_end().get_penetrations(known, known_penetration);
-    Vector &heat     = rhs.block(Field::temperature);
-    Vector &momentum = rhs.block(Field::displacement);
+    body.contact_end().get_penetrations(known, front_penetration);
+    rear_penetration.clear();
+    if (body.scene.contact.rear_gap)
+      body.contact_end().get_rear_penetrations(known.displacement,
+                                               *body.scene.contact.rear_gap,
+                                               rear_penetration);
+    known_penetration = front_penetration;
+    Vector &heat      = rhs.block(Field::temperature);
+    Vector &momentum  = rhs.block(Field::displacement);
     body.equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat, momentum);
     heat *= tau;
@@ -142,7 +148,8 @@ namespace ThermoContact
     has_residual     = false;
     largest_residual = 0.;
     for (unsigned int i = 0; i < displacement.size(); ++i)
-      known_penetration[i] = -displacement[i];
+      front_penetration[i] = -displacement[i];
+    rear_penetration.clear();
   }
 
 
@@ -173,16 +180,20 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeStage<dim>::set_active(const std::vector<bool> &is_active)
+  IterativeStage<dim>::set_active(const SetsBetweenStops &sets)
   {
-    set_rows(is_active);
+    known_penetration = front_penetration;
+    for (unsigned int i = 0; i < known_penetration.size(); ++i)
+      if (sets.is_rear[i]) // it stops where u - g is this less
+        known_penetration[i] = -rear_penetration[i];
+    set_rows(sets.is_active);
     if (contact.held.size() == 0)
       return;
     has_residual = false;
     Vector &v    = solution.block(Field::displacement);
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
-      if (is_active[node])
+      if (sets.is_active[node])
         v.local_element(entry) = -known_penetration[node] / tau;
   }
 
@@ -303,15 +314,21 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeStage<dim>::get_reach(std::vector<double> &reach) const
+  IterativeStage<dim>::get_reach(std::vector<double> &reach,
+                                 std::vector<double> &rear_reach) const
   {
     body.contact_end().get_values(Field::displacement,
                                   solution.block(Field::displacement),
                                   reach);
+    rear_reach = rear_penetration;
     for (unsigned int i = 0; i < reach.size(); ++i)
-      reach[i] = is_active[i] && body.law().is_rigid() ?
-                   0. :
-                   known_penetration[i] + tau * reach[i];
+      {
+        const bool   is_held = is_active[i] && body.law().is_rigid();
+        const double way     = tau * reach[i];
+        reach[i]             = is_held ? 0. : front_penetration[i] + way;
+        if (!rear_reach.empty())
+          rear_reach[i] = is_held ? 0. : rear_reach[i] - way;
+      }
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/time/monolithic_solver.h>
 
 #include <algorithm>
@@ -242,10 +243,41 @@ namespace ThermoContact
     const ContactEnd<dim> &end = body.contact_end();
     // from the obstacle on: in contact the first term is small or zero, and
     // the sum keeps the digits of the second in short stages
-    end.get_penetrations(known, known_values);
+    look_at_stops(body, known, stops);
     end.get_values(Field::displacement, rates.velocity, free_penetration);
+    stops.turn(free_penetration);
+    far_penetration = stops.far;
+    for (unsigned int i = 0; i < far_penetration.size(); ++i)
+      far_penetration[i] -= tau * free_penetration[i];
     for (unsigned int i = 0; i < free_penetration.size(); ++i)
-      free_penetration[i] = known_values[i] + tau * free_penetration[i];
+      free_penetration[i] = stops.near[i] + tau * free_penetration[i];
+  }
+
+
+
+  template <int dim>
+  bool
+  MonolithicSolver<dim>::reaches_a_stop() const
+  {
+    const auto is_beyond = [](const double s) { return s > 0.; };
+    return std::any_of(free_penetration.begin(),
+                       free_penetration.end(),
+                       is_beyond) ||
+           std::any_of(far_penetration.begin(),
+                       far_penetration.end(),
+                       is_beyond);
+  }
+
+
+
+  template <int dim>
+  const FullMatrix<double> &
+  MonolithicSolver<dim>::seen_response()
+  {
+    if (!stops.are_two())
+      return response();
+    turned_response = stops.turned(response());
+    return turned_response;
   }
 
 
@@ -257,28 +289,31 @@ namespace ThermoContact
                                        StageRates       &rates)
   {
     const StopWatch watch(counters_.contact_seconds);
-    if (body.scene.contact.rear_gap)
-      return solve_two_stops(known, mode, rates);
-    if (body.law().damping() > 0.)
-      return solve_damped_contact(known, mode, rates);
     get_free_penetration(known, rates);
-    bool reaches_obstacle = false;
-    for (unsigned int i = 0; i < free_penetration.size(); ++i)
-      reaches_obstacle |= free_penetration[i] > 0. ||
-                          (!rates.is_held.empty() && rates.is_held[i]);
-    if (mode == ContactMode::unilateral && !reaches_obstacle)
+    const bool holds_some =
+      mode == ContactMode::closed ||
+      std::find(rates.is_held.begin(), rates.is_held.end(), true) !=
+        rates.is_held.end();
+    if (!holds_some && !reaches_a_stop())
       return; // no node is pushed back: zero pressures solve (M.18)
 
     std::copy(known.contact_pressure.begin(),
               known.contact_pressure.end(),
               rates.pressure.begin());
-    if (mode == ContactMode::closed)
-      contact_solver.solve_closed(response(), free_penetration, rates.pressure);
+    stops.turn(rates.pressure);
+    if (body.law().damping() > 0.)
+      solve_damped_contact(known, mode, rates);
+    else if (mode == ContactMode::closed)
+      contact_solver.solve_closed(seen_response(),
+                                  free_penetration,
+                                  rates.pressure);
     else
-      rates.n_iterations = contact_solver.solve(response(),
+      rates.n_iterations = contact_solver.solve(seen_response(),
                                                 free_penetration,
                                                 rates.pressure,
-                                                rates.is_held);
+                                                rates.is_held,
+                                                far_penetration);
+    stops.turn(rates.pressure);
     apply_pressure(rates);
   }
 
@@ -297,6 +332,7 @@ namespace ThermoContact
     const double           tau      = factorizations.front().matrix.tau();
     const ContactEnd<dim> &end      = body.contact_end();
     response.free_penetration       = free_penetration;
+    response.far_penetration        = far_penetration;
     if (body.law().damping() > 0.)
       get_nodes_in_motion(known, mode, rates);
     end.get_values(Field::temperature, known.temperature, known_values);
@@ -310,8 +346,15 @@ namespace ThermoContact
 
     end_exchange.pressure    = known.contact_pressure;
     end_exchange.coefficient = known.exchange_coefficient;
-    rates.n_iterations       = exchange_solver.solve(
-      response, mode, end_exchange, rates.is_held, nodes_in_motion);
+    stops.turn(end_exchange.pressure);
+    rates.n_iterations =
+      exchange_solver.solve(stops.are_two() ? seen_from_stops(response, stops) :
+                                              response,
+                            mode,
+                            end_exchange,
+                            rates.is_held,
+                            nodes_in_motion);
+    stops.turn(end_exchange.pressure);
     rates.pressure             = end_exchange.pressure;
     rates.exchange_coefficient = end_exchange.coefficient;
     apply_pressure(rates);

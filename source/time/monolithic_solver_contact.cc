@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/stop_watch.h>
-#include <thermocontact/method/two_stops.h>
 #include <thermocontact/time/monolithic_solver.h>
 
 #include <algorithm>
@@ -79,7 +78,8 @@ namespace ThermoContact
     nodes_in_motion.is_held    = rates.is_held;
     if (mode == ContactMode::closed)
       nodes_in_motion.is_held.assign(end.n_nodes(), true);
-    end.get_penetrations(known, nodes_in_motion.start);
+    nodes_in_motion.start     = stops.near;
+    nodes_in_motion.far_start = stops.far;
     end.get_values(Field::displacement,
                    rates.velocity,
                    nodes_in_motion.free_velocity);
@@ -89,6 +89,7 @@ namespace ThermoContact
         nodes_in_motion.start[i] += nodes_in_motion.tau * known.gap_rate[i];
         nodes_in_motion.free_velocity[i] -= known.gap_rate[i];
       }
+    stops.turn(nodes_in_motion.free_velocity);
   }
 
 
@@ -100,46 +101,10 @@ namespace ThermoContact
                                               StageRates       &rates)
   {
     get_nodes_in_motion(known, mode, rates);
-    const NodesInMotion &nodes            = nodes_in_motion;
-    bool                 reaches_obstacle = !nodes.is_held.empty();
-    for (unsigned int i = 0; i < nodes.start.size(); ++i)
-      reaches_obstacle |=
-        nodes.start[i] + nodes.tau * nodes.free_velocity[i] > 0.;
-    if (!reaches_obstacle)
-      return;
-    FullMatrix<double> velocity_response(response());
-    velocity_response /= nodes.tau;
-    rates.pressure = known.contact_pressure;
+    FullMatrix<double> velocity_response(seen_response());
+    velocity_response /= nodes_in_motion.tau;
     rates.n_iterations =
-      damped_contact.solve(velocity_response, nodes, rates.pressure);
-    apply_pressure(rates);
-  }
-
-
-
-  template <int dim>
-  void
-  MonolithicSolver<dim>::solve_two_stops(const State      &known,
-                                         const ContactMode mode,
-                                         StageRates       &rates)
-  {
-    get_nodes_in_motion(known, mode, rates);
-    body.contact_end().get_rear_penetrations(known.displacement,
-                                             *body.scene.contact.rear_gap,
-                                             end_values);
-    const StopReach reach{nodes_in_motion.tau,
-                          nodes_in_motion.start[0],
-                          end_values[0],
-                          nodes_in_motion.free_velocity[0]};
-    if (mode == ContactMode::closed || reach.touches())
-      {
-        rates.pressure[0]  = two_stops_pressure(body.law(),
-                                               reach,
-                                               response()(0, 0),
-                                               mode == ContactMode::closed);
-        rates.n_iterations = mode == ContactMode::unilateral;
-        apply_pressure(rates);
-      }
+      damped_contact.solve(velocity_response, nodes_in_motion, rates.pressure);
   }
 
 
@@ -149,11 +114,10 @@ namespace ThermoContact
   MonolithicSolver<dim>::has_lost_digits(const State      &known,
                                          const StageRates &rates)
   {
-    if (body.law().damping() > 0. || body.scene.contact.rear_gap)
+    if (body.law().damping() > 0.)
       return false; // not a body in equilibrium with its obstacle
-    const double tau = factorizations.front().matrix.tau();
-    body.contact_end().get_penetrations(known, end_values);
-    const double free = largest_difference(free_penetration, end_values);
+    const double tau  = factorizations.front().matrix.tau();
+    const double free = largest_difference(free_penetration, stops.near);
     body.contact_end().get_values(Field::displacement,
                                   rates.velocity,
                                   end_values);
@@ -226,6 +190,27 @@ namespace ThermoContact
 
 
   template <int dim>
+  std::vector<double>
+  MonolithicSolver<dim>::misfit_of_law(const std::vector<bool>   &is_far,
+                                       const std::vector<double> &pressure,
+                                       const Vector &velocity) const
+  {
+    const double        tau = factorizations.front().matrix.tau();
+    std::vector<double> misfit;
+    body.contact_end().get_values(Field::displacement, velocity, misfit);
+    stops.turn(misfit);
+    for (unsigned int i = 0; i < misfit.size(); ++i)
+      {
+        const double way = tau * misfit[i];
+        misfit[i] = (is_far[i] ? way - stops.far[i] : stops.near[i] + way) -
+                    body.law().penetration(pressure[i]);
+      }
+    return misfit;
+  }
+
+
+
+  template <int dim>
   void
   MonolithicSolver<dim>::refine(const State               &known,
                                 const Vector              &heat_load,
@@ -235,15 +220,17 @@ namespace ThermoContact
                                 StageRates                &rates)
   {
     const StopWatch     watch(counters_.contact_seconds);
-    const double        tau = factorizations.front().matrix.tau();
-    const unsigned int  n   = rates.pressure.size();
+    const unsigned int  n = rates.pressure.size();
     StageRates          change(rates);
-    std::vector<double> start, velocity, misfit(n);
-    std::vector<bool>   is_fixed(rates.is_held), is_active(n);
+    std::vector<double> pressure(rates.pressure); // seen from the stops
+    std::vector<bool>   is_fixed(rates.is_held), is_active(n), is_far(n);
     is_fixed.resize(n, mode == ContactMode::closed);
+    stops.turn(pressure);
     for (unsigned int i = 0; i < n; ++i)
-      is_active[i] = is_fixed[i] || rates.pressure[i] > 0.;
-    body.contact_end().get_penetrations(known, start);
+      {
+        is_far[i]    = !is_fixed[i] && pressure[i] < 0.;
+        is_active[i] = is_fixed[i] || pressure[i] != 0.;
+      }
 
     for (unsigned int k = 0; k < max_refinements; ++k)
       {
@@ -252,23 +239,23 @@ namespace ThermoContact
                                             momentum_rhs,
                                             change.temperature_rate,
                                             change.velocity);
-        // what the nodes in contact then miss the law by
         change.velocity += rates.velocity;
-        body.contact_end().get_values(Field::displacement,
-                                      change.velocity,
-                                      velocity);
+        const std::vector<double> misfit =
+          misfit_of_law(is_far, pressure, change.velocity);
         change.velocity -= rates.velocity;
-        for (unsigned int i = 0; i < n; ++i)
-          misfit[i] = start[i] + tau * velocity[i] -
-                      body.law().penetration(rates.pressure[i]);
-        change.pressure = contact_solver.solve_linearized(response(),
-                                                          rates.pressure,
+        change.pressure = contact_solver.solve_linearized(seen_response(),
+                                                          pressure,
                                                           is_active,
                                                           misfit);
         for (unsigned int i = 0; i < n; ++i)
-          if (!is_fixed[i])
-            change.pressure[i] =
-              std::max(change.pressure[i], -rates.pressure[i]);
+          {
+            if (!is_fixed[i]) // no stop pulls
+              change.pressure[i] =
+                is_far[i] ? std::min(change.pressure[i], -pressure[i]) :
+                            std::max(change.pressure[i], -pressure[i]);
+            pressure[i] += change.pressure[i];
+          }
+        stops.turn(change.pressure);
         apply_pressure(change);
 
         rates.temperature_rate += change.temperature_rate;
@@ -292,9 +279,9 @@ namespace ThermoContact
   template void MonolithicSolver<dim>::solve_damped_contact(const State &,     \
                                                             const ContactMode, \
                                                             StageRates &);     \
-  template void MonolithicSolver<dim>::solve_two_stops(const State &,          \
-                                                       const ContactMode,      \
-                                                       StageRates &);          \
+  template std::vector<double> MonolithicSolver<dim>::misfit_of_law(           \
+    const std::vector<bool> &, const std::vector<double> &, const Vector &)    \
+    const;                                                                     \
   template bool MonolithicSolver<dim>::has_lost_digits(const State &,          \
                                                        const StageRates &);    \
   template void MonolithicSolver<dim>::refine(const State &,                   \

@@ -4,6 +4,7 @@
 #define thermocontact_extremes_checks_h
 
 #include <thermocontact/simulation/simulation.h>
+#include <thermocontact/space/nearer_stop.h>
 
 #include <algorithm>
 #include <cmath>
@@ -110,7 +111,7 @@ namespace ThermoContact
         {
           raise(scales.displacement, s.displacement.linfty_norm());
           raise(scales.velocity, s.velocity.linfty_norm());
-          raise(scales.force, r.contact_force);
+          raise(scales.force, std::abs(r.contact_force));
         }
       if (simulation.scene().fields.has_temperature)
         raise(scales.temperature, s.temperature.linfty_norm());
@@ -130,29 +131,31 @@ namespace ThermoContact
       const ContactLaw &law = simulation.body().law();
       if (!law.is_active())
         return;
-      const State        &state = simulation.state();
-      std::vector<double> penetration;
-      simulation.body().contact_end().get_penetrations(state, penetration);
+      const State &state = simulation.state();
+      NearerStops  stops;
+      look_at_stops(simulation.body(), state, stops);
+      const double rear_gap = simulation.scene().contact.rear_gap.value_or(0.);
       const TimeParameters &time = simulation.parameters().time;
       // one of several nodes may end an event of a rigid obstacle beyond it
       const double miss =
         dim > 1 && law.is_rigid() && time.locates_contact_events() ?
           0.01 * event_tolerance(time) * scales.displacement :
           0.;
-      for (unsigned int i = 0; i < penetration.size(); ++i)
+      for (unsigned int i = 0; i < stops.near.size(); ++i)
         {
-          const double p = state.contact_pressure[i];
+          const double p = stops.side(i) * state.contact_pressure[i];
           require_below("pressure < 0", -p, 0.);
           if (law.damping() > 0.)
             continue; // misses_of_laws()
-          const double s = law.penetration(p) - penetration[i];
+          const double s = law.penetration(p) - stops.near[i];
           // the static displacement without contact exceeds the gap by p;
           // within the step the node may have gone some way and back
           const double way   = scales.velocity * simulation.record().step_size;
-          const double scale = std::max({scales.displacement,
-                                         way,
-                                         p,
-                                         p > 0. ? std::abs(state.gap[i]) : 0.});
+          const double scale = std::max(
+            {scales.displacement,
+             way,
+             p,
+             p > 0. ? std::max(std::abs(state.gap[i]), rear_gap) : 0.});
           require_below("gap + eps p < 0", -s, miss + 1e-12 * scale);
           if (p > 0.)
             require_below("p (gap + eps p) > 0", s, 1e-12 * scale);

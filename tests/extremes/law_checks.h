@@ -80,15 +80,17 @@ namespace ThermoContact
     if (!is_damped && !varies)
       return misses;
     const auto         &end = simulation.body().contact_end();
-    std::vector<double> penetration, velocity;
-    end.get_penetrations(state, penetration);
+    std::vector<double> velocity;
+    NearerStops         stops;
+    look_at_stops(simulation.body(), state, stops);
     end.get_approach(state, velocity);
+    stops.turn(velocity);
     const bool is_moved =
       scene.material.is_static() && state.was_moved_at_once();
     const double dt = simulation.record().step_size;
-    for (unsigned int i = 0; i < penetration.size(); ++i)
+    for (unsigned int i = 0; i < stops.near.size(); ++i)
       {
-        const double p = state.contact_pressure[i];
+        const double p = stops.side(i) * state.contact_pressure[i];
         const double ds =
           1e-12 * std::max({scales.displacement, std::abs(state.gap[i]), p});
         double dv = 1e-12 * scales.velocity;
@@ -105,7 +107,7 @@ namespace ThermoContact
         if (is_damped && !is_moved)
           raise(misses["pressure of the damped law"],
                 miss_of_range(p,
-                              penetration[i],
+                              stops.near[i],
                               ds,
                               velocity[i],
                               dv,
@@ -115,7 +117,7 @@ namespace ThermoContact
         if (varies)
           raise(misses["coefficient of the heat exchange"],
                 miss_of_range(state.exchange_coefficient[i],
-                              penetration[i],
+                              stops.near[i],
                               ds,
                               p,
                               1e-12 * std::max(p, scales.force),

@@ -11,10 +11,10 @@ namespace ThermoContact
 {
   /**
    * Draws scenes of RandomScene and changes them: power laws, damped obstacles,
-   * heat exchange by gap and pressure, heat lost along the rod, ends and
-   * obstacles that are heated or move, loads that jump and pulse, times at
-   * which steps end, the box scheme, bodies in two dimensions. What contradicts
-   * itself, and would be refused, is not drawn.
+   * second stops, heat exchange by gap and pressure, heat lost along the rod,
+   * ends and obstacles that are heated or move, loads that jump and pulse,
+   * times at which steps end, the box scheme, bodies in two dimensions. What
+   * contradicts itself, and would be refused, is not drawn.
    */
   class RandomLaws : private RandomScene
   {
@@ -41,6 +41,7 @@ namespace ThermoContact
       if (has_displacement)
         {
           draw_law();
+          draw_rear_stop();
           draw_moving_end();
           draw_moving_obstacle();
         }
@@ -169,6 +170,22 @@ namespace ThermoContact
       if (value("Contact/Massless nodes", "") == "on" &&
           number("Model/Viscosity", 0.2) == 0.)
         set("Contact/Massless nodes", "off");
+    }
+
+    /** Behind the end, which it does not overlap. */
+    void
+    draw_rear_stop()
+    {
+      const std::string gap = value("Contact/Gap", "0");
+      if (value("Contact/Condition", "none") == "none" ||
+          gap.find_first_not_of("0123456789.e+-") != std::string::npos ||
+          !happens(0.35))
+        return;
+      leave_start_of_paper();
+      const double front    = number("Contact/Gap", 0.);
+      const double rear_gap = std::max(
+        {moderate_or_extreme(1e-3, 1., 1e-9, 1e3), -1.1 * front, -1.1 * u_end});
+      set("Contact/Rear gap", rear_gap);
     }
 
     /** With which pressures have squares that are numbers. */

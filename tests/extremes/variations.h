@@ -152,6 +152,8 @@ namespace ThermoContact
       for (const char *name : {"gap", "pressure"})
         replace_name(name, 1. / mechanical, boundary.exchange_expression);
     parameters.contact.gap *= mechanical;
+    if (parameters.contact.rear_gap)
+      *parameters.contact.rear_gap *= mechanical;
     if (!parameters.contact.gap_expression.empty())
       scale(mechanical, parameters.contact.gap_expression);
     if (parameters.contact.condition == "power law")
@@ -244,11 +246,17 @@ namespace ThermoContact
       scene.heat.fixed_end_drive ?
         scene.heat.fixed_end_drive->value(last.time) :
         scene.heat.fixed_end_temperature,
-      scene.heat.exchange->coefficient(
-        scene.contact.law->is_active() ? -last.gap : 0., last.contact_force));
+      scene.heat.exchange->coefficient(scene.contact.law->is_active() ?
+                                         -last.gap :
+                                         0.,
+                                       std::abs(last.contact_force)));
     const double free_end = a * rest.mean;
-    const double pressure =
+    double       pressure =
       scene.contact.law->local_pressure(free_end - parameters.contact.gap, 1.);
+    if (scene.contact.rear_gap)
+      pressure -=
+        scene.contact.law->local_pressure(-free_end - *scene.contact.rear_gap,
+                                          1.);
     const double length =
       std::max({run.scales.displacement,
                 std::abs(a) * run.scales.temperature,

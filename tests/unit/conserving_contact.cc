@@ -21,6 +21,8 @@
 //    with p in equilibrium at s, to 1e-12 of the sum of the absolute values, or
 //    to 1e-15/(eps + X), what the rounding of s does to p. eps from 1 to 1e-10
 //    and 0, X of size 1 to 1e-10.
+//    Likewise between two stops, where the pressures of the rear one are
+//    negative, for one node, too; nodes go from one stop to the other.
 // 4. Nodes that change together: n times the same node, coupled and uncoupled.
 //    p is that of one node with the receptance of all.
 // 5. Three nodes that touch, X = [1 1/4 1/4; ...], and all move on by m, 3e-16
@@ -63,7 +65,8 @@ namespace
     std::vector<double> pressure(1, 0.);
     const auto          law = make_law(compliance);
     ConservingContact(*law, scalar(static_receptance))
-      .step_pressure({start}, {free_end}, scalar(receptance), 0., pressure);
+      .step_pressure(
+        {{start}, {}}, {{free_end}, {}}, scalar(receptance), 0., pressure);
     return pressure[0];
   }
 
@@ -205,12 +208,12 @@ namespace
 
   /** V(s) and its pressures. */
   double
-  potential(const Problem             &problem,
-            const ContactLaw          &law,
-            const std::vector<double> &s,
-            std::vector<double>       &pressure)
+  potential(const Problem          &problem,
+            const ContactLaw       &law,
+            const NodesBeforeStops &s,
+            std::vector<double>    &pressure)
   {
-    const unsigned int n = s.size();
+    const unsigned int n = s.front.size();
     pressure.assign(n, 0.);
     ConservingContact(law, problem.static_receptance).equilibrium(s, pressure);
     double value = 0.;
@@ -233,16 +236,23 @@ namespace
   work_defect(const Problem    &problem,
               const ContactLaw &law,
               const double      amplitude,
+              const bool        has_rear_stop,
               std::mt19937     &generator,
               unsigned int     &n_changes)
   {
     std::uniform_real_distribution<double> uniform(-1., 1.);
     const unsigned int                     n = problem.weights.size();
-    std::vector<double> start(n), free_end(n), end(n), p(n, 0.);
+    NodesBeforeStops                       start, free_end, end;
+    std::vector<double>                    p(n, 0.);
     for (unsigned int i = 0; i < n; ++i)
       {
-        start[i]    = amplitude * uniform(generator);
-        free_end[i] = amplitude * uniform(generator);
+        start.front.push_back(amplitude * uniform(generator));
+        free_end.front.push_back(amplitude * uniform(generator));
+        if (!has_rear_stop)
+          continue;
+        const double width = amplitude * (0.5 + 0.4 * uniform(generator));
+        start.rear.push_back(-start.front[i] - width);
+        free_end.rear.push_back(-free_end.front[i] - width);
       }
     const ConservingContact contact(law, problem.static_receptance);
     contact.step_pressure(start, free_end, problem.receptance, 0., p);
@@ -250,9 +260,14 @@ namespace
     double work = 0., scale = 0.;
     for (unsigned int i = 0; i < n; ++i)
       {
+        double way = 0.;
         for (unsigned int j = 0; j < n; ++j)
-          end[i] -= 2. * problem.receptance(i, j) * p[j];
-        const double term = problem.weights[i] * p[i] * (end[i] - start[i]);
+          way += 2. * problem.receptance(i, j) * p[j];
+        end.front[i] -= way;
+        if (has_rear_stop)
+          end.rear[i] += way;
+        const double term =
+          problem.weights[i] * p[i] * (end.front[i] - start.front[i]);
         work += term;
         scale += std::abs(term);
       }
@@ -260,7 +275,8 @@ namespace
     const double        V_start = potential(problem, law, start, p_start);
     const double        V_end   = potential(problem, law, end, p_end);
     for (unsigned int i = 0; i < n; ++i)
-      n_changes += (p_start[i] > 0.) != (p_end[i] > 0.);
+      n_changes += has_rear_stop ? p_start[i] * p_end[i] < 0. :
+                                   (p_start[i] > 0.) != (p_end[i] > 0.);
     scale += V_start + V_end;
     return scale == 0. ? std::abs(work) :
                          std::abs(V_end - V_start - work) / scale;
@@ -269,7 +285,7 @@ namespace
 
 
   void
-  test_work()
+  test_work(const bool has_rear_stop)
   {
     for (const double compliance : {1., 1e-2, 1e-5, 1e-10, 0.})
       for (const double scale : {1., 1e-4, 1e-10})
@@ -279,23 +295,29 @@ namespace
           unsigned int n_changes = 0;
           for (unsigned int k = 0; k < 60; ++k)
             {
-              const unsigned int n = 2 + k % 5;
+              const unsigned int n = (has_rear_stop ? 1 : 2) + k % 5;
               const Problem      problem =
                 random_problem(n, std::min(n, k % 7), scale, generator);
               raise(largest,
                     work_defect(problem,
                                 *make_law(compliance),
                                 k % 3 ? 1. : 1e-3,
+                                has_rear_stop,
                                 generator,
                                 n_changes));
             }
-          deallog << "eps " << compliance << ", X of size " << scale
-                  << ": many nodes change " << (n_changes > 60)
+          deallog << (has_rear_stop ? "two stops, " : "") << "eps "
+                  << compliance << ", X of size " << scale
+                  << ": many nodes change "
+                  << (n_changes > (has_rear_stop ? 20 : 60))
                   << ", work is that of the potential "
                   << (largest <= std::max(1e-12, 1e-15 / (compliance + scale)))
                   << std::endl;
+          if (!(largest <= std::max(1e-12, 1e-15 / (compliance + scale))))
+            deallog << largest << std::endl;
         }
   }
+
 
 
   void
@@ -334,7 +356,7 @@ namespace
                 n_iterations =
                   std::max(n_iterations,
                            ConservingContact(*law, X).step_pressure(
-                             starts, free_ends, B, 0., p));
+                             {starts, {}}, {free_ends, {}}, B, 0., p));
                 for (const double value : p)
                   raise(largest, std::abs(value - exact));
               }
@@ -361,7 +383,7 @@ namespace
         const FullMatrix<double>  no_receptance(3, 3);
         const std::vector<double> start(3, 0.), end(3, (1. + motion) - 1.);
         std::vector<double>       p(3, 0.);
-        contact.step_pressure(start, end, no_receptance, 1., p);
+        contact.step_pressure({start, {}}, {end, {}}, no_receptance, 1., p);
         double largest = 0.;
         for (const double value : p)
           raise(largest, std::abs(value - 0.5 * motion / 1.5));
@@ -381,5 +403,6 @@ main()
   test_one_node();
   test_together();
   test_touch();
-  test_work();
+  test_work(false);
+  test_work(true);
 }

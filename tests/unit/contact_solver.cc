@@ -27,12 +27,21 @@
 //      one node alone, W = 2, free -3: p = 0, and -3/2 if it is held
 // 7. Small changes, (W + 1) dp = (3, 5) on a set, eps = 1. By hand:
 //      node 1: 3 dp = 3, dp = (1, 0); both: dp = (4, 12)/8; none: dp = 0
+// 8. Two stops, 200 random problems with 6 nodes and responses as in 3, play
+//    d from 0.1 to 2, linear, rigid, power law m = 2, damped c = 1/2: with x =
+//    s - W p, each node has p = phi(x) - phi(-x - d), (M.114), or at a rigid
+//    stop x = 0 with p > 0, x = -d with p < 0, or lies between; damped with the
+//    factors [1 +- c v]_+, x = x_0 + v; to 1e-10, whatever the start. Nodes are
+//    at both stops.
 
 #include <thermocontact/method/contact_solver.h>
+#include <thermocontact/method/damped_contact.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
+#include <utility>
 
 #include "../tests.h"
 
@@ -248,6 +257,95 @@ namespace
                 << std::endl;
       }
   }
+
+  /** What a node at @p x with pressure @p p misses the law of its stops by. */
+  double
+  miss_between_stops(const ContactLaw &law,
+                     const double      x,
+                     const double      v,
+                     const double      play,
+                     const double      p)
+  {
+    if (law.is_rigid())
+      return p > 0. ? std::abs(x) :
+             p < 0. ? std::abs(x + play) :
+                      std::max({x, -x - play, 0.});
+    const double exact =
+      law.damped_pressure(x, v) - law.damped_pressure(-x - play, -v);
+    // as a penetration, which a stiff stop knows better
+    const double slope = std::max(1., std::abs(p));
+    return std::abs(p - exact) / slope;
+  }
+
+
+
+  void
+  test_two_stops()
+  {
+    constexpr unsigned int                 n = 6;
+    std::mt19937                           generator(5);
+    std::uniform_real_distribution<double> uniform(-1., 1.);
+    const auto                             make_power = [](const double c) {
+      return contact_law("power law").make({0.3, 2., c});
+    };
+    for (const auto &[name, law] :
+         {std::make_pair("linear", make_law(0.1).release()),
+          std::make_pair("rigid", make_law(0.).release()),
+          std::make_pair("power law", make_power(0.).release()),
+          std::make_pair("damped", make_power(0.5).release())})
+      {
+        const std::unique_ptr<const ContactLaw> owned(law);
+        double                                  miss = 0., change = 0.;
+        unsigned int                            n_front = 0, n_rear = 0;
+        for (unsigned int k = 0; k < 200; ++k)
+          {
+            FullMatrix<double> A(n, n), response(n, n);
+            for (unsigned int i = 0; i < n; ++i)
+              for (unsigned int j = 0; j < n; ++j)
+                A(i, j) = uniform(generator);
+            A.Tmmult(response, A);
+            std::vector<double> free(n), far(n), play(n);
+            NodesInMotion       nodes;
+            nodes.tau = 1.;
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                response(i, i) += 0.01;
+                free[i] = 3. * uniform(generator);
+                play[i] = 1.05 + 0.95 * uniform(generator);
+                far[i]  = -free[i] - play[i];
+                nodes.start.push_back(uniform(generator));
+                nodes.far_start.push_back(-nodes.start[i] - play[i]);
+                nodes.free_velocity.push_back(free[i] - nodes.start[i]);
+              }
+            std::vector<double> p(n, 0.), other(n);
+            for (unsigned int i = 0; i < n; ++i)
+              other[i] = 10. * uniform(generator);
+            for (std::vector<double> *start : {&p, &other})
+              if (law->damping() > 0.)
+                DampedContact(*law).solve(response, nodes, *start);
+              else
+                ContactSolver(*law).solve(response, free, *start, {}, far);
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                double x = free[i];
+                for (unsigned int j = 0; j < n; ++j)
+                  x -= response(i, j) * p[j];
+                raise(miss,
+                      miss_between_stops(
+                        *law, x, x - nodes.start[i], play[i], p[i]));
+                raise(change,
+                      std::abs(p[i] - other[i]) / std::max(1., std::abs(p[i])));
+                n_front += p[i] > 0.;
+                n_rear += p[i] < 0.;
+              }
+          }
+        deallog << "two stops, " << name << ": nodes at both "
+                << (n_front > 200 && n_rear > 200) << ", law " << (miss < 1e-10)
+                << ", from another start " << (change < 1e-8) << std::endl;
+        if (!(miss < 1e-10 && change < 1e-8))
+          deallog << miss << ' ' << change << std::endl;
+      }
+  }
 } // namespace
 
 
@@ -263,4 +361,5 @@ main()
   test_ties();
   test_held_nodes();
   test_small_changes();
+  test_two_stops();
 }

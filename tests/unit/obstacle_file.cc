@@ -4,7 +4,9 @@
 // nodes are at y = 0, 0.05, 0.1, 0.15, 0.2. The one on the axis has no
 // pressure, since it has no weight, but the obstacle is there, too: five points
 // in the order of y, four lines between neighbours, and gaps 0.02 + y^2/2 from
-// 0.02 at the tip to 0.04, which is also the range that the screen shows.
+// 0.02 at the tip to 0.04, which is also the range that the screen shows. With
+// a rear stop at 0.01 there are five points more, 0.01 behind the end, and
+// their lines.
 
 #include <thermocontact/output/obstacle_file.h>
 #include <thermocontact/space/body.h>
@@ -64,4 +66,14 @@ main(int argc, char **argv)
   deallog << std::endl
           << "range " << end.range_of_gap().first << ' '
           << end.range_of_gap().second << std::endl;
+
+  const std::string both = obstacle_file(end, OutputUnits(parameters), 0.01);
+  const std::vector<double> places = numbers_of(both, "displacement");
+  deallog << "with a rear stop: at x - 1";
+  for (unsigned int i = 0; i < places.size(); i += 3)
+    deallog << ' ' << places[i];
+  deallog << std::endl << "lines";
+  for (const double node : numbers_of(both, "connectivity"))
+    deallog << ' ' << node;
+  deallog << std::endl;
 }

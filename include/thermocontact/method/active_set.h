@@ -3,6 +3,8 @@
 #ifndef thermocontact_method_active_set_h
 #define thermocontact_method_active_set_h
 
+#include <thermocontact/method/two_stops.h>
+
 #include <vector>
 
 namespace ThermoContact
@@ -33,6 +35,41 @@ namespace ThermoContact
                     const double               rounding,
                     const bool                 only_the_first,
                     std::vector<bool>         &is_active);
+
+
+
+  /** The same for nodes between two stops. */
+  struct SetsBetweenStops
+  {
+    std::vector<bool> is_active;
+    std::vector<bool> is_rear; ///< nodes of the set that are at the rear stop
+  };
+
+  /**
+   * The next set of nodes between two stops: a node that one of them would pull
+   * leaves it, an open one joins that which it would penetrate.
+   *
+   * @param pressure positive at the front stop
+   * @param rear_reach beyond the rear stop, likewise; empty: there is none
+   */
+  bool
+  update_active_set(const std::vector<double> &pressure,
+                    const std::vector<double> &reach,
+                    const std::vector<double> &rear_reach,
+                    const std::vector<bool>   &may_change,
+                    const double               rounding,
+                    const bool                 only_the_first,
+                    SetsBetweenStops          &sets);
+
+  /**
+   * Pressures of nodes whose stop would pull, by rounding, become zero.
+   *
+   * @param may_pull nodes that keep theirs
+   */
+  void
+  remove_pull(const SetsBetweenStops  &sets,
+              const std::vector<bool> &may_pull,
+              std::vector<double>     &pressure);
 } // namespace ThermoContact
 
 #endif

@@ -13,12 +13,26 @@
 
 namespace ThermoContact
 {
+  /** Contact nodes before a stop and, if there is one, before a second one. */
+  struct NodesBeforeStops
+  {
+    std::vector<double> front; ///< $s$
+    std::vector<double> rear;  ///< $s_2$, which falls as $s$ grows; or empty
+
+    /** Some way on to others. */
+    NodesBeforeStops
+    on_way_to(const NodesBeforeStops &end, const double part) const;
+  };
+
+
+
   /**
    * Contact of massless nodes in steps that conserve energy, doc/model.md
    * section 13. At each time the nodes are in equilibrium: with $s$ their
    * penetrations without contact and $X$ their static receptance, the pressures
-   * $p(s)$ solve (M.18) for $W=X$, $s^{free}=s$. They are the gradient of a
-   * convex potential $V(s)$. No mesh, no communication.
+   * $p(s)$ solve (M.18) for $W=X$, $s^{free}=s$, between two stops (M.114).
+   * They are the gradient of a convex potential $V(s)$. No mesh, no
+   * communication.
    */
   class ConservingContact
   {
@@ -38,8 +52,7 @@ namespace ThermoContact
      * @param pressure in: a guess; out: $p(s)$
      */
     void
-    equilibrium(const std::vector<double> &s,
-                std::vector<double>       &pressure) const;
+    equilibrium(const NodesBeforeStops &s, std::vector<double> &pressure) const;
 
     /**
      * The pressures of a step that moves the nodes from $s^0$ to
@@ -59,8 +72,8 @@ namespace ThermoContact
      * @throw ComputationError if Newton's method does not converge
      */
     unsigned int
-    step_pressure(const std::vector<double>        &start,
-                  const std::vector<double>        &free_end,
+    step_pressure(const NodesBeforeStops           &start,
+                  const NodesBeforeStops           &free_end,
                   const dealii::FullMatrix<double> &receptance,
                   const double                      displacement_scale,
                   std::vector<double>              &pressure) const;
@@ -70,27 +83,44 @@ namespace ThermoContact
     const dealii::FullMatrix<double> static_receptance;
     const ContactSolver              contact_solver;
 
-    /** One node. */
+    /** One node at one stop. */
     double
     step_pressure_of_node(const double start,
                           const double free_end,
                           const double receptance) const;
 
+    /** One node at the nearer of its stops, or on its way to the other. */
+    double
+    step_pressure_of_node(const double near_start,
+                          const double near_end,
+                          const double receptance,
+                          const double far_start,
+                          const double far_end) const;
+
+    double
+    step_pressure_of_node(const NodesBeforeStops &start,
+                          const NodesBeforeStops &free_end,
+                          const double            receptance) const;
+
+    /** Pressures $p$ on a part of the way where the set stays the same. */
+    struct Stretch
+    {
+      std::vector<bool>      is_active;
+      std::vector<bool>      is_rear; ///< of the set, at the second stop
+      NodesBeforeStops       begin;
+      dealii::Vector<double> slope; ///< of $s$
+      dealii::Vector<double> p;     ///< at the beginning
+      dealii::Vector<double> change;
+    };
+
     /**
-     * How far along the way from @p begin, in units of @p slope, the set of
-     * nodes in contact stays the same: to where a pressure, or the margin $r$
-     * of (M.18), vanishes.
+     * How far along the way the set of nodes in contact stays the same: to
+     * where a pressure, or the margin $r$ of (M.18), vanishes.
      *
-     * @param p,change pressures at the beginning and their rate
      * @param peep smallest distance
      */
     double
-    distance_to_change(const std::vector<bool>      &is_active,
-                       const dealii::Vector<double> &begin,
-                       const dealii::Vector<double> &slope,
-                       const dealii::Vector<double> &p,
-                       const dealii::Vector<double> &change,
-                       const double                  peep) const;
+    distance_to_change(const Stretch &stretch, const double peep) const;
 
     /**
      * Mean of $p$ on the way from @p start to @p end, exact on each stretch
@@ -99,8 +129,8 @@ namespace ThermoContact
      * @param derivative out: with respect to @p end
      */
     void
-    mean_pressure(const std::vector<double>  &start,
-                  const std::vector<double>  &end,
+    mean_pressure(const NodesBeforeStops     &start,
+                  const NodesBeforeStops     &end,
                   std::vector<double>        &mean,
                   dealii::FullMatrix<double> &derivative) const;
   };

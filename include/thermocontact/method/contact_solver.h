@@ -23,8 +23,10 @@ namespace ThermoContact
    * may cycle in theory; past a limit the least-index rule of Murty changes one
    * node at a time, which ends for every P-matrix, and $W+s'$ is one. Laws
    * whose contact begins without stiffness are solved for the penetrations
-   * instead, (M.70), since their $s'(0)$ is infinite. No mesh, no
-   * communication.
+   * instead, (M.70), since their $s'(0)$ is infinite. Between two stops the
+   * margin $r$ of a node has an upper bound as well, where the other stop pulls
+   * the pressure below zero, (M.114): nodes are open or at one of both. No
+   * mesh, no communication.
    */
   class ContactSolver
   {
@@ -43,6 +45,8 @@ namespace ThermoContact
      *   the solution, one value per node
      * @param is_held nodes that stay closed, with pressures of either sign;
      *   empty: none
+     * @param far_penetration those at a second stop on the other side, without
+     *   contact; the pressures there are negative. Empty: there is none
      * @return number of linear problems solved on active sets
      * @throw ComputationError if no active set solves the problem
      */
@@ -50,7 +54,8 @@ namespace ThermoContact
     solve(const dealii::FullMatrix<double> &response,
           const std::vector<double>        &free_penetration,
           std::vector<double>              &pressure,
-          const std::vector<bool>          &is_held = {}) const;
+          const std::vector<bool>          &is_held         = {},
+          const std::vector<double>        &far_penetration = {}) const;
 
     /**
      * Contact that cannot open: pressures of either sign with $r=0$ at all
@@ -83,43 +88,58 @@ namespace ThermoContact
   private:
     const ContactLaw &law;
 
+    /** The problem of solve(). */
+    struct Problem
+    {
+      const dealii::FullMatrix<double> &response;
+      const std::vector<double>        &free_penetration;
+      const std::vector<double>        &far_penetration; ///< may be empty
+      const std::vector<bool>          &is_held;
+    };
+
     /** True if the tangent is infinite without pressure. */
     bool
     begins_without_stiffness() const;
 
-    /**
-     * As solve(), by solve_nodal_contact() for the penetrations.
-     *
-     * @param is_held nodes with pressures of either sign
-     */
-    unsigned int
-    solve_for_penetrations(const dealii::FullMatrix<double> &response,
-                           const std::vector<double>        &free_penetration,
-                           const std::vector<bool>          &is_held,
-                           std::vector<double>              &pressure) const;
+    /** The pressure of one node alone. */
+    double
+    pressure_of_node(const Problem &problem) const;
 
-    /** Newton's step for $r=0$ at the nodes of a set; $p=0$ elsewhere. */
+    /** As solve(), by solve_nodal_contact() for the penetrations. */
+    unsigned int
+    solve_for_penetrations(const Problem       &problem,
+                           std::vector<double> &pressure) const;
+
+    /**
+     * Newton's step for $r=0$ at the nodes of a set; $p=0$ elsewhere.
+     *
+     * @param free_penetration at the stop that a node of the set is at, seen
+     *   from the front one
+     */
     void
     solve_on_active_set(const dealii::FullMatrix<double> &response,
                         const std::vector<double>        &free_penetration,
                         const std::vector<bool>          &is_active,
                         std::vector<double>              &pressure) const;
 
+    /** The penetrations without contact that nodes at a stop start from. */
+    std::vector<double>
+    free_of_set(const Problem &problem, const std::vector<bool> &is_far) const;
+
     /**
      * Moves nodes between the sets where their pressure or penetration has the
      * wrong sign.
      *
-     * @param is_held nodes that stay in the set of those in contact
      * @param only_the_first change one node
+     * @param is_far nodes of the set that are at the second stop
      * @return true if @p pressure is not a solution yet
      */
     bool
-    update_active_set(const dealii::FullMatrix<double> &response,
-                      const std::vector<double>        &free_penetration,
-                      const std::vector<double>        &pressure,
-                      const std::vector<bool>          &is_held,
-                      const bool                        only_the_first,
-                      std::vector<bool>                &is_active) const;
+    update_active_set(const Problem             &problem,
+                      const std::vector<double> &pressure,
+                      const bool                 only_the_first,
+                      std::vector<bool>         &is_active,
+                      std::vector<bool>         &is_far) const;
   };
 } // namespace ThermoContact
 

@@ -24,7 +24,13 @@ namespace ThermoContact
     std::vector<double> free_velocity; ///< v without contact
 
     /** Nodes that stay closed, with pressures of either sign; empty: none. */
-    std::vector<bool> is_held;
+    std::vector<bool> is_held = {};
+
+    /**
+     * Penetrations $\tilde s_2$ at a second stop on the other side, where the
+     * velocity is $-v$ and the pressure negative; empty: there is none.
+     */
+    std::vector<double> far_start = {};
   };
 
 

@@ -6,6 +6,7 @@
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/damped_contact.h>
 #include <thermocontact/method/heat_exchange.h>
+#include <thermocontact/method/two_stops.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -28,7 +29,16 @@ namespace ThermoContact
     dealii::FullMatrix<double> penetration_by_flux;     ///< $V$
     dealii::FullMatrix<double> temperature_by_pressure; ///< $U$
     dealii::FullMatrix<double> temperature_by_flux;     ///< $H$
+
+    /** $s^{free}$ at a second stop on the other side; empty: there is none. */
+    std::vector<double> far_penetration = {};
   };
+
+
+
+  /** The same with each node seen from its stop. */
+  EndResponse
+  seen_from_stops(const EndResponse &response, const NearerStops &stops);
 
 
 
@@ -88,8 +98,10 @@ namespace ThermoContact
     dealii::FullMatrix<double> conductance; ///< $(I+kH)^{-1}k$
     dealii::FullMatrix<double> receptance;  ///< $W$ with the fluxes that follow
     Values                     free_penetration;
+    Values                     far_penetration; ///< without contact
     Values                     free_loss; ///< of it, by fluxes without pressure
-    Values                     penetration;
+    Values                     penetration; ///< at the nearer stop
+    std::vector<bool>          is_far;      ///< that is the second one
 
     bool
     stays_closed(const unsigned int i) const
@@ -101,8 +113,12 @@ namespace ThermoContact
     bool
     is_closed(const unsigned int i) const
     {
-      return stays_closed(i) || pressure[i] > 0.;
+      return stays_closed(i) || pressure[i] != 0.;
     }
+
+    /** What the heat exchange sees: the push of either stop. */
+    double
+    push(const unsigned int i) const;
 
     /** Fluxes as functions of the pressures. */
     void

@@ -45,6 +45,18 @@ namespace ThermoContact
              const double free_penetration,
              const double receptance) const;
 
+    /**
+     * The same between two stops: negative at the second one.
+     *
+     * @param far_old_penetration,far_free_penetration there
+     */
+    double
+    pressure(const double old_penetration,
+             const double free_penetration,
+             const double receptance,
+             const double far_old_penetration,
+             const double far_free_penetration) const;
+
   private:
     const ContactLaw &law;
     const double      compliance; ///< 0: rigid

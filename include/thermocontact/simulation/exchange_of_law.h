@@ -3,13 +3,30 @@
 #ifndef thermocontact_simulation_exchange_of_law_h
 #define thermocontact_simulation_exchange_of_law_h
 
-#include <thermocontact/space/body.h>
+#include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/space/state.h>
 
 #include <vector>
 
 namespace ThermoContact
 {
+  /**
+   * The heat exchange $k$(gap, pressure) of a state at each contact node,
+   * (M.3): of two stops, that at which the gap is smaller.
+   */
+  template <int dim>
+  void
+  set_exchange_coefficients(const Body<dim> &body, State &state)
+  {
+    NearerStops stops;
+    look_at_stops(body, state, stops);
+    for (unsigned int i = 0; i < stops.near.size(); ++i)
+      state.exchange_coefficient[i] = body.scene.heat.exchange->coefficient(
+        stops.near[i], stops.side(i) * state.contact_pressure[i]);
+  }
+
+
+
   /**
    * Sets the heat exchange $k$(gap, pressure) at each contact node, (M.3), of
    * a state whose gaps and pressures are not those of a stage: after an impact,
@@ -22,11 +39,7 @@ namespace ThermoContact
     const HeatExchange &exchange = *body.scene.heat.exchange;
     if (exchange.is_constant() || !body.scene.fields.has_temperature)
       return;
-    std::vector<double> penetration;
-    body.contact_end().get_penetrations(state, penetration);
-    for (unsigned int i = 0; i < penetration.size(); ++i)
-      state.exchange_coefficient[i] =
-        exchange.coefficient(penetration[i], state.contact_pressure[i]);
+    set_exchange_coefficients(body, state);
   }
 } // namespace ThermoContact
 

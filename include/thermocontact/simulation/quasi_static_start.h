@@ -3,6 +3,7 @@
 #ifndef thermocontact_simulation_quasi_static_start_h
 #define thermocontact_simulation_quasi_static_start_h
 
+#include <thermocontact/method/two_stops.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/space/state.h>
@@ -74,22 +75,35 @@ namespace ThermoContact
     factorize();
 
     /**
-     * Solves $Sw=r-Np$ with (M.18) for $w$ at the contact nodes.
+     * Adds to $w$ what pressures do with (M.18) for $w$ at contact nodes.
      *
      * @param law between $w$ beyond its gaps and $p$
-     * @param gaps of $w$
-     * @param excluded nodes that carry no pressure
-     * @param load $r$
-     * @param w in: a vector of the right layout; out: the solution
-     * @param pressure in: a guess; out: the solution
+     * @param nodes that may carry a pressure
+     * @param stops where $w$ without pressures has these nodes
+     * @param w in: without pressures; out: the solution
+     * @param pressure of all nodes; in: a guess; out: the solution
      */
     void
-    solve_with_contact(const ContactLaw          &law,
-                       const std::vector<double> &gaps,
-                       const std::vector<bool>   &excluded,
-                       const Vector              &load,
-                       Vector                    &w,
-                       std::vector<double>       &pressure);
+    add_contact(const ContactLaw                &law,
+                const std::vector<unsigned int> &nodes,
+                const NearerStops               &stops,
+                Vector                          &w,
+                std::vector<double>             &pressure);
+
+    /** A static body: its displacement under a load. */
+    void
+    solve_static(const Vector &load, State &state);
+
+    /**
+     * (M.34) with a rigid obstacle: nodes in contact cannot move into it.
+     *
+     * @param is_closed as for complete()
+     * @param load as for solve_with_damping()
+     */
+    void
+    solve_on_rigid(const std::vector<bool> &is_closed,
+                   const Vector            &load,
+                   State                   &state);
 
     /**
      * (M.34) with a damped obstacle: velocities and pressures that go with

@@ -3,6 +3,7 @@
 #ifndef thermocontact_time_contact_node_problem_h
 #define thermocontact_time_contact_node_problem_h
 
+#include <thermocontact/method/active_set.h>
 #include <thermocontact/space/body.h>
 
 #include <deal.II/lac/vector.h>
@@ -11,6 +12,15 @@
 
 namespace ThermoContact
 {
+  /** Penetrations of all nodes of the end. */
+  struct EndPenetrations
+  {
+    std::vector<double> front;
+    std::vector<double> rear; ///< at a stop behind; empty: there is none
+  };
+
+
+
   /**
    * Values of the nodes of the contact end, all others being given, with
    * pressures of unilateral contact there: $Kx=f-wp$ with a multiple $K$ of the
@@ -45,11 +55,16 @@ namespace ThermoContact
      */
     std::vector<double>
     solve(const std::vector<double> &load,
-          const std::vector<double> &penetration,
+          const EndPenetrations     &penetration,
           const std::vector<bool>   &can_touch,
           std::vector<double>       &pressure);
 
-    /** The same for the active set that was found, whatever the pressures. */
+    /**
+     * The same for the active set that was found, whatever the pressures.
+     *
+     * @param penetration at the stops where the nodes of the set are, seen from
+     *   the front one; or a rate
+     */
     std::vector<double>
     solve_for_same_set(const std::vector<double> &load,
                        const std::vector<double> &penetration);
@@ -66,7 +81,7 @@ namespace ThermoContact
     const Body<dim>    &body;
     const double        factor;
     const bool          takes_heat;
-    std::vector<bool>   is_active;
+    SetsBetweenStops    sets;
     std::vector<double> diagonal;          ///< of K
     Vector              inverse_heat_mass; ///< of its diagonal
     mutable Vector      values;
@@ -82,7 +97,7 @@ namespace ThermoContact
     bool
     is_held(const unsigned int node) const
     {
-      return is_active[node] && body.law().is_rigid();
+      return sets.is_active[node] && body.law().is_rigid();
     }
 
     /** Of the obstacle, per displacement of the node. */

@@ -77,7 +77,6 @@ namespace ThermoContact
     /** Of a node that keeps its mass; one of the two, if there is an obstacle.
      */
     std::unique_ptr<const StepContact> step_contact;
-    std::vector<double>                penetration;      ///< at an end
     std::vector<double>                free_penetration; ///< at the end
 
     std::vector<double> old_free_position; ///< $s$ at the beginning

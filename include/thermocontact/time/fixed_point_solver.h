@@ -71,6 +71,7 @@ namespace ThermoContact
     Vector              momentum_stage_rhs;
     Vector              last_velocity;
     std::vector<double> known_penetration;
+    std::vector<double> known_rear_penetration; ///< empty: there is one stop
     std::vector<double> contact_velocity;
 
     void

@@ -65,12 +65,15 @@ namespace ThermoContact
      * The velocity of a body without inertia that does not move nodes in
      * contact into a rigid obstacle, times $\zeta/(\zeta+1)$, and pressures
      * there, (M.34).
+     *
+     * @param stops where the nodes are
      */
     void
     solve_quasi_static_velocity(const State             &known,
                                 const Vector            &heat_load,
                                 const Vector            &momentum_load,
                                 const std::vector<bool> &is_closed,
+                                const NearerStops       &stops,
                                 StageRates              &rates);
 
     bool
@@ -124,9 +127,9 @@ namespace ThermoContact
                  const bool        with_heat,
                  StageRates       &rates);
 
-    /** The same by active sets, from @p is_active on. */
+    /** The same by active sets, from @p sets on. */
     void
-    solve_by_sets(std::vector<bool>       &is_active,
+    solve_by_sets(SetsBetweenStops        &sets,
                   const std::vector<bool> &is_fixed,
                   StageRates              &rates);
 

@@ -3,6 +3,7 @@
 #ifndef thermocontact_time_iterative_stage_h
 #define thermocontact_time_iterative_stage_h
 
+#include <thermocontact/method/active_set.h>
 #include <thermocontact/multigrid/stage_hierarchies.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/flexible_gmres.h>
@@ -65,16 +66,38 @@ namespace ThermoContact
     void
     prepare_displacement(const std::vector<double> &displacement);
 
-    /** Takes the place of the penetrations at the beginning of the stage. */
+    /**
+     * Takes the place of the penetrations at the beginning of the stage.
+     *
+     * @param rear at a stop behind; empty: there is none
+     */
     void
-    set_penetrations(const std::vector<double> &penetrations)
+    set_penetrations(const std::vector<double> &front,
+                     const std::vector<double> &rear)
     {
-      known_penetration = penetrations;
+      front_penetration = front;
+      rear_penetration  = rear;
+    }
+
+    /** No node in contact. */
+    SetsBetweenStops
+    empty_sets() const
+    {
+      const std::vector<bool> none(front_penetration.size(), false);
+      return {none, none};
+    }
+
+    /** The stop that a node is nearer to at the beginning is the rear one. */
+    bool
+    is_nearer_to_rear(const unsigned int node) const
+    {
+      return !rear_penetration.empty() &&
+             nearer_stop(front_penetration[node], rear_penetration[node]) < 0;
     }
 
     /** Puts springs and held nodes of the active set in place. */
     void
-    set_active(const std::vector<bool> &is_active);
+    set_active(const SetsBetweenStops &sets);
 
     /** What residuals are compared to: terms of the stage, or the first one. */
     enum class Measure
@@ -106,9 +129,14 @@ namespace ThermoContact
     void
     get_pressures(std::vector<double> &pressure);
 
-    /** Penetrations at the end of the stage. */
+    /**
+     * Penetrations at the end of the stage.
+     *
+     * @param rear_reach at a stop behind; empty: there is none
+     */
     void
-    get_reach(std::vector<double> &reach) const;
+    get_reach(std::vector<double> &reach,
+              std::vector<double> &rear_reach) const;
 
     /** $\tau\theta'$ or $v$. */
     const Vector &
@@ -144,8 +172,10 @@ namespace ThermoContact
     StageHierarchies<dim> hierarchies;
 
     double              tau      = 0.;
-    bool                has_heat = true; ///< its temperature is unknown
-    std::vector<double> known_penetration;
+    bool                has_heat = true;   ///< its temperature is unknown
+    std::vector<double> front_penetration; ///< at the beginning
+    std::vector<double> rear_penetration;  ///< empty: there is one stop
+    std::vector<double> known_penetration; ///< that of the set, (M.115)
     std::vector<bool>   is_active;
     ContactRows         contact;
     BlockVector         rhs;                  ///< without contact

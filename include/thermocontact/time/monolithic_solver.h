@@ -6,6 +6,7 @@
 #include <thermocontact/method/contact_solver.h>
 #include <thermocontact/method/damped_contact.h>
 #include <thermocontact/method/exchange_solver.h>
+#include <thermocontact/method/two_stops.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/stage_factorization.h>
 #include <thermocontact/time/stage_solver.h>
@@ -122,7 +123,12 @@ namespace ThermoContact
     Vector              momentum_rhs;
     std::vector<double> end_values; ///< of the contact nodes, scratch
     std::vector<double> known_values;
+    NearerStops         stops; ///< where a stage starts from
+
+    // seen from the nearer stop
     std::vector<double> free_penetration;
+    std::vector<double> far_penetration; ///< at the other; empty: there is none
+    FullMatrix<double>  turned_response;
     EndExchange         end_exchange;
     NodesInMotion       nodes_in_motion; ///< with a damped obstacle
 
@@ -151,6 +157,14 @@ namespace ThermoContact
                        const std::vector<double> &densities,
                        StageRates                &rates) const;
 
+    /** Whether a node without contact is beyond a stop. */
+    bool
+    reaches_a_stop() const;
+
+    /** response(), as the nodes see it from their stops. */
+    const FullMatrix<double> &
+    seen_response();
+
     /** Of the rates without contact. */
     void
     get_free_penetration(const State &known, const StageRates &rates);
@@ -167,12 +181,6 @@ namespace ThermoContact
                          const ContactMode mode,
                          StageRates       &rates);
 
-    /** The pressure of a rod between two stops. */
-    void
-    solve_two_stops(const State      &known,
-                    const ContactMode mode,
-                    StageRates       &rates);
-
     /** Pressures from the penetrations without contact. */
     void
     solve_contact(const State      &known,
@@ -187,6 +195,18 @@ namespace ThermoContact
      */
     bool
     has_lost_digits(const State &known, const StageRates &rates);
+
+    /**
+     * What nodes in contact miss the law by at some velocities, seen from their
+     * stops.
+     *
+     * @param is_far nodes that are at the other stop
+     * @param pressure seen from the stops
+     */
+    std::vector<double>
+    misfit_of_law(const std::vector<bool>   &is_far,
+                  const std::vector<double> &pressure,
+                  const Vector              &velocity) const;
 
     /**
      * Iterative refinement of a stage and its pressures, (M.15) and (M.61),
