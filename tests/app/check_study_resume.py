@@ -23,6 +23,9 @@ import sys
 import time
 from pathlib import Path
 
+sys.dont_write_bytecode = True
+from program import started_by  # noqa: E402
+
 PROGRAM = os.environ["THERMOCONTACT"]
 N_KILLS = int(os.environ.get("THERMOCONTACT_KILLS", "4"))
 MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2"]
@@ -83,7 +86,13 @@ def kill_again_and_again(directory):
         wait_for_rows(process, directory, before + 1)
         time.sleep(random.uniform(0, 0.1))
         if process.poll() is None:
+            ranks = started_by(process) # in groups of their own with Open MPI 5
             os.killpg(process.pid, signal.SIGKILL)
+            for rank in ranks:
+                try:
+                    os.kill(rank, signal.SIGKILL)
+                except ProcessLookupError:
+                    pass # killed with the group, or done
             n_kills += 1
         process.communicate()
         n_lost += len(rows_of(directory)) <= before

@@ -54,3 +54,17 @@ def for_all(function, arguments):
 def settings(overrides):
     """Options --set of overrides like "Time/End time=1"."""
     return [word for override in overrides for word in ("--set", override)]
+
+
+def started_by(process):
+    """The numbers of the processes that a process has started: the ranks of mpirun."""
+    children = []
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            # state and parent follow the name, which may hold anything
+            parent = path.read_text().rpartition(")")[2].split()[1]
+        except OSError:
+            continue
+        if int(parent) == process.pid:
+            children.append(int(path.parent.name))
+    return children
