@@ -63,7 +63,10 @@ namespace ThermoContact
    * depends on the contact (M.57) leave to wish for in the present state, in
    * units of what is allowed. Penetrations are known to 1e-12 of the
    * displacements, velocities of massless nodes and of bodies without inertia
-   * to those over the step.
+   * to those over the step. Pressures are the remainder of the forces at the
+   * end, u_x - a theta and p, (M.2), and known to 1e-12 of the largest of them:
+   * a pressure that vanishes, as between the sides of a coefficient that jumps
+   * with the contact, comes out as their rounding.
    */
   template <int dim>
   std::map<std::string, double>
@@ -93,6 +96,11 @@ namespace ThermoContact
         const double p = stops.side(i) * state.contact_pressure[i];
         const double ds =
           1e-12 * std::max({scales.displacement, std::abs(state.gap[i]), p});
+        const double forces =
+          (scene.fields.has_temperature ?
+             std::abs(scene.material.thermal_stress) * scales.temperature :
+             0.) +
+          scales.displacement + p;
         double dv = 1e-12 * scales.velocity;
         if ((scene.contact.is_in_equilibrium ||
              !scene.material.has_inertia()) &&
@@ -100,10 +108,7 @@ namespace ThermoContact
           dv += ds / dt;
         // without inertia it is what is left of velocities of all forces
         if (!scene.material.has_inertia() && scene.material.has_viscosity())
-          dv += 1e-12 *
-                (std::abs(scene.material.thermal_stress) * scales.temperature +
-                 scales.displacement + p) /
-                scene.material.viscosity;
+          dv += 1e-12 * forces / scene.material.viscosity;
         if (is_damped && !is_moved)
           raise(misses["pressure of the damped law"],
                 miss_of_range(p,
@@ -120,7 +125,7 @@ namespace ThermoContact
                               stops.near[i],
                               ds,
                               p,
-                              1e-12 * std::max(p, scales.force),
+                              1e-12 * std::max(forces, scales.force),
                               [&](const double s, const double pressure) {
                                 return scene.heat.exchange->coefficient(
                                   s, std::max(pressure, 0.));
