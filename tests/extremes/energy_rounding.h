@@ -17,9 +17,10 @@ namespace ThermoContact
    * epsilon sqrt(n) |S| Theta of the heat equation, |S| the largest row sum of
    * the stiffness, which is large on fine and graded meshes of high degree, or
    * of the lateral heat exchange, and epsilon k Theta at the end; U, Theta, V
-   * largest nodal values. These meet the changes of u and theta, so that the
-   * energy of a body that rests at u and theta_s fluctuates. theta itself is
-   * stored to epsilon Theta, and in contact u_n = u_free - chi p, with chi < 1.
+   * largest nodal values, divided like the energy by the cross-section. These
+   * meet the changes of u and theta, so that the energy of a body that rests at
+   * u and theta_s fluctuates. theta itself is stored to epsilon Theta, and in
+   * contact u_n = u_free - chi p, with chi < 1.
    */
   template <int dim>
   class EnergyRounding
@@ -40,7 +41,8 @@ namespace ThermoContact
         epsilon *
         std::sqrt(simulation.discretization().dof_handler().n_dofs()) *
         (stiffness.block(n_fields - 1, n_fields - 1).linfty_norm() +
-         lateral_row_sum(simulation));
+         lateral_row_sum(simulation)) /
+        simulation.body().discretization.geometry().cross_section();
       const Values values = present_values(simulation);
       const double u      = std::max(values.u, last.u);
       const double v      = std::max(values.v, last.v);
