@@ -37,7 +37,8 @@
 //                  absolute threshold. The factors are the powers of two next
 //                  to 1e-100, 1e-8, 1e8, 1e100, which rounding cannot tell from
 //                  1: so even chaotic scenes must agree, to 1e-13; those of
-//                  power laws, whose powers are rounded, to 1e-6. epsilon
+//                  power laws, whose powers are rounded, to 1e-6, but not
+//                  where they are below the smallest normal number. epsilon
 //                  scales like g^(1-1/m), the damping like 1/g, gap and
 //                  pressure in a heat exchange do not scale.
 //   sign           a and theta change sign together: the same u.
@@ -163,6 +164,9 @@ namespace
       const RunResult result = run_scene(varied, scene.max_steps);
       const double    value =
         difference(run, result, thermal, mechanical, parameters.time.end_time);
+      if (mechanical > 0. && mechanical != 1. &&
+          (run.has_underflow || result.has_underflow))
+        return;
       if (allowed == exact)
         raise(verdict.variation, value);
       if (!(value <= allowed))

@@ -29,8 +29,9 @@ namespace ThermoContact
     StepRecord                    last;
     std::vector<ContactEvent>     events;
     std::vector<std::string>      warnings;
-    bool                          has_contact = false;
-    double                        growth      = 0.;
+    bool                          has_contact   = false;
+    bool                          has_underflow = false; ///< of pressures
+    double                        growth        = 0.;
   };
 
 
@@ -59,13 +60,14 @@ namespace ThermoContact
         result.status  = RunResult::stopped;
         result.message = error.what();
       }
-    result.failures    = checks.failures;
-    result.scales      = checks.scales;
-    result.last        = simulation.record();
-    result.events      = simulation.events();
-    result.warnings    = simulation.history().warnings;
-    result.has_contact = checks.has_contact;
-    result.growth      = checks.growth;
+    result.failures      = checks.failures;
+    result.scales        = checks.scales;
+    result.last          = simulation.record();
+    result.events        = simulation.events();
+    result.warnings      = simulation.history().warnings;
+    result.has_contact   = checks.has_contact;
+    result.growth        = checks.growth;
+    result.has_underflow = checks.has_underflow;
     if (!are_in_order(result.events))
       result.failures["events out of order"] = 1.;
     return result;
