@@ -2,8 +2,50 @@
 
 #include <thermocontact/space/energy.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace ThermoContact
 {
+  namespace
+  {
+    /** Parts of what a penetration is a difference of that are rounding. */
+    constexpr double rounding_of_penetration = 1e-10;
+
+    /** Factors (1 + c v) by which a pressure is divided without loss. */
+    constexpr double smallest_factor = 0.5;
+
+
+
+    /**
+     * $\varphi(s)$ at a node with the pressure $p = \varphi(s)\,[1+c\,v]_+$,
+     * (M.82), seen from its stop. At a hard obstacle s has few digits, and
+     * $p-\varphi(s)$ would have none: then it is $p/(1+c\,v)$. A node that goes
+     * in without a pressure does not know of the obstacle yet, in a step that
+     * is held open and misses the begin of contact by s: zero.
+     *
+     * @param rounding of s
+     */
+    double
+    elastic_part(const ContactLaw &law,
+                 const double      pressure,
+                 const double      s,
+                 const double      v,
+                 const double      rounding)
+    {
+      const double of_law = law.pressure(s);
+      const double factor = 1. + law.damping() * v;
+      if (factor < smallest_factor)
+        return of_law;
+      if (pressure == 0.)
+        return v > 0. ? 0. : of_law;
+      const double value = pressure / factor;
+      return std::abs(law.penetration(value) - s) <= rounding ? value : of_law;
+    }
+  } // namespace
+
+
+
   template <int dim>
   const std::vector<double> &
   Energy<dim>::elastic_pressures(const State         &state,
@@ -11,16 +53,29 @@ namespace ThermoContact
   {
     if (law.damping() == 0.)
       return state.contact_pressure;
-    discretization.contact_end().get_penetrations(state, scratch);
-    for (double &value : scratch) // penetrations so far
-      value = law.pressure(value);
+    const ContactEnd<dim> &end = discretization.contact_end();
+    end.get_penetrations(state, scratch);
+    end.get_approach(state, approach);
+    const double size   = state.displacement.linfty_norm();
+    const auto   stored = [&](const unsigned int i,
+                            const double       s,
+                            const double       side) {
+      if (material.is_static()) // velocities of what moves at once say nothing
+        return law.pressure(s);
+      return elastic_part(law,
+                          std::max(side * state.contact_pressure[i], 0.),
+                          s,
+                          side * approach[i],
+                          rounding_of_penetration *
+                            std::max(size, std::abs(state.gap[i])));
+    };
+    for (unsigned int i = 0; i < scratch.size(); ++i)
+      scratch[i] = stored(i, scratch[i], 1.);
     if (!rear_gap)
       return scratch;
-    discretization.contact_end().get_rear_penetrations(state.displacement,
-                                                       *rear_gap,
-                                                       rear_penetration);
+    end.get_rear_penetrations(state.displacement, *rear_gap, rear_penetration);
     for (unsigned int i = 0; i < scratch.size(); ++i)
-      scratch[i] -= law.pressure(rear_penetration[i]);
+      scratch[i] -= stored(i, rear_penetration[i], -1.);
     return scratch;
   }
 
