@@ -199,10 +199,10 @@ namespace ThermoContact
       }
     else
       {
-        const bool begins_contact =
-          finding.kind == EventLocator::Finding::at_end &&
-          mode == ContactMode::open;
-        transition.finish_pressure(begins_contact, result);
+        const bool is_event = finding.kind == EventLocator::Finding::at_end;
+        transition.finish_pressure(is_event && mode == ContactMode::open,
+                                   is_event && mode == ContactMode::closed,
+                                   result);
         if (body.law().is_rigid() && mode != ContactMode::closed &&
             locator.mode() == ContactMode::closed)
           {
@@ -244,6 +244,8 @@ namespace ThermoContact
         transition.impact(state, result.energy, cost);
         book(cost, result);
       }
+    else
+      transition.follow_turn(state);
     get_values(state, next);
     locator.set_present(next);
     // what has inertia does not follow

@@ -147,7 +147,20 @@ namespace ThermoContact
 
   template <int dim>
   void
+  ContactTransition<dim>::follow_turn(State &state) const
+  {
+    if (body.law().damping() == 0. || !body.scene.material.has_inertia())
+      return;
+    body.set_pressures_of_law(state);
+    set_exchange_of_law(body, state);
+  }
+
+
+
+  template <int dim>
+  void
   ContactTransition<dim>::finish_pressure(const bool  begins_contact,
+                                          const bool  ends_contact,
                                           StepResult &result)
   {
     std::vector<double> &pressure = result.state.contact_pressure;
@@ -165,9 +178,10 @@ namespace ThermoContact
         changed = true;
         body.set_pressures_of_law(result.state);
       }
+    if (changed || ends_contact)
+      set_exchange_of_law(body, result.state);
     if (!changed)
       return;
-    set_exchange_of_law(body, result.state);
     const double old_energy = result.energy.sum();
     result.energy           = body.energy.energy(result.state);
     result.numerical_dissipation += old_energy - result.energy.sum();

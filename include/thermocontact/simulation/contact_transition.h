@@ -69,11 +69,21 @@ namespace ThermoContact
     impact(State &state, EnergyTerms &energy, ImpactCost &cost);
 
     /**
-     * Pressures of a step that is accepted: none pulls, and where contact
-     * begins they are those of the law, since no stage has seen them.
+     * The pressures of a damped obstacle whose velocity has jumped, (M.82), at
+     * a body with inertia, which goes on as it was.
      */
     void
-    finish_pressure(const bool begins_contact, StepResult &result);
+    follow_turn(State &state) const;
+
+    /**
+     * Pressures of a step that is accepted: none pulls, and where contact
+     * begins they are those of the law, since no stage has seen them. So is the
+     * heat exchange, where contact ends as well.
+     */
+    void
+    finish_pressure(const bool  begins_contact,
+                    const bool  ends_contact,
+                    StepResult &result);
 
     const SolverCounters &
     counters() const
