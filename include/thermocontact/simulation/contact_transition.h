@@ -69,6 +69,16 @@ namespace ThermoContact
     impact(State &state, EnergyTerms &energy, ImpactCost &cost);
 
     /**
+     * The pressures become those with which nodes with mass that a rigid
+     * obstacle holds have its acceleration, (M.112): those of the last stage
+     * are of first order only.
+     *
+     * @throw ComputationError if the mass matrix cannot be factorised
+     */
+    void
+    set_pressures_of_acceleration(State &state);
+
+    /**
      * Pressures of a step that is accepted: none pulls, and where contact
      * begins they are those of the law, since no stage has seen them.
      */
