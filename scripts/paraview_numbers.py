@@ -105,6 +105,16 @@ class Ranges:
         return self.sides + scale * self.sideways
 
 
+def path_of_obstacle(run, times):
+    """The gap before a rod at rest at each of these times, empty if it is always the same."""
+    u, gap = (numpy.array(run.data[name]) for name in ("displacement_end", "gap"))
+    gaps = u + gap
+    if not numpy.isfinite(gaps).all() or \
+            numpy.ptp(gaps) <= 1e-9 * max(abs(u).max(), abs(gap).max()):
+        return []
+    return numpy.interp(times, run.data["time"], gaps).tolist()
+
+
 def nearest(times, time):
     return min(times, key=lambda t: abs(t - time))
 

@@ -61,23 +61,37 @@ def show_plain(view, source, colour, opacity=1.):
 
 
 def show_box(view, low, high, colour, opacity=1.):
-    show_plain(view, Box(
-        XLength=high[0] - low[0], YLength=high[1] - low[1],
-        ZLength=high[2] - low[2],
-        Center=[(a + b) / 2 for a, b in zip(low, high)]), colour, opacity)
+    box = Box(XLength=high[0] - low[0], YLength=high[1] - low[1],
+              ZLength=high[2] - low[2],
+              Center=[(a + b) / 2 for a, b in zip(low, high)])
+    show_plain(view, box, colour, opacity)
+    return box
 
 
-def depth_of(path):
-    """Difference of the gaps of an obstacle with a shape."""
-    grid = servermanager.Fetch(XMLUnstructuredGridReader(FileName=[path]))
-    gaps = vtk_to_numpy(grid.GetPointData().GetArray("gap"))
-    return gaps.max() - gaps.min()
+def reader_of(path):
+    """Of an obstacle that stands still or of one that moves."""
+    return PVDReader(FileName=path) if path.endswith(".pvd") else \
+        XMLUnstructuredGridReader(FileName=[path])
+
+
+def range_of_gaps(settings, times):
+    """Smallest and largest gap, at all times if the obstacle moves."""
+    if settings["path"]:
+        return min(settings["path"]), max(settings["path"])
+    if not settings["shape"]:
+        return settings["gap"], settings["gap"]
+    reader, ends = reader_of(settings["shape"]), []
+    for time in times if settings["shape"].endswith(".pvd") else [0.]:
+        reader.UpdatePipeline(time)
+        gaps = vtk_to_numpy(servermanager.Fetch(reader).GetPointData().GetArray("gap"))
+        ends += [gaps.min(), gaps.max()]
+    return min(ends), max(ends)
 
 
 def show_shape(view, path, scale, thickness, colour, opacity):
-    """An obstacle whose gap is not the same everywhere, as far as the end
-    reaches."""
-    face = WarpByVector(Input=XMLUnstructuredGridReader(FileName=[path]),
+    """An obstacle whose gap is not the same everywhere or that moves, as far as the
+    end reaches."""
+    face = WarpByVector(Input=reader_of(path),
                         Vectors=["POINTS", "displacement"], ScaleFactor=scale)
     shape = LinearExtrusion(Input=ExtractSurface(Input=face),
                             ScaleFactor=thickness, Vector=[1, 0, 0])
@@ -180,26 +194,30 @@ def render(settings):
     if settings["scale"] is None:
         settings["scale"] = snapshots.ranges.scale() if snapshots.moves else 0.
     scale = settings["scale"]
-    plate, right = snapshots.ranges.plate(
-        scale, settings["gap"] if snapshots.moves else None)
-    depth = depth_of(settings["shape"]) if settings["shape"] else 0
+    has_obstacle = snapshots.moves and settings["gap"] is not None
+    nearest_gap, farthest_gap = range_of_gaps(settings, snapshots.times) if \
+        has_obstacle else (None, None)
+    plate, right = snapshots.ranges.plate(scale, nearest_gap)
+    depth = scale * (farthest_gap - nearest_gap) if has_obstacle else 0
     unit, units = snapshots.ranges.length, settings.get("units", {})
     radius = RADIUS * unit
     low, high = ([-radius] * 2, [radius] * 2) if snapshots.dim == 1 else (
         snapshots.ranges.box_across(scale).tolist())
     more = 0.04 * unit
     low, high = [v - more for v in low], [v + more for v in high]
-    view = make_view(snapshots, right + scale * depth, (low, high),
+    # an obstacle that goes farther than a length leaves the picture
+    view = make_view(snapshots, right + min(depth, unit), (low, high),
                      settings["width"])
     size = max(10, settings["width"] // 55)
     show_colours(view, show_body(view, snapshots, scale), snapshots, size,
                  units.get(f"{snapshots.colour}_end"))
     show_box(view, [-0.03 * unit, *low], [0, *high], [0.45] * 3)
+    block = None
     if plate is not None and settings["shape"]:
         show_shape(view, settings["shape"], scale, right - plate,
                    [0.84, 0.37, 0], 0.55)
     elif plate is not None:
-        show_box(view, [plate, *low], [right, *high], [0.84, 0.37, 0], 0.55)
+        block = show_box(view, [plate, *low], [right, *high], [0.84, 0.37, 0], 0.55)
     time_text = show_text(view, size, "Upper Left Corner")
     if snapshots.moves:
         show_text(view, size, "Upper Right Corner").Text = scale_label(scale)
@@ -207,6 +225,9 @@ def render(settings):
 
     def draw(time, path):
         view.ViewTime = time
+        if block and settings["path"]:
+            face = unit + scale * settings["path"][snapshots.times.index(time)]
+            block.Center = [face + (right - plate) / 2, *block.Center[1:]]
         time_text.Text = labels[time]
         Render(view)
         SaveScreenshot(path, view)

@@ -49,7 +49,7 @@ namespace ThermoContact
       small_terms,
       "Inertia b and viscosity zeta below 1e-6 are dropped, or "
       "kept; inertia stays if there is an initial velocity, a base that "
-      "moves or a rear stop.",
+      "moves, a rear stop, or, up to 1e5 waves, an obstacle that moves.",
       Selection("dropped|kept"));
 
     add_rod(prm);
@@ -169,11 +169,19 @@ namespace ThermoContact
   RodInUnits::add_obstacle(ParameterHandler &prm)
   {
     prm.enter_subsection("Obstacle");
-    prm.add_parameter("Gap",
-                      gap,
-                      "Gap between the rod without stress, at the reference "
-                      "temperature, and the obstacle, m.",
-                      any_sign);
+    add_number_or_expression(
+      prm,
+      "Gap",
+      gap,
+      "t",
+      "Gap between the rod without stress, at the reference temperature, and "
+      "the obstacle, m; an expression in t, which is in the unit of times, "
+      "moves the obstacle.",
+      [this](const double number, const std::string &expression) {
+        gap            = number;
+        gap_expression = expression;
+      },
+      true);
     add_number_or_word(
       prm,
       "Rear gap",

@@ -5,6 +5,7 @@
 #include <thermocontact/input/scales.h>
 #include <thermocontact/input/scene_text.h>
 #include <thermocontact/input/unit_scene.h>
+#include <thermocontact/input/unit_tables.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,64 +28,16 @@ namespace ThermoContact
     // by wave.
     constexpr double waves_of_impact = 100.;
 
+    // Times of a wave after which what an obstacle that moves excites is not
+    // followed: slow motions of hot rods, where a run would never end.
+    constexpr double waves_of_motion = 1e5;
+
 
 
     std::string
     number(const double value)
     {
       return significant(value, 12);
-    }
-
-
-
-    /** A line of a table: name, number, unit, all in a comment. */
-    std::string
-    row(const std::string &name, const double value, const std::string &unit)
-    {
-      return text("#   ",
-                  align_left(name, 38),
-                  ' ',
-                  align_left(number(value), 20),
-                  ' ',
-                  unit,
-                  '\n');
-    }
-
-
-
-    std::string
-    write_scales(const UnitScales &scales)
-    {
-      return "# One unit of the scene is\n" +
-             row("length, displacement", scales.length, "m") +
-             row("time", scales.time, "s") +
-             row("temperature above the reference", scales.temperature, "K") +
-             row("velocity", scales.velocity, "m/s") +
-             row("stress, pressure", scales.stress, "Pa") +
-             row("force", scales.force, "N") +
-             row("heat flux", scales.heat_flux, "W/m^2") +
-             row("energy", scales.energy, "J") + "#\n";
-    }
-
-
-
-    std::string
-    write_factors(const RodInUnits &rod, const UnitScales &scales)
-    {
-      return "# Columns of contact.csv in SI units: multiply those of "
-             "Output/SI = false by\n" +
-             row("time, step_size", scales.time, "s") +
-             row("displacement_*, gap, penetration", scales.length, "m") +
-             row("velocity_end", scales.velocity, "m/s") +
-             row("stress_end", scales.stress, "Pa") +
-             row("contact_force", scales.force, "N") +
-             row("contact_impulse", scales.force * scales.time, "N s") +
-             row("temperature_*, then add " +
-                   number(rod.in_kelvin(rod.reference_temperature)),
-                 scales.temperature,
-                 "K") +
-             row("heat_flux_end", scales.heat_flux, "W/m^2") +
-             row("energy, work, *dissipation", scales.energy, "J") + "\n";
     }
 
 
@@ -97,9 +50,12 @@ namespace ThermoContact
       Terms(const RodInUnits &rod, const ScaledRod &scaled)
       {
         const bool drops = rod.small_terms == "dropped";
-        inertia          = !(drops && scaled.inertia < small_term) ||
+        const bool follows_obstacle =
+          rod.has_moving_obstacle() &&
+          scaled.end_time <= waves_of_motion * std::sqrt(scaled.inertia);
+        inertia = !(drops && scaled.inertia < small_term) ||
                   rod.initial_velocity != 0. || rod.has_moving_base() ||
-                  rod.rear_gap.has_value();
+                  follows_obstacle || rod.rear_gap.has_value();
         viscosity = !(drops && scaled.viscosity < small_term);
       }
     };
@@ -146,6 +102,23 @@ namespace ThermoContact
 
 
 
+    /** A length that varies, with what the file says. */
+    void
+    add_length(const std::string &path,
+               const std::string &symbol,
+               const RodInUnits  &rod,
+               const std::string &expression,
+               SceneText         &scene)
+    {
+      scene.set(path,
+                "(" + in_scene_time(rod, expression) + ")/" +
+                  number(rod.length),
+                symbol + "; " + expression + " m, t in " +
+                  time_unit_of_file(rod));
+    }
+
+
+
     /** One of the surroundings of the rod, with what the file says. */
     void
     add_temperature(const RodInUnits  &rod,
@@ -188,11 +161,11 @@ namespace ThermoContact
                       rod.fixed_end_expression,
                       scene);
       if (rod.has_moving_base())
-        scene.set("Boundary/Fixed end displacement",
-                  "(" + in_scene_time(rod, rod.base_motion) + ")/" +
-                    number(rod.length),
-                  "u_A; " + rod.base_motion + " m, t in " +
-                    time_unit_of_file(rod));
+        add_length("Boundary/Fixed end displacement",
+                   "u_A",
+                   rod,
+                   rod.base_motion,
+                   scene);
       scene.set("Boundary/Heat exchange", number(scaled.heat_exchange), "k");
       if (scaled.heat_exchange > 0.)
         add_temperature(rod,
@@ -240,9 +213,12 @@ namespace ThermoContact
         scene.set("Contact/Damping",
                   number(scaled.damping),
                   "c; " + number(rod.damping) + " s/m");
-      scene.set("Contact/Gap",
-                number(scaled.gap),
-                "g; " + number(rod.gap) + " m");
+      if (rod.gap_expression.empty())
+        scene.set("Contact/Gap",
+                  number(scaled.gap),
+                  "g; " + number(rod.gap) + " m");
+      else
+        add_length("Contact/Gap", "g", rod, rod.gap_expression, scene);
       if (rod.rear_gap)
         scene.set("Contact/Rear gap",
                   number(scaled.rear_gap),
@@ -330,8 +306,8 @@ namespace ThermoContact
                       breaks[0] + (breaks.size() > 1 ? " ; " + breaks[1] : ""));
       const double wave = std::sqrt(scaled.inertia);
       if (scaled.initial_velocity == 0. || terms.viscosity ||
-          rod.has_moving_base() || rod.rear_gap || rod.exponent != 1. ||
-          rod.damping != 0. || scaled.heat_source != 0. ||
+          rod.has_moving_base() || rod.has_moving_obstacle() || rod.rear_gap ||
+          rod.exponent != 1. || rod.damping != 0. || scaled.heat_source != 0. ||
           scaled.body_force != 0. || scaled.end_time > waves_of_impact * wave ||
           scene.has_own("Time") || scene.has_own("Mesh"))
         return;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 namespace ThermoContact
 {
@@ -22,6 +24,9 @@ namespace ThermoContact
 
     /** Parts of the end time within which a jump of the slope is. */
     constexpr double around_bend = 1e-7;
+
+    /** Stretches of so many distances of samples may have bends between. */
+    constexpr double n_close = 8.;
 
 
 
@@ -242,39 +247,73 @@ namespace ThermoContact
 
 
 
-  void
-  sharpen_bends(const LoadSample       &rate,
-                const double            end_time,
-                std::vector<LoadBreak> &breaks)
+  namespace
   {
-    const auto rate_at = [&rate](const double time) {
+    using Rate = std::function<Values(const double)>;
+
+    /**
+     * Where the rate jumps between two times, to the last digit.
+     *
+     * @param share of the change between them that a jump has
+     */
+    std::optional<LoadBreak>
+    bend_between(const Rate &rate, double a, double b, const double share)
+    {
+      Values       old_rate = rate(a), new_rate = rate(b);
+      const double all = distance(old_rate, new_rate);
+      while (next_time(a) < b)
+        {
+          const double middle = 0.5 * (a + b);
+          if (!(middle > a && middle < b))
+            break;
+          const Values at     = rate(middle);
+          const bool   is_old = distance(old_rate, at) < distance(at, new_rate);
+          (is_old ? a : b)    = middle;
+          (is_old ? old_rate : new_rate) = at;
+        }
+      if (!(distance(old_rate, new_rate) > share * all))
+        return {};
+      LoadBreak bend(a, false);
+      bend.old_time = a;
+      bend.new_time = b;
+      return bend;
+    }
+  } // namespace
+
+
+
+  void
+  sharpen_bends(const LoadSample &rate,
+                const double      end_time,
+                LoadHistory      &history)
+  {
+    const Rate rate_at = [&rate](const double time) {
       Values values;
       rate(time, values);
       return values;
     };
-    for (LoadBreak &bend : breaks)
+    for (LoadBreak &bend : history.breaks)
+      if (!bend.is_jump)
+        if (const auto found =
+              bend_between(rate_at,
+                           std::max(bend.time - around_bend * end_time, 0.),
+                           std::min(bend.time + around_bend * end_time,
+                                    end_time),
+                           0.5))
+          bend = *found;
+    // those that are too close for samples at equal distances
+    const double close = n_close * end_time / LoadSamples::n_intervals;
+    for (unsigned int i = 0; i + 1 < history.stretches.size(); ++i)
       {
-        if (bend.is_jump)
+        const LoadStretch &s = history.stretches[i];
+        const LoadStretch &t = history.stretches[i + 1];
+        if (std::min(s.end - s.begin, t.end - t.begin) > close)
           continue;
-        double       a = std::max(bend.time - around_bend * end_time, 0.);
-        double       b = std::min(bend.time + around_bend * end_time, end_time);
-        Values       old_rate = rate_at(a), new_rate = rate_at(b);
-        const double all = distance(old_rate, new_rate);
-        while (next_time(a) < b)
-          {
-            const double middle = 0.5 * (a + b);
-            if (!(middle > a && middle < b))
-              break;
-            const Values at   = rate_at(middle);
-            const bool is_old = distance(old_rate, at) < distance(at, new_rate);
-            (is_old ? a : b)  = middle;
-            (is_old ? old_rate : new_rate) = at;
-          }
-        if (distance(old_rate, new_rate) < 0.5 * all)
-          continue; // smooth
-        bend          = LoadBreak(a, false);
-        bend.old_time = a;
-        bend.new_time = b;
+        const double a = std::max(0.5 * (s.begin + s.end), s.end - close);
+        const double b = std::min(0.5 * (t.begin + t.end), t.begin + close);
+        if (const auto found = bend_between(rate_at, a, b, 0.5))
+          history.breaks.push_back(*found);
       }
+    history.breaks = merged(history.breaks);
   }
 } // namespace ThermoContact

@@ -5,6 +5,7 @@
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/forecast/steady_state.h>
 #include <thermocontact/output/output_units.h>
+#include <thermocontact/report/contact_description.h>
 #include <thermocontact/report/memory_report.h>
 #include <thermocontact/report/scene_report.h>
 #include <thermocontact/scene/coarser_scenes.h>
@@ -79,34 +80,6 @@ namespace ThermoContact
                   solver.is_iterative ?
                     text("; relative residual ", solver.tolerance) :
                     "");
-    }
-
-
-
-    template <int dim>
-    std::string
-    describe_contact(const Simulation<dim> &simulation)
-    {
-      const SceneContact &contact = simulation.scene().contact;
-      const OutputUnits   units(simulation.parameters());
-      if (!contact.law->is_active())
-        return contact.law->description();
-      const auto [smallest, largest] =
-        simulation.discretization().contact_end().range_of_gap();
-      return text(contact.law->description(),
-                  ", g = ",
-                  contact.has_uniform_gap() ?
-                    units.text("length", contact.gap) :
-                    text(simulation.parameters().contact.gap_expression,
-                         " (",
-                         units.text("length", smallest),
-                         " to ",
-                         units.text("length", largest),
-                         " at the contact nodes)"),
-                  contact.rear_gap ?
-                    ", g_2 = " + units.text("length", *contact.rear_gap) :
-                    "",
-                  contact.has_massless_nodes ? ", massless contact nodes" : "");
     }
 
 

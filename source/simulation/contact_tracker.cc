@@ -139,6 +139,27 @@ namespace ThermoContact
 
 
   template <int dim>
+  void
+  ContactTracker<dim>::complete(StepResult &result)
+  {
+    if (!body.obstacle.is_active() || !body.scene.contact.has_impacts())
+      return;
+    // impacts take the velocity of the obstacle, not that of the last stage
+    body.obstacle.set_rates(result.state.time, result.state);
+    if (locator.mode() != ContactMode::closed)
+      return;
+    // where they are but for rounding
+    for (const auto &[node, entry] :
+         body.contact_end().entries(Field::displacement))
+      result.state.displacement.begin()[entry] = result.state.gap[node];
+    // the audit of a scheme of first order has the pressure of its stage
+    if (!body.scene.sources.has_moving_end && body.scene.scheme.order > 1)
+      transition.set_pressures_of_acceleration(result.state);
+  }
+
+
+
+  template <int dim>
   ContactVerdict
   ContactTracker<dim>::judge(const TimeStep    &time_step,
                              const StepResult  &result,

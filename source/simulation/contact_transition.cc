@@ -80,6 +80,45 @@ namespace ThermoContact
 
   template <int dim>
   void
+  ContactTransition<dim>::set_pressures_of_acceleration(State &state)
+  {
+    if (!mass_solver)
+      compute_impulse_responses();
+    const Material &material = body.scene.material;
+    Vector          heat = body.discretization.make_vector(Field::temperature);
+    Vector          load = body.discretization.make_vector(Field::displacement);
+    Vector          heat_load = heat, force = load, product = load;
+    body.loads.assemble(state.time, heat_load, load);
+    // a stage of length 1 has the forces on its right-hand side, and more
+    body.equations.stage_rhs(state, 1., heat_load, load, heat, force);
+    body.equations.momentum_mass().vmult(product, state.velocity);
+    force.add(-material.inertia, product);
+    if (material.has_viscosity())
+      {
+        body.equations.viscous_stiffness().vmult(product, state.velocity);
+        force.add(-material.viscosity, product);
+      }
+    body.equations.zero_constrained(Field::displacement, force);
+    mass_solver->solve(product, force);
+    ++counters_.solves;
+    std::vector<double>          excess;
+    std::vector<TimeDerivatives> obstacle;
+    body.contact_end().get_values(Field::displacement, product, excess);
+    body.obstacle.get_derivatives(state.time, obstacle);
+    for (unsigned int i = 0; i < excess.size(); ++i)
+      excess[i] -= obstacle[i].second;
+    for (unsigned int i = 0; i < excess.size(); ++i)
+      {
+        state.contact_pressure[i] = 0.;
+        for (unsigned int j = 0; j < excess.size(); ++j)
+          state.contact_pressure[i] += inverse_receptance(i, j) * excess[j];
+      }
+  }
+
+
+
+  template <int dim>
+  void
   ContactTransition<dim>::impact(State       &state,
                                  EnergyTerms &energy_terms,
                                  ImpactCost  &cost)

@@ -209,6 +209,8 @@ namespace ThermoContact
           integrator->prescribed_step(start, time_step, result);
         else
           integrator->step(start, result.old_energy, time_step, mode, result);
+        if (result.failure.empty())
+          tracker.complete(result);
       }
     catch (const ComputationError &error)
       {

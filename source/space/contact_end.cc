@@ -237,6 +237,11 @@ namespace ThermoContact
   ContactEnd<dim>::get_penetrations(const State         &state,
                                     std::vector<double> &penetrations) const
   {
+    if (!state.known_penetration.empty())
+      {
+        penetrations = state.known_penetration;
+        return;
+      }
     get_values(Field::displacement, state.displacement, penetrations);
     for (unsigned int i = 0; i < n_nodes(); ++i)
       penetrations[i] -= state.gap[i];

@@ -310,7 +310,7 @@ namespace ThermoContact
           if (at.is_jump)
             at.node_step = jump_length(scene, at.time);
       if (load.rate)
-        sharpen_bends(load.rate, time.end_time, scanned.history.breaks);
+        sharpen_bends(load.rate, time.end_time, scanned.history);
       history.add(scanned.history);
       if (!scanned.is_resolved)
         warnings.push_back(

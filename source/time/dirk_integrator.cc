@@ -223,6 +223,7 @@ namespace ThermoContact
       result.state = known; // the first one: gets its layout
     else
       result.state.swap(known);
+    result.state.known_penetration.clear();
     find_closed_nodes(state, mode, result);
     result.energy = body.energy.energy(result.state);
     if (tableau.has_error_estimate())

@@ -19,7 +19,7 @@ namespace ThermoContact
     if (driven)
       driven->start(state, time_step.size, loads_at);
     if (obstacle)
-      obstacle->start(state, time_step.size, loads_at);
+      obstacle->start(state, time_step.first_loads, time_step.size, loads_at);
   }
 
 

@@ -207,7 +207,6 @@ namespace ThermoContact
   {
     const ContactEnd<dim> &end = body.contact_end();
     AssertDimension(end.n_nodes(), 1);
-    NearerStops stops;
     look_at_stops(body, state, stops);
     // the velocity first, then where it leads
     end.get_values(Field::displacement, rates.velocity, free_penetration);
@@ -238,8 +237,11 @@ namespace ThermoContact
   EnergyConservingIntegrator<dim>::finish_step_contact(State &new_state)
   {
     new_state.contact_pressure = rates.pressure;
-    if (step_contact->conserves_energy())
-      body.set_pressures_of_law(new_state);
+    if (!step_contact->conserves_energy())
+      return;
+    look_at_stops(body, new_state, stops);
+    new_state.contact_pressure[0] = body.law().pressure(stops.near[0]);
+    stops.turn(new_state.contact_pressure);
   }
 
 

@@ -8,6 +8,7 @@ DIR holds a finished run of one rank. A rod on two ranks; a body stopped at half
 time and resumed. What the runs of a study take of the memory together.
 """
 import json
+import math
 import os
 import re
 import shutil
@@ -19,7 +20,7 @@ import numpy
 
 sys.dont_write_bytecode = True
 from contents import contents, different  # noqa: E402
-from run_files import Run  # noqa: E402
+from run_files import Run, Settings  # noqa: E402
 
 PROGRAM = os.environ["THERMOCONTACT"]
 BOUND = 1e-7
@@ -51,7 +52,10 @@ def snapshots_differ(reference, directory):
     """Fields and contact faces as sets of points with values, to single precision."""
     runs = Run(reference), Run(directory)
     worst = 0.0
-    for index in ("fields.pvd", "contact.pvd"):
+    names = ["fields.pvd", "contact.pvd"]
+    if (reference / "obstacle.pvd").exists():
+        names.append("obstacle.pvd")
+    for index in names:
         tables = []
         for r in runs:
             r.index, r.read_snapshots = index, None
@@ -71,6 +75,23 @@ def snapshots_differ(reference, directory):
                                   for column in table.T]) for table in (a, b)]
             worst = max(worst, (abs(means[0] - means[1]) / scale[:, None]).max())
     return worst
+
+
+def check_obstacle(reference):
+    """One that moves stands at the times of the fields where its formula says, whose names
+    are those of Python."""
+    run = Run(reference)
+    times = [time for time, _ in run.snapshots()]
+    formula = Settings(reference / "used.prm")["Contact/Gap"]
+    run.index, run.read_snapshots = "obstacle.pvd", None
+    faults = [] if [time for time, _ in run.snapshots()] == times else ["other times"]
+    for time, mesh in run.snapshots():
+        gaps = [eval(formula, {"sin": math.sin, "t": time, "y": y}) for y in mesh.points[:, 1]]
+        expected = numpy.column_stack([gaps, 0 * mesh.points[:, 1:]])
+        worst = max(abs(mesh.point_data["gap"] - gaps).max(),
+                    abs(mesh.point_data["displacement"] - expected).max())
+        faults += [f"t = {time}: by {worst}"] if worst > 1e-14 or len(gaps) < 2 else []
+    print("obstacle at the times of the fields:", "; ".join(faults) or "as its formula")
 
 
 def check_rod(reference, prm):
@@ -143,6 +164,8 @@ def main():
         check_rod(reference, "scene.prm")
         check_memory_of_study()
     else:
+        if (reference / "obstacle.pvd").exists():
+            check_obstacle(reference)
         halves = {}
         for ranks in (1, 2):
             directory = Path(f"half-{ranks}")

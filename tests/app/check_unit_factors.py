@@ -30,7 +30,7 @@ ROD = dict(L=0.3, A=2e-5, rho=8900.0, E=1.2e11, nu=0.34, sides="free", eta=7e3,
            t=500.0, small="dropped", v=0.0, force=0.0, power=0.0,
            force_time=math.inf, power_time=math.inf, time_unit=None, celsius=False,
            m=1.0, damping=0.0, h_sides=0.0, perimeter=0.05, around=285.0,
-           base=None, fixed_in_time=None, obstacle_in_time=None)
+           base=None, gap_in_time=None, fixed_in_time=None, obstacle_in_time=None)
 SECONDS = {"ms": 1e-3, "min": 60.0}
 
 
@@ -91,8 +91,12 @@ RODS = {
                                  "stiffness": 2e10, "damping": 0.3},
     "damped, cooled": {**ROD, **CONFINED, "damping": 7.0, "h_sides": 12.0},
     # expressions in the units of the file
+    # inertia by the obstacle alone, in runs of less than 1e5 waves, sqrt(rho/E) L each
+    **{f"before an obstacle that moves, {n} waves": {
+        **ROD, "gap_in_time": "1e-4*cos(0.02*t)", "t": n * math.sqrt(8900.0 / 1.2e11) * 0.3}
+       for n in (0.999e5, 1.001e5)},
     "driven": {**ROD, "time_unit": "ms", "celsius": True, "t": 2e-3, "v": 0.4,
-               "h_sides": 12.0, "base": "2e-6*sin(3*t)",
+               "h_sides": 12.0, "base": "2e-6*sin(3*t)", "gap_in_time": "7e-6+4e-6*cos(2*t)",
                "fixed_in_time": "40+9*cos(5*t)", "obstacle_in_time": "if(t<1,30,50)"},
 }
 
@@ -158,7 +162,7 @@ subsection Temperatures
   set Obstacle = {rod["obstacle_in_time"] or repr(shown(rod, rod["obstacle"]))}
 {around}end
 subsection Obstacle
-  set Gap = {rod["gap"]!r}{rear_gap(rod)}
+  set Gap = {rod["gap_in_time"] or repr(rod["gap"])}{rear_gap(rod)}
   set Stiffness = {rod["stiffness"]}
 {law}  set Exchange coefficient = {rod["h"]!r}
 end
@@ -214,7 +218,8 @@ def expected_scene(rod):
             ("Inertia", "b", (diffusivity / L)**2 * rod["rho"] / M),
             ("Viscosity", "zeta", rod["eta"] * diffusivity / (L**2 * M))):
         kept[symbol] = rod["small"] == "kept" or value >= 1e-6 or (
-            symbol == "b" and bool(rod["v"] or rod["base"] or rod["rear"]))
+            symbol == "b" and bool(rod["v"] or rod["base"] or rod["rear"] or (
+                rod["gap_in_time"] and rod["t"] <= 1e5 * math.sqrt(rod["rho"] / M) * L)))
         if kept[symbol]:
             yield f"set {entry} = {{}} # {symbol}", value
         else:
@@ -226,9 +231,7 @@ def expected_scene(rod):
     degree = "\u00b0C" if rod["celsius"] else "K"
     yield expected_temperature(rod, "Fixed end temperature", "theta_A", "fixed")
     if rod["base"]:
-        yield (f"set Fixed end displacement = ({in_scene_time(rod, rod['base'])})/{{}} # "
-               f"u_A; {escaped(rod['base'])} m, t in {rod['time_unit']}",
-               *numbers_of(rod, rod["base"]), L, *numbers_of(rod, rod["base"], False))
+        yield expected_length(rod, "Fixed end displacement", "u_A", "base")
     yield "set Heat exchange = {} # k", rod["h"] * L / rod["kappa"]
     if rod["h"] > 0:
         yield expected_temperature(rod, "Obstacle temperature", "theta_obs", "obstacle")
@@ -255,7 +258,10 @@ def expected_scene(rod):
         if rod["damping"]:
             yield ("set Damping = {} # c; {} s/m", rod["damping"] * L / time,
                    rod["damping"])
-    yield "set Gap = {} # g; {} m", rod["gap"] / L, rod["gap"]
+    if rod["gap_in_time"]:
+        yield expected_length(rod, "Gap", "g", "gap_in_time")
+    else:
+        yield "set Gap = {} # g; {} m", rod["gap"] / L, rod["gap"]
     if rod["rear"] is not None:
         yield "set Rear gap = {} # g_2; {} m", rod["rear"] / L, rod["rear"]
     yield "end",
@@ -322,6 +328,13 @@ def numbers_of(rod, expression, is_scaled=True):
     factor = scales(rod)[1] / SECONDS.get(rod["time_unit"], 1.0)
     for match in re.finditer(NUMBER + (r"|\bt\b" if is_scaled else ""), expression):
         yield factor if match[0] == "t" else float(match[0])
+
+
+def expected_length(rod, entry, symbol, name):
+    """An expression, in the scene and in the file."""
+    return (f"set {entry} = ({in_scene_time(rod, rod[name])})/{{}} # {symbol}; "
+            f"{escaped(rod[name])} m, t in {rod['time_unit'] or 's'}",
+            *numbers_of(rod, rod[name]), rod["L"], *numbers_of(rod, rod[name], False))
 
 
 def expected_temperature(rod, entry, symbol, name):
@@ -441,6 +454,8 @@ def main():
                      ("subsection Rod", "subsection Sides\n  set Perimeter = 0.05\n"
                       "end\nsubsection Rod"),
                      ("= 0.0001\n", "= 0.0001\n  set Rear gap = 0\n"),
+                     ("= 0.0001\n", "= 1e-4+if(t<2,0,1/(t-t))\n"),
+                     ("= 0.0001\n", "= 1e-4*y\n"),
                      ("Initial = 310.0\n  set Fixed end = 350.0",
                       "Initial = 310.0\n  set Fixed end = 300+if(t<2,0,1/(t-t))"),
                      ("subsection Rod", "subsection Mesh\n  set Cels = 1\nend\n"

@@ -181,13 +181,12 @@ namespace ThermoContact
           gap.find_first_not_of("0123456789.e+-") != std::string::npos ||
           !happens(0.35))
         return;
+      leave_start_of_paper();
       const double front    = number("Contact/Gap", 0.);
       const double rear_gap = std::max(
         {moderate_or_extreme(1e-3, 1., 1e-9, 1e3), -1.1 * front, -1.1 * u_end});
-      if (rear_gap > 1e15)
-        return; // beyond the range of the entry
-      leave_start_of_paper();
-      set("Contact/Rear gap", rear_gap);
+      if (rear_gap <= 1e15) // as large as the entry may be
+        set("Contact/Rear gap", rear_gap);
     }
 
     /** With which pressures have squares that are numbers. */

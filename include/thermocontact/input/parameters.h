@@ -63,7 +63,7 @@ namespace ThermoContact
   {
     std::string           condition = contact_laws().front().name;
     double                gap       = 0.1; ///< $g$ if it is a number,
-    std::string           gap_expression;  ///< or else in y, z
+    std::string           gap_expression;  ///< or else in y, z, t
     std::optional<double> rear_gap; ///< $g_2$; none: there is no rear stop
     std::string           massless_nodes = "automatic";
 

@@ -54,7 +54,8 @@ namespace ThermoContact
     std::string obstacle_expression;              ///< or else in t
     double      surrounding_temperature = 293.15; ///< if the sides lose heat
 
-    double                gap = 5e-4;                  ///< m
+    double                gap = 5e-4;                  ///< m, a number,
+    std::string           gap_expression;              ///< or else in t
     std::optional<double> rear_gap;                    ///< m; none: one stop
     std::optional<double> stiffness;                   ///< N/m^m; none: rigid
     double                exponent             = 1.;   ///< m
@@ -103,13 +104,17 @@ namespace ThermoContact
     bool
     has_moving_base() const;
 
+    /** The obstacle moves. */
+    bool
+    has_moving_obstacle() const;
+
     /**
      * @throw InputError for temperatures that are no numbers above 0 K, or
      *   that may be degrees Celsius, as the file does not say that they are
      *   kelvin; for an obstacle without stiffness, or a rigid one with a law;
      *   for a rear stop without a gap; for a perimeter that no cross-section
-     *   of that area has, or hardly any; for expressions that are none, or a
-     *   base that starts elsewhere
+     *   of that area has, or hardly any; for expressions that are none, a gap
+     *   that is not finite, or a base that starts elsewhere
      */
     void
     check() const;
@@ -123,6 +128,9 @@ namespace ThermoContact
 
     void
     check_obstacle() const;
+
+    void
+    check_gap() const;
 
     void
     check_sides() const;
@@ -176,7 +184,7 @@ namespace ThermoContact
     double damping;               ///< $c$
     double lateral_exchange;      ///< $m$ of the sides
     double ambient_temperature;   ///< $\theta_\infty$
-    double gap;                   ///< $g$
+    double gap;                   ///< $g$, if it is a number
     double rear_gap;              ///< $g_2$, if there is a rear stop
     double fixed_end_temperature; ///< $\theta_A$
     double obstacle_temperature;  ///< $\theta_{obs}$

@@ -21,7 +21,7 @@ namespace ThermoContact
 
     double time     = 0.;
     Kind   kind     = begin;
-    double velocity = 0.; ///< $u_t(1)$ of the free end next to that time
+    double velocity = 0.; ///< $u_t(1)-g'$ of the free end next to that time
     int    side     = 1;  ///< of the stop; -1: the one behind the end
 
     template <class Archive>
@@ -40,7 +40,7 @@ namespace ThermoContact
     double              time = 0.;
     std::vector<double> displacement; ///< normal, $u_n$
     std::vector<double> penetration;  ///< $u_n-g$
-    std::vector<double> velocity;     ///< normal, $v_n$
+    std::vector<double> velocity;     ///< of approach, $v_n-g'$
 
     /**
      * Of either sign in a closed step. With damping that of the penetration at

@@ -111,16 +111,16 @@ namespace ThermoContact
 
 
   /**
-   * Finds the jumps of the slope to the last digit, where the slope is known.
+   * Finds the jumps of the slope to the last digit, where the slope is known;
+   * also those that are too close to each other for the samples of the load.
    *
    * @param rate of the load
-   * @param breaks in, out: of the load; those at which the rate does not jump
-   *   stay where they are
+   * @param history in, out: of the load
    */
   void
-  sharpen_bends(const LoadSample       &rate,
-                const double            end_time,
-                std::vector<LoadBreak> &breaks);
+  sharpen_bends(const LoadSample &rate,
+                const double      end_time,
+                LoadHistory      &history);
 
 
 

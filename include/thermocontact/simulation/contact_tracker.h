@@ -73,6 +73,13 @@ namespace ThermoContact
     }
 
     /**
+     * A step that was computed is complete: with the pressures of nodes that an
+     * obstacle has moved.
+     */
+    void
+    complete(StepResult &result);
+
+    /**
      * Judges a step and prepares the next attempt.
      *
      * @param accepted,energy the state that was accepted last

@@ -69,6 +69,16 @@ namespace ThermoContact
     impact(State &state, EnergyTerms &energy, ImpactCost &cost);
 
     /**
+     * The pressures become those with which nodes with mass that a rigid
+     * obstacle holds have its acceleration, (M.112): those of the last stage
+     * are of first order only.
+     *
+     * @throw ComputationError if the mass matrix cannot be factorised
+     */
+    void
+    set_pressures_of_acceleration(State &state);
+
+    /**
      * The pressures of a damped obstacle whose velocity has jumped, (M.82), at
      * a body with inertia, which goes on as it was.
      */

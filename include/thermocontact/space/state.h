@@ -36,6 +36,12 @@ namespace ThermoContact
     /** $g'$ there: how fast an obstacle that moves goes away from the body. */
     std::vector<double> gap_rate;
 
+    /**
+     * Penetrations of known values that the difference of displacement and gap
+     * would lose the digits of; else empty.
+     */
+    std::vector<double> known_penetration;
+
     /** Time at which a jump of the loads moved it last; negative: none did. */
     double jump_time = -1.;
 

@@ -5,6 +5,7 @@
 
 #include <thermocontact/method/conserving_contact.h>
 #include <thermocontact/method/step_contact.h>
+#include <thermocontact/method/two_stops.h>
 #include <thermocontact/time/driven_step.h>
 #include <thermocontact/time/time_integrator.h>
 
@@ -78,6 +79,7 @@ namespace ThermoContact
      */
     std::unique_ptr<const StepContact> step_contact;
     std::vector<double>                free_penetration; ///< at the end
+    NearerStops                        stops;
 
     std::vector<double> old_free_position; ///< $s$ at the beginning
     std::vector<double> free_position;     ///< $s$ at the end

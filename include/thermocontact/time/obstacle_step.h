@@ -26,9 +26,16 @@ namespace ThermoContact
     /** @param body borrowed, before an obstacle that moves */
     explicit ObstacleStep(const Body<dim> &body);
 
-    /** Begins a step by @p size from @p state. */
+    /**
+     * Begins a step by @p size from @p state.
+     *
+     * @param begin the first time with the rates of the step
+     */
     void
-    start(const State &state, const double size, const StageTimes &stages);
+    start(const State      &state,
+          const double      begin,
+          const double      size,
+          const StageTimes &stages);
 
     /**
      * Puts the obstacle of stage @p i where it is at the end of the stage.
@@ -58,8 +65,8 @@ namespace ThermoContact
     std::vector<std::vector<double>> accelerations;
 
     // memory
-    std::vector<TimeDerivatives> obstacle;
-    std::vector<double>          body_velocity;
+    std::vector<TimeDerivatives> obstacle, old_obstacle;
+    std::vector<double>          old_velocity;
   };
 } // namespace ThermoContact
 
