@@ -76,10 +76,10 @@ namespace ThermoContact
     const std::string fewer_ranks = n_at_once > 1 ? "fewer ranks, " : "";
     if (needed > 2. * memory.bytes)
       throw InputError(
-        text(bytes >= bytes_of_reference ? "Study/Vary" : "Study/Reference",
-             ": the study takes about ",
+        text(bytes > 2. * memory.bytes ? "Study/Vary" : "Study/Reference",
+             ": the study takes, of memory here, about ",
              what,
-             " of memory here, where there are ",
+             "; there are ",
              gigabytes(memory.bytes),
              "\n  allowed: what takes less than twice as much as there is, "
              "since the forecast may be off by as much\n  remedy:  ",
