@@ -122,11 +122,16 @@ namespace ThermoContact
         if (command.is_resumed)
           read_rows(directory, prm, table);
         check_output_directory(directory, communicator);
-        return check_study(plan, parameters.study, log);
+        return check_study(table, parameters.study, log);
       }
-    check_study_memory(plan, log);
+    // before there is a directory, or with its rows, and kept for its log
+    std::string memory;
+    if (!command.is_resumed)
+      memory = check_study_memory(table);
     const DirectoryLock lock(directory, command.is_resumed, communicator);
     prepare(prm, command, directory, table);
+    if (command.is_resumed)
+      memory = check_study_memory(table);
     throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",
                                                      command.is_resumed),
                                        communicator);
@@ -137,6 +142,8 @@ namespace ThermoContact
     if (command.is_resumed)
       log.line("  resumed   with the rows of " + std::to_string(table.size()) +
                " runs");
+    if (!memory.empty())
+      log.line(memory);
     try
       {
         run_study(parameters.study, directory, table, log);

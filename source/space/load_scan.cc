@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <regex>
 
 namespace ThermoContact
@@ -35,9 +36,9 @@ namespace ThermoContact
 
 
 
-    /** The numbers in an expression, without signs. */
+    /** The numbers up to @p largest in an expression, without signs. */
     std::vector<double>
-    numbers_in(const std::string &expression)
+    numbers_in(const std::string &expression, const double largest)
     {
       static const std::regex number("(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
       std::vector<double>     values;
@@ -46,7 +47,8 @@ namespace ThermoContact
                                       number);
            match != std::sregex_iterator() && values.size() < max_named_times;
            ++match)
-        if (const auto value = parse_number(match->str()))
+        if (const auto value = parse_number(match->str());
+            value && *value <= largest)
           values.push_back(*value);
       std::sort(values.begin(), values.end());
       values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -56,17 +58,23 @@ namespace ThermoContact
 
 
     /**
-     * Times at which an expression may jump or bend. Numbers in it, and, as
-     * times are often scaled - those of files in SI units stand there as
-     * (2592120*t) -, zeros of what is linear in t.
+     * Times up to the end at which an expression may jump or bend. Numbers in
+     * it, and, as times are often scaled - those of files in SI units stand
+     * there as (2592120*t) -, zeros of what is linear in t.
      */
     std::vector<double>
     times_in(const std::string &expression, const double end_time)
     {
-      std::vector<double>       times = numbers_in(expression);
+      std::vector<double>       times = numbers_in(expression, end_time);
       const std::vector<double> zeros =
         zeros_of_linear_parts(expression, 0.6180339887 * end_time);
-      times.insert(times.end(), zeros.begin(), zeros.end());
+      // others would take the places of those that count
+      std::copy_if(zeros.begin(),
+                   zeros.end(),
+                   std::back_inserter(times),
+                   [end_time](const double zero) {
+                     return zero >= 0. && zero <= end_time;
+                   });
       std::sort(times.begin(), times.end());
       times.erase(std::unique(times.begin(), times.end()), times.end());
       if (times.size() > 2 * max_named_times)

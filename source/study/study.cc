@@ -148,8 +148,8 @@ namespace ThermoContact
 
 
     /** Of the runs that are in @p memory, and the reference. */
-    void
-    report_memory(const StudyPlan &plan, StudyMemory &memory, Log &log)
+    std::string
+    report_memory(const StudyPlan &plan, StudyMemory &memory)
     {
       if (plan.reference())
         {
@@ -157,7 +157,7 @@ namespace ThermoContact
           plan.read_scene(*plan.reference(), reader);
           memory.add_reference(Scene(reader.scene()));
         }
-      memory.report(MPI_COMM_WORLD, log);
+      return memory.report(MPI_COMM_WORLD);
     }
   } // namespace
 
@@ -239,15 +239,18 @@ namespace ThermoContact
 
 
 
-  void
-  check_study_memory(const StudyPlan &plan, Log &log)
+  std::string
+  check_study_memory(const StudyTable &table)
   {
-    if (!has_bodies(plan))
-      return;
-    StudyMemory        memory;
-    SceneReader        reader(plan.scene_assignments());
-    const unsigned int n_read = std::min(plan.n_runs(), max_checked);
-    for (unsigned int run = 0; run < n_read; ++run)
+    const StudyPlan          &plan = table.plan();
+    std::vector<unsigned int> runs = missing_runs(table);
+    if (runs.empty() || !has_bodies(plan))
+      return "";
+    if (runs.size() > max_checked)
+      runs.resize(max_checked);
+    StudyMemory memory;
+    SceneReader reader(plan.scene_assignments());
+    for (const unsigned int run : runs)
       try
         {
           plan.read_scene(plan.overrides(run), reader);
@@ -255,16 +258,17 @@ namespace ThermoContact
         }
       catch (const InputError &)
         {} // the run fails, and says why
-    report_memory(plan, memory, log);
+    return report_memory(plan, memory);
   }
 
 
 
   void
-  check_study(const StudyPlan       &plan,
+  check_study(const StudyTable      &table,
               const StudyParameters &parameters,
               Log                   &log)
   {
+    const StudyPlan &plan = table.plan();
     log.line(text("  study     ",
                   plan.n_runs(),
                   " runs, reference: ",
@@ -280,7 +284,8 @@ namespace ThermoContact
         {
           plan.read_scene(plan.overrides(run), reader);
           const Scene scene(reader.scene());
-          memory.add(plan.description(run), scene);
+          if (!table.has(run))
+            memory.add(plan.description(run), scene);
           if (const auto cost = expected_cost(scene, reader.scene().mesh.cells))
             {
               steps += cost->steps;
@@ -299,7 +304,9 @@ namespace ThermoContact
         " steps, about, of ",
         n_known,
         " runs"));
-    report_memory(plan, memory, log);
+    if (table.size() < plan.n_runs())
+      if (const std::string lines = report_memory(plan, memory); !lines.empty())
+        log.line(lines);
     if (n_checked < plan.n_runs())
       log.line(text("  checked   the first ", n_checked, " runs"));
     if (n_refused > 0)

@@ -39,12 +39,12 @@ namespace ThermoContact
 
 
 
-  void
-  StudyMemory::report(const MPI_Comm communicator, Log &log) const
+  std::string
+  StudyMemory::report(const MPI_Comm communicator) const
   {
     const SharedMemory memory = scarcest_memory(communicator);
     if (!has_bodies)
-      return;
+      return "";
     const auto        n_here    = static_cast<std::size_t>(std::round(
       memory.share * dealii::Utilities::MPI::n_mpi_processes(communicator)));
     const std::size_t n_at_once = std::min(n_here, runs.size());
@@ -70,25 +70,26 @@ namespace ThermoContact
       what += text(what.empty() ? "" : ", ",
                    gigabytes(bytes_of_reference),
                    " for the reference");
-    log.line("  memory    about " + what + "; here are " +
-             gigabytes(memory.bytes));
     const double      needed      = std::max(bytes, bytes_of_reference);
     const std::string fewer_ranks = n_at_once > 1 ? "fewer ranks, " : "";
     if (needed > 2. * memory.bytes)
       throw InputError(
-        text(bytes >= bytes_of_reference ? "Study/Vary" : "Study/Reference",
-             ": the study takes about ",
+        text(bytes > 2. * memory.bytes ? "Study/Vary" : "Study/Reference",
+             ": the study takes, of memory here, about ",
              what,
-             " of memory here, where there are ",
+             "; there are ",
              gigabytes(memory.bytes),
              "\n  allowed: what takes less than twice as much as there is, "
              "since the forecast may be off by as much\n  remedy:  ",
              fewer_ranks,
              "fewer Mesh/Cells, a lower Mesh/Degree, Solver/Linear solver = "
              "iterative"));
+    std::string lines =
+      "  memory    about " + what + "; here are " + gigabytes(memory.bytes);
     if (needed > memory.bytes)
-      log.line(text("  warning:  that may not be enough memory; ",
+      lines += text("\n  warning:  that may not be enough memory; ",
                     n_at_once > 1 ? "fewer ranks or " : "",
-                    "Solver/Linear solver = iterative take less"));
+                    "Solver/Linear solver = iterative take less");
+    return lines;
   }
 } // namespace ThermoContact

@@ -32,24 +32,27 @@ namespace ThermoContact
 
 
   /**
-   * Says what the runs take of the memory of the machine,
-   * StudyMemory::report(), before they are made. Collective on MPI_COMM_WORLD.
+   * What the runs that have no row in @p table yet take of the memory of the
+   * machine, StudyMemory::report(). Collective on MPI_COMM_WORLD; the table of
+   * rank 0 counts.
    *
+   * @return lines for the screen; nothing if there are no such runs, or rods
    * @throw InputError if that is far too much
    */
-  void
-  check_study_memory(const StudyPlan &plan, Log &log);
+  std::string
+  check_study_memory(const StudyTable &table);
 
 
 
   /**
    * What `--check` says of a study: its runs, their steps altogether, and that
-   * each can be run.
+   * each can be run. All ranks have read the rows of @p table, whose runs take
+   * no memory any more.
    *
    * @throw InputError naming the runs that cannot
    */
   void
-  check_study(const StudyPlan       &plan,
+  check_study(const StudyTable      &table,
               const StudyParameters &parameters,
               Log                   &log);
 } // namespace ThermoContact

@@ -3,7 +3,6 @@
 #ifndef thermocontact_study_study_memory_h
 #define thermocontact_study_study_memory_h
 
-#include <thermocontact/base/log.h>
 #include <thermocontact/scene/scene.h>
 
 #include <mpi.h>
@@ -29,14 +28,15 @@ namespace ThermoContact
     add_reference(const Scene &scene);
 
     /**
-     * Prints it beside the memory of the machine whose ranks have the least,
-     * with a warning if that is less; nothing if all runs are rods. Collective.
+     * Lines for the screen: it beside the memory of the machine whose ranks
+     * have the least, and a warning if that is less; nothing if all runs are
+     * rods. Collective.
      *
      * @throw InputError if it would not be enough were the forecast twice too
      *   large
      */
-    void
-    report(const MPI_Comm communicator, Log &log) const;
+    std::string
+    report(const MPI_Comm communicator) const;
 
   private:
     struct Run
