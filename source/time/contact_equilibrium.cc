@@ -3,10 +3,10 @@
 #include <thermocontact/method/contact_solver.h>
 #include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/time/contact_equilibrium.h>
+#include <thermocontact/time/contact_equilibrium_many.h>
 #include <thermocontact/time/contact_node_problem.h>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace ThermoContact
@@ -76,138 +76,30 @@ namespace ThermoContact
 
 
 
-  namespace
+  std::vector<double>
+  before_obstacle(const std::vector<double> &gap,
+                  const std::vector<double> &displacement)
   {
-    /**
-     * Penetrations of all nodes of the end, or their rates; where there is no
-     * pressure, displacements.
-     */
-    std::vector<double>
-    before_obstacle(const std::vector<double> &gap,
-                    const std::vector<double> &displacement)
-    {
-      std::vector<double> penetration(displacement);
-      for (unsigned int i = 0; i < gap.size(); ++i)
-        penetration[i] -= gap[i];
-      return penetration;
-    }
+    std::vector<double> penetration(displacement);
+    for (unsigned int i = 0; i < gap.size(); ++i)
+      penetration[i] -= gap[i];
+    return penetration;
+  }
 
 
 
-    /** The same with a stop behind, if there is one. */
-    template <int dim>
-    EndPenetrations
-    all_penetrations(const Body<dim>           &body,
-                     const State               &state,
-                     const std::vector<double> &displacement)
-    {
-      EndPenetrations penetration{before_obstacle(state.gap, displacement), {}};
-      if (body.scene.contact.rear_gap)
-        for (const double u : displacement)
-          penetration.rear.push_back(-u - *body.scene.contact.rear_gap);
-      return penetration;
-    }
-
-
-
-    /** Where a node with pressure is, exact to the rounding of u. */
-    template <int dim>
-    double
-    displacement_of_law(const Body<dim>   &body,
-                        const State       &state,
-                        const unsigned int node)
-    {
-      const double p = state.contact_pressure[node];
-      return (p < 0. && body.scene.contact.rear_gap ?
-                -*body.scene.contact.rear_gap :
-                state.gap[node]) +
-             body.law().penetration(p);
-    }
-
-
-
-    /**
-     * As settle_contact_nodes(), for as many nodes as there may be.
-     *
-     * @param load forces on the nodes
-     * @param rate_load likewise, of the velocity
-     */
-    template <int dim>
-    void
-    settle_many_nodes(const Body<dim>           &body,
-                      const std::vector<double> &load,
-                      const std::vector<double> &rate_load,
-                      State                     &state)
-    {
-      const ContactEnd<dim>  &end = body.contact_end();
-      std::vector<double>    &p   = state.contact_pressure;
-      ContactNodeProblem<dim> problem(body, 1.);
-      std::vector<double>     displacement, velocity;
-      end.get_all_values(Field::displacement, state.displacement, displacement);
-      end.get_all_values(Field::displacement, state.velocity, velocity);
-      const std::vector<double> change =
-        problem.solve(load,
-                      all_penetrations(body, state, displacement),
-                      std::vector<bool>(p.size(), body.law().is_active()),
-                      p);
-      const std::vector<double> acceleration =
-        problem.solve_for_same_set(rate_load,
-                                   before_obstacle(state.gap_rate, velocity));
-      for (unsigned int i = 0; i < displacement.size(); ++i)
-        {
-          velocity[i] += acceleration[i];
-          // where there is pressure, the law is exact to rounding of u
-          displacement[i] = i < p.size() && p[i] != 0. ?
-                              displacement_of_law(body, state, i) :
-                              displacement[i] + change[i];
-        }
-      end.set_all_values(Field::displacement, displacement, state.displacement);
-      end.set_all_values(Field::displacement, velocity, state.velocity);
-    }
-
-
-
-    /**
-     * As settle_contact_velocities(), for as many nodes as there may be.
-     *
-     * @param load forces on the nodes, with those of the velocity
-     */
-    template <int dim>
-    void
-    settle_many_velocities(const Body<dim>           &body,
-                           const std::vector<double> &load,
-                           const std::vector<bool>   &is_closed,
-                           State                     &state)
-    {
-      const ContactEnd<dim>  &end = body.contact_end();
-      ContactNodeProblem<dim> problem(body, body.scene.material.viscosity);
-      std::vector<double>    &p = state.contact_pressure;
-      std::vector<double>     velocity;
-      NearerStops             stops;
-      look_at_stops(body, state, stops);
-      end.get_all_values(Field::displacement, state.velocity, velocity);
-      // towards the other stop nodes are free
-      constexpr double infinity = std::numeric_limits<double>::infinity();
-      EndPenetrations  into{before_obstacle(state.gap_rate, velocity), {}};
-      if (stops.are_two())
-        into.rear.assign(velocity.size(), -infinity);
-      for (unsigned int i = 0; i < p.size(); ++i)
-        {
-          const double side = stops.side(i);
-          p[i]              = is_closed[i] && side * p[i] > 0. ? p[i] : 0.;
-          if (side > 0.)
-            continue;
-          into.front[i] = -infinity;
-          into.rear[i]  = -velocity[i];
-        }
-      const std::vector<double> change =
-        problem.solve(load, into, is_closed, p);
-      for (unsigned int i = 0; i < velocity.size(); ++i)
-        velocity[i] = i < p.size() && p[i] != 0. ? state.gap_rate[i] :
-                                                   velocity[i] + change[i];
-      end.set_all_values(Field::displacement, velocity, state.velocity);
-    }
-  } // namespace
+  template <int dim>
+  double
+  displacement_of_law(const Body<dim>   &body,
+                      const State       &state,
+                      const unsigned int node)
+  {
+    const double p = state.contact_pressure[node];
+    return (p < 0. && body.scene.contact.rear_gap ?
+              -*body.scene.contact.rear_gap :
+              state.gap[node]) +
+           body.law().penetration(p);
+  }
 
 
 
@@ -405,6 +297,9 @@ namespace ThermoContact
   template FullMatrix<double> contact_stiffness<dim>(const Body<dim> &);     \
   template FullMatrix<double> contact_receptance<dim>(                       \
     const ContactEnd<dim> &, const FullMatrix<double> &);                    \
+  template double displacement_of_law<dim>(const Body<dim> &,                \
+                                           const State &,                    \
+                                           const unsigned int);              \
   template void   settle_contact_nodes<dim>(Body<dim> &, State &);           \
   template Vector move_contact_nodes<dim>(Body<dim> &, State &);             \
   template void   settle_contact_velocities<dim>(Body<dim> &,                \

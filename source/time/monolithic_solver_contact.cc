@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/time/monolithic_solver.h>
 
 #include <algorithm>
@@ -28,6 +29,54 @@ namespace ThermoContact
       return largest;
     }
   } // namespace
+
+
+
+  template <int dim>
+  void
+  MonolithicSolver<dim>::get_free_penetration(const State      &known,
+                                              const StageRates &rates)
+  {
+    const double           tau = factorizations.front().matrix.tau();
+    const ContactEnd<dim> &end = body.contact_end();
+    // from the obstacle on: in contact the first term is small or zero, and
+    // the sum keeps the digits of the second in short stages
+    look_at_stops(body, known, stops);
+    end.get_values(Field::displacement, rates.velocity, free_penetration);
+    stops.turn(free_penetration);
+    far_penetration = stops.far;
+    for (unsigned int i = 0; i < far_penetration.size(); ++i)
+      far_penetration[i] -= tau * free_penetration[i];
+    for (unsigned int i = 0; i < free_penetration.size(); ++i)
+      free_penetration[i] = stops.near[i] + tau * free_penetration[i];
+  }
+
+
+
+  template <int dim>
+  bool
+  MonolithicSolver<dim>::reaches_a_stop() const
+  {
+    const auto is_beyond = [](const double s) { return s > 0.; };
+    return std::any_of(free_penetration.begin(),
+                       free_penetration.end(),
+                       is_beyond) ||
+           std::any_of(far_penetration.begin(),
+                       far_penetration.end(),
+                       is_beyond);
+  }
+
+
+
+  template <int dim>
+  const FullMatrix<double> &
+  MonolithicSolver<dim>::seen_response()
+  {
+    if (!stops.are_two())
+      return response();
+    turned_response = stops.turned(response());
+    return turned_response;
+  }
 
 
 
@@ -272,6 +321,9 @@ namespace ThermoContact
 
 
 #define INSTANTIATE(dim)                                                       \
+  template void MonolithicSolver<dim>::get_free_penetration(                   \
+    const State &, const StageRates &);                                        \
+  template bool MonolithicSolver<dim>::reaches_a_stop() const;                 \
   template void MonolithicSolver<dim>::keep_contact(                           \
     const std::vector<bool> &, const std::vector<double> &, State &);          \
   template void MonolithicSolver<dim>::get_nodes_in_motion(                    \
@@ -289,7 +341,8 @@ namespace ThermoContact
                                               const Vector &,                  \
                                               const ContactMode,               \
                                               const std::vector<double> &,     \
-                                              StageRates &)
+                                              StageRates &);                   \
+  template const FullMatrix<double> &MonolithicSolver<dim>::seen_response()
 
   INSTANTIATE(1);
   INSTANTIATE(2);
