@@ -106,13 +106,8 @@ class Ranges:
 
 
 def path_of_obstacle(run, times):
-    """The gap before a rod at rest at each of these times, empty if it is always the same."""
-    u, gap = (numpy.array(run.data[name]) for name in ("displacement_end", "gap"))
-    gaps = u + gap
-    if not numpy.isfinite(gaps).all() or \
-            numpy.ptp(gaps) <= 1e-9 * max(abs(u).max(), abs(gap).max()):
-        return []
-    return numpy.interp(times, run.data["time"], gaps).tolist()
+    """The gap before a rod at rest at each of these times; empty if it is always the same."""
+    return numpy.interp(times, *run.path).tolist() if run.path else []
 
 
 def nearest(times, time):

@@ -111,8 +111,11 @@ def draw_history(axes, column, runs):
         axes.plot(run.data["time"], run.data[column], zorder=3, **run.looks)
     axes.ticklabel_format(axis="y", scilimits=(-3, 4))
     if column == "displacement_end":
-        for g in {run.obstacle for run in runs}:
+        for g in {run.obstacle for run in runs if not run.moves}:
             draw_obstacle(axes, g)
+        for run in runs:
+            if run.path:
+                axes.plot(*run.path, zorder=2.5, **OBSTACLE)
     if column == "gap":
         draw_obstacle(axes, 0)
 
@@ -121,12 +124,14 @@ def legend_of(runs, obstacle):
     """Handles of matplotlib's legend."""
     from matplotlib.lines import Line2D
     handles = [Line2D([], [], label=run.title, **run.looks) for run in runs]
-    values = sorted({run.obstacle for run in runs} - {math.nan})
+    values = sorted({run.obstacle for run in runs if not run.moves} - {math.nan})
     values = [g for g in values if math.isfinite(g)]
     if values and obstacle:
         unit = runs[0].units.get("gap")
         handles.append(Line2D([], [], label="obstacle, $g$ = " + ", ".join(
             f"{g:g}" for g in values) + (f" {unit}" if unit else ""), **OBSTACLE))
+    elif obstacle and any(run.path for run in runs):
+        handles.append(Line2D([], [], label="obstacle, $g(t)$", **OBSTACLE))
     return handles + legend_of_contacts(runs, "bars at the top")
 
 

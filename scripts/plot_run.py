@@ -91,6 +91,24 @@ def rounded(end):
     return round(g, 11 - math.floor(math.log10(size))) if size > 0 else 0.0
 
 
+def obstacle_moves(directory):
+    """Whether the gap in used.prm depends on t."""
+    try:
+        text = (directory / "used.prm").read_text(encoding="utf-8")
+    except OSError:
+        return False
+    gap = re.search(r"^\s*set Gap\s*=([^#\n]*)", text, re.MULTILINE)
+    return bool(gap and re.search(r"\bt\b", gap[1]))
+
+
+def path_of_obstacle(directory, data):
+    """Times and gaps before the end at rest of a rod whose obstacle moves, else None; the
+    end of a body does not move as one."""
+    if (directory / "contact.pvd").exists() or not obstacle_moves(directory):
+        return None
+    return data["time"], [u + gap for u, gap in zip(data["displacement_end"], data["gap"])]
+
+
 def read_run(directory, end_time):
     path = directory / "contact.csv"
     comments, last_time, data, units = read_data(path, end_time)
@@ -103,6 +121,7 @@ def read_run(directory, end_time):
         ended=how_it_ended(directory, last_time, units.get("time", "")),
         contacts=read_contacts(directory / "events.csv", data),
         obstacle=rounded(min(ends)) if ends else math.nan,
+        moves=obstacle_moves(directory), path=path_of_obstacle(directory, data),
         steps=read_optional(directory / "steps.csv", lambda _: STEPS, end_time),
         probes=read_optional(
             directory / "probes.csv", lambda header: ["time", *(

@@ -148,6 +148,7 @@ namespace ThermoContact
         cost.steps    = time.n_steps();
         cost.is_exact = !output.land_on_times && output.period == 0. &&
                         time.break_points.empty() &&
+                        !scene.sources.has_moving_obstacle &&
                         !scene.contact.locates_events;
         for (const double point : time.break_points)
           cost.steps += point > 0. && point < T;

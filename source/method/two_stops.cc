@@ -21,6 +21,13 @@ namespace ThermoContact
       return beyond * beyond / (2. * compliance);
     };
     const auto mean = [&](const double end) {
+      // at one stop, or in the play, without the difference of potentials
+      if (std::min(start, end) >= 0.)
+        return (start + end) / (2. * compliance);
+      if (std::max(start, end) <= -width)
+        return (start + end + 2. * width) / (2. * compliance);
+      if (std::max(start, end) <= 0. && std::min(start, end) >= -width)
+        return 0.;
       return (potential(end) - potential(start)) / (end - start);
     };
     // grows with the end, since the potential is convex

@@ -312,7 +312,17 @@ namespace ThermoContact
                                   "\n  remedy:  ",
                                   load.no_jump));
       if (!time.has_error_control())
-        return;
+        {
+          // a rigid obstacle that turns within a step would throw its nodes
+          if (!load.is_of_nodes && load.rate)
+            {
+              sharpen_bends(load.rate, time.end_time, scanned.history);
+              LoadHistory bends;
+              bends.breaks = scanned.history.breaks;
+              history.add(bends);
+            }
+          return;
+        }
       if (load.is_of_nodes)
         for (LoadBreak &at : scanned.history.breaks)
           if (at.is_jump)

@@ -10,7 +10,8 @@ what its texts say, without drawing it (scene_record.py). For each picture:
   which      peak: nearest to the time of the largest force in contact.csv;
              first-contact: to the first row of events.csv; first; last; frames
 and of the scene:
-  obstacle   its face is at 1 + S g, g from used.prm; the fixed end's at 0
+  obstacle   its face is at 1 + S g, g from used.prm, or at the time of each picture by
+             the formula of one that moves; the fixed end's at 0
   colours    smallest and largest axial value of the field in the title in all
              snapshots, read by meshio
   S          if it is not given: |S u| <= 0.33, and no cell shrinks to less than
@@ -92,8 +93,8 @@ def record_of(settings):
     return json.loads(lines[0][len("record "):])
 
 
-def check_scene(name, directory, field, *arguments, gaps=None):
-    truth = Truth(Path(directory), gaps)
+def check_scene(name, directory, field, *arguments, gaps=None, motion=None):
+    truth = Truth(Path(directory), gaps, motion)
     record = record_of(settings_of(Path(directory), "--frames", "4",
                                    *arguments))
     faults = faults_of_record(record, truth, field, 4)
@@ -265,12 +266,21 @@ def main():
         "Output/Fields interval=0.05", "Output/Space-time interval=0.05")
     run("shape", "examples/strip.prm", "Time/End time=0.2", "Mesh/Cells=6",
         "Output/Fields interval=0.05", "Contact/Gap=0.02+(y-0.1)^2")
+    run("hammer", "examples/hammered-rod.prm", "Time/End time=3",
+        "Output/Fields interval=0.3")
+    run("turn", "examples/strip.prm", "Time/End time=0.4", "Mesh/Cells=6", "Time/Start=automatic",
+        "Output/Fields interval=0.05", "Contact/Gap=0.02+0.1*y-(0.03+0.2*y)*sin(9*t)")
     run("heat", "verification/heat-series.prm", "Time/End time=0.2",
         "Output/Fields interval=0.05")
     check_scene("rod", "rod", "temperature")
     check_scene("strip, stress", "strip", "stress", "--colour", "stress")
     check_scene("shaped obstacle", "shape", "temperature", gaps=(0.02, 0.03))
+    # faces of straight obstacles: their gaps at y = 0 and 0.2
+    check_scene("obstacle that turns", "turn", "temperature", motion=lambda t: sorted(
+        0.02 + 0.1 * y - (0.03 + 0.2 * y) * math.sin(9 * t) for y in (0, 0.2)))
     if not pvbatch:  # which takes seconds for each
+        check_scene("hammer", "hammer", "displacement", "--colour", "displacement", motion=lambda t: (
+            0.02 - 0.05 * max(0, math.sin(2 * t))**3,) * 2)
         check_scene("fine", "fine", "temperature")
         check_scene("heat", "heat", "temperature")
         check_scene("rod, half", "rod", "displacement", "--scale", "0.5",

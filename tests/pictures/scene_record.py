@@ -42,12 +42,17 @@ def record(scene, settings):
     scene.show_body, scene.Render = watch_body, lambda view: None
     pictures, shown = {}, []
 
+    def obstacle():
+        """A shape, or the box beside that of the fixed end, which stands for none too."""
+        return (made["LinearExtrusion"] or made["Box"])[-1][1]
+
     def screenshot(path, view):
         snapshots, warps = bodies[0], made["WarpByVector"]
         body = warps[0][1] if warps else snapshots.reader
         pictures[Path(path).stem] = [
             float(view.ViewTime), [text.Text for _, text in made["Text"]],
-            bounds_of(servermanager, body, view.ViewTime)]
+            bounds_of(servermanager, body, view.ViewTime),
+            bounds_of(servermanager, obstacle(), view.ViewTime)]
         shown.append(Path(path).name)
     scene.SaveScreenshot = screenshot
     scene.render(settings)

@@ -17,9 +17,13 @@ def rows_of(path):
 
 
 class Truth:
-    """What contact.csv, events.csv, used.prm (or gaps) and the snapshots say."""
+    """What contact.csv, events.csv, used.prm and the snapshots say.
 
-    def __init__(self, directory, gaps=None):
+    gaps: of an obstacle with a shape, smallest and largest
+    motion: these two by the time, of one that moves
+    """
+
+    def __init__(self, directory, gaps=None, motion=None):
         self.rows = {float(row["time"]): row
                      for row in rows_of(directory / "contact.csv")}
         events = directory / "events.csv"
@@ -31,8 +35,11 @@ class Truth:
         self.times = list(self.snapshots)
         self.moves = "displacement" in self.field_names()
         gap = re.search(r"set Gap += (\S+)", (directory / "used.prm").read_text())
-        self.has_shape, self.n_moved = bool(gaps), self.moves + bool(gaps)
-        self.gaps = gaps or (float(gap[1]) if self.moves else math.nan,) * 2
+        self.has_shape = bool(gaps) or (directory / "obstacle.pvd").exists()
+        self.n_moved, self.has_motion = self.moves + self.has_shape, bool(motion)
+        self.gaps = gaps or motion and motion(0.) or (
+            float(gap[1]) if self.moves else math.nan,) * 2
+        self.motion = motion or (lambda time: self.gaps)
         column = "contact_force" if self.moves and any(
             float(row["contact_force"]) for row in self.rows.values()) else None
         peak = max(self.rows, key=lambda t: float(self.rows[t][column])) \
@@ -61,6 +68,11 @@ class Truth:
         u_csv = float(self.rows[time]["displacement_end"])
         return (u_csv, u_csv) if numpy.ptp(u) < 1e-6 else (u.min(), u.max())
 
+    def thickness(self, scale):
+        """Of the obstacle: as far as the end comes, and a bit."""
+        nearest = min(self.motion(time)[0] for time in self.times)
+        return max(0, scale * (max(self.end(time)[1] for time in self.times) - nearest)) + 0.03
+
     def is_suitable(self, scale):
         """No farther than a third, no cell shorter than a quarter."""
         for mesh in self.snapshots.values():
@@ -87,7 +99,7 @@ def faults_of_pictures(record, truth, scale, n_frames):
              if name not in frames}
     if marks != truth.marks:
         faults.append(f"pictures {marks}, not {truth.marks}")
-    for name, (time, texts, (_, right)) in record["pictures"].items():
+    for name, (time, texts, (_, right), obstacle) in record["pictures"].items():
         shown = re.fullmatch(r"t = (\d+\.\d{2,})", texts[0])
         if not shown or abs(float(shown[1]) - time) > 0.1 * spacing:
             faults.append(f"{name}: {texts[0]}, not {time}")
@@ -98,6 +110,9 @@ def faults_of_pictures(record, truth, scale, n_frames):
         expected = largest + scale * truth.end(truth.nearest(time))[1]
         if abs(right - expected) > 1e-6:
             faults.append(f"{name}: end at {right}, not {expected}")
+        face, foot = (1 + scale * gap for gap in truth.motion(time))
+        if not numpy.allclose(obstacle, [face, foot + truth.thickness(scale)], rtol=0, atol=2e-6):
+            faults.append(f"{name}: obstacle at {obstacle}, not from {face}")
     return faults
 
 
@@ -122,11 +137,12 @@ def faults_of_record(record, truth, field, n_frames):
     if record["vectors"] != [["POINTS", "displacement"]] * truth.n_moved:
         faults.append(f"moved by {record['vectors']}")
     boxes = [x for box in record["boxes"] + record["shapes"] for x in box]
-    ends = [truth.end(time)[1] for time in truth.times] if truth.moves else [0]
     face, foot = (1 + scale * gap for gap in truth.gaps)
-    plate = [face, foot + max(0, 1 + scale * max(ends) - face) + 0.03] * truth.moves
+    plate = [face, foot + truth.thickness(scale)] if truth.moves else []
+    # a box that moves: with each picture; a shape is at its first place here
+    n = 2 if truth.has_motion and not truth.has_shape else len(boxes)
     if len(boxes) != 2 + len(plate) or len(record["shapes"]) != truth.has_shape \
-            or not numpy.allclose(boxes, [-0.03, 0] + plate, atol=2e-6):
+            or not numpy.allclose(boxes[:n], ([-0.03, 0] + plate)[:n], atol=2e-6):
         faults.append(f"obstacle {boxes}, not {plate}")
     return faults
 
@@ -138,6 +154,7 @@ def falsified(record):
     if record["vectors"]:
         places += [("pictures", name, 2) for name, picture in
                    record["pictures"].items() if picture[2][1] != 1]
+        places += [("pictures", name, 3) for name in record["pictures"]]
 
     def other(value):
         if isinstance(value, list):

@@ -25,7 +25,8 @@
 //    impulse M V + V/2, the work M V^2 + V^2/2, the loss M V^2/2 up to t = 2.
 //    There the mass leaves with V and swings, V^2 (1 + M) = A^2, until it is
 //    back at -V: it meets the obstacle with the velocity V at
-//    t = 2 + 2 atan(sqrt M) sqrt M. Fixed steps and error control: times,
+//    t = 2 + 2 atan(sqrt M) sqrt M. Fixed steps, which end at
+//    the turns by themselves, and error control: times,
 //    velocities, impulse, work and loss to 1e-7.
 // 4. The conserving scheme: the same spring and mass, normal compliance,
 //    without a mass of the contact node (two cells): energy + 0 = energy(0) +
@@ -341,5 +342,7 @@ main(int argc, char **argv)
               {"Time/Step size=0.0025",
                "Time/Break points=1; 2",
                "Time/Locate contact events=true"});
+  check_turns("fixed steps beside the bends",
+              {"Time/Step size=0.0037", "Time/Locate contact events=true"});
   check_conserving();
 }
