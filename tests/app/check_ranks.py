@@ -124,6 +124,27 @@ def check_memory_of_study():
     os.remove("study.prm")
 
 
+def check_memory_of_rest():
+    """log.txt of a study and of its rest names the largest of the runs that are made: run 1
+    of all, run 0 where the row of that is lost."""
+    entries = ("Dimension=2", "Mesh/Cells across=2", "Mesh/Refinements=0", "Time/End time=0.02",
+               "Time/Step size=0.01", "Study/Vary=Mesh/Cells = 4 | 8 | 2")
+    Path("study.prm").write_text("# a study\n", encoding="utf-8")
+    directory = Path("study")
+    words = ["study.prm", *(word for entry in entries for word in ("--set", entry))]
+    run(1, directory, *words)
+    rows = directory / "study.csv"
+    rows.write_text("".join(row for row in rows.read_text().splitlines(keepends=True)
+                            if not row.startswith("0,")))
+    run(1, directory, "--resume", *words)
+    _, screen = run(1, directory, "--resume", "--check", *words)
+    named = re.findall(r"^  memory .* for (run \d)", (directory / "log.txt").read_text(), re.M)
+    print("memory of a study and of its rest:", ", ".join(named) + ";",
+          "of a study that is done:", "memory" in screen)
+    os.remove("study.prm")
+    shutil.rmtree(directory)
+
+
 def check_resumed(reference, prm, half, first, then):
     """Half of the time on some ranks, which half holds with its status, the rest on others."""
     directory = Path("resumed")
@@ -163,6 +184,7 @@ def main():
     if json.loads((reference / "summary.json").read_text())["dimension"] == 1:
         check_rod(reference, "scene.prm")
         check_memory_of_study()
+        check_memory_of_rest()
     else:
         if (reference / "obstacle.pvd").exists():
             check_obstacle(reference)

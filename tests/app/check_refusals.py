@@ -122,6 +122,11 @@ SCENES = [
        f"Boundary/Fixed end displacement={first}*{second}*0") for first, second in (
            ("if((2592120*t)*1000>777000300,1,0)", "if((2592120*t)*1000-777010300<0,1,0)"),
            ("max(0,sign((t*2592120)/60-12950.005))", "max(0,sign(12950.1716-t*43202))"))],
+    # the same beside 210 zeros of t + n before the start
+    *[("Boundary/Fixed end displacement", FIXED + ("Time/End time=1",),
+       *(f"Boundary/Fixed end displacement={zeros}+if(t>0.30000031,if(t<0.30000052,"
+         f"{height},0),0)" for height in (1, 0)))
+      for zeros in ("+".join(f"0*max(0,t+{n})" for n in range(1, 211)),)],
     ("Boundary/Fixed end displacement", (), "Boundary/Fixed end displacement=0.01*sqrt(t)",
      "Boundary/Fixed end displacement=0.01*t^1.5"),
     ("Boundary/Fixed end displacement", ("Time/End time=2",),
