@@ -284,7 +284,8 @@ namespace ThermoContact
         {
           plan.read_scene(plan.overrides(run), reader);
           const Scene scene(reader.scene());
-          if (!table.has(run))
+          const bool  is_done = table.has(run);
+          if (!is_done)
             memory.add(plan.description(run), scene);
           if (const auto cost = expected_cost(scene, reader.scene().mesh.cells))
             {
