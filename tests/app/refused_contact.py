@@ -30,7 +30,8 @@ SCENES = [
      (GAP + "=0.1+y*t", "Dimension=2", "Mesh/Cells=1")),
     (GAP, ("Dimension=2", "Mesh/Cells=1"), GAP + "=0.1+z*t", GAP + "=0.1+y*t"),
     (GAP, ("Time/End time=1",), GAP + "=if(t<0.5,0.1,0.2)",
-     GAP + "=if(t<0.5,0.1,t-0.4)", (GAP + "=if(t<0.5,0.1,0.2)", "Time/End time=0.4")),
+     GAP + "=if(t<0.5,0.1,t-0.4)", (GAP + "=if(t<0.5,0.1,0.2)", "Time/End time=0.4"),
+     GAP + "=2.27e4+0.00204*sin(0.00136*t)^2"),  # moves from number to number
     (GAP, ("Time/End time=1", "Dimension=2", "Mesh/Cells=1"), GAP + "=if(t<0.5,y,y+1)",
      GAP + "=if(t<0.5,y,y+t-0.5)"),
     (GAP, ("Time/End time=2",), GAP + "=0.1+t/(t-1.1)", GAP + "=0.1+t/(t+1.1)"),
