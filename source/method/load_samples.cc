@@ -13,6 +13,9 @@ namespace ThermoContact
     /** Around a named time the spacing goes down to $T$ over 2 to it. */
     constexpr int finest_level = 48;
 
+    /** A variation below this part of the values counts as it. */
+    constexpr double rounding_of_values = 1e-8;
+
     /** More evaluations, beside the first ones, are not worth their time. */
     constexpr unsigned int max_evaluations = 1 << 19;
   } // namespace
@@ -92,6 +95,18 @@ namespace ThermoContact
     if (++n_asked > max_evaluations)
       throw UnresolvedLoad{time, false};
     return sample;
+  }
+
+
+
+  double
+  LoadSamples::scale() const
+  {
+    double largest = 0.;
+    for (const TimedValues &sample : uniform_samples)
+      for (const double value : sample.values)
+        largest = std::max(largest, std::abs(value));
+    return std::max(variation(), rounding_of_values * largest);
   }
 
 
