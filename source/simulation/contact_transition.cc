@@ -113,6 +113,7 @@ namespace ThermoContact
         for (unsigned int j = 0; j < excess.size(); ++j)
           state.contact_pressure[i] += inverse_receptance(i, j) * excess[j];
       }
+    set_exchange_of_law(body, state);
   }
 
 

@@ -71,7 +71,7 @@ namespace ThermoContact
     /**
      * The pressures become those with which nodes with mass that a rigid
      * obstacle holds have its acceleration, (M.112): those of the last stage
-     * are of first order only.
+     * are of first order only. The heat exchange becomes that of them.
      *
      * @throw ComputationError if the mass matrix cannot be factorised
      */
