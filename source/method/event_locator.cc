@@ -277,7 +277,14 @@ namespace ThermoContact
       }
     const bool begins = mode_ == ContactMode::open;
     if (begins)
-      turn_to(new_side);
+      {
+        turn_to(new_side);
+        if (!is_at_its_stop(present))
+          {
+            hold_nothing();
+            return false;
+          }
+      }
     waiting = {
       {time,
        begins ? ContactEvent::begin : ContactEvent::end,
@@ -357,9 +364,10 @@ namespace ThermoContact
                      side * velocity,
                      side},
                     events);
-        mode_ = !finding.is_of_all_nodes ? ContactMode::unilateral :
-                begins                   ? ContactMode::closed :
-                                           ContactMode::open;
+        mode_ = !finding.is_of_all_nodes || (begins && !is_at_its_stop(next)) ?
+                  ContactMode::unilateral :
+                begins ? ContactMode::closed :
+                         ContactMode::open;
       }
     present = seen_from(next_values, side, mirrored_next);
     largest.add(present);

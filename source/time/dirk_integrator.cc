@@ -192,6 +192,7 @@ namespace ThermoContact
     result.n_iterations  = 0;
     result.is_prescribed = false;
     start_drives(state, time_step);
+    choose_stops(state, mode);
     for (unsigned int i = 0; i < tableau.n_stages(); ++i)
       {
         StageRates &stage = stages[i];

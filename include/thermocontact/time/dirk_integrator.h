@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/method/butcher_tableau.h>
+#include <thermocontact/method/two_stops.h>
 #include <thermocontact/time/driven_step.h>
 #include <thermocontact/time/obstacle_step.h>
 #include <thermocontact/time/time_integrator.h>
@@ -73,6 +74,7 @@ namespace ThermoContact
 
     std::vector<StageRates> stages;
     std::vector<Vector>     accelerations; ///< $v'$ of a stage
+    NearerStops             stops;         ///< where a closed step begins
     State                   known;
     State                   difference;
     Vector                  heat_load;
@@ -108,6 +110,13 @@ namespace ThermoContact
     /** True if nodes that close in a step are held, doc/model.md (M.62). */
     bool
     holds_closing_nodes(const ContactMode mode) const;
+
+    /**
+     * Closed nodes between two stops stay at the one where @p state has them:
+     * the known values of a stage, and its end, may be nearer to the other one.
+     */
+    void
+    choose_stops(const State &state, const ContactMode mode);
 
     /**
      * Nodes that closed in an earlier stage of the step stay closed in stage
