@@ -220,10 +220,7 @@ namespace ThermoContact
       }
     else
       {
-        const bool is_event = finding.kind == EventLocator::Finding::at_end;
-        transition.finish_pressure(is_event && mode == ContactMode::open,
-                                   is_event && mode == ContactMode::closed,
-                                   result);
+        transition.finish_pressure(mode, finding, result);
         if (body.law().is_rigid() && mode != ContactMode::closed &&
             locator.mode() == ContactMode::closed)
           {

@@ -3,6 +3,7 @@
 #ifndef thermocontact_simulation_contact_transition_h
 #define thermocontact_simulation_contact_transition_h
 
+#include <thermocontact/method/event_locator.h>
 #include <thermocontact/simulation/quasi_static_start.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/direct_solver.h>
@@ -89,11 +90,14 @@ namespace ThermoContact
      * Pressures of a step that is accepted: none pulls, and where contact
      * begins they are those of the law, since no stage has seen them. So is the
      * heat exchange, where contact ends as well.
+     *
+     * @param mode of the step
+     * @param finding at its end
      */
     void
-    finish_pressure(const bool  begins_contact,
-                    const bool  ends_contact,
-                    StepResult &result);
+    finish_pressure(const ContactMode            mode,
+                    const EventLocator::Finding &finding,
+                    StepResult                  &result);
 
     const SolverCounters &
     counters() const
@@ -109,9 +113,16 @@ namespace ThermoContact
     restore(const SolverCounters &counters);
 
   private:
-    /** Between two stops; true if a pressure pulled. */
+    /**
+     * No pressure pulls: of nodes that are held closed none at the stop
+     * @p held_at, though they may have left it for the other one, of the others
+     * none at the nearer one.
+     *
+     * @param held_at 1 or -1; 0: nodes are not held
+     * @return true if one did
+     */
     bool
-    clip_at_nearer_stop(State &state) const;
+    remove_pull(const int held_at, State &state) const;
 
     Body<dim>                    &body;
     QuasiStaticStart<dim>        &quasi_static;
