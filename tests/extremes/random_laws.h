@@ -189,7 +189,8 @@ namespace ThermoContact
         set("Contact/Rear gap", rear_gap);
     }
 
-    /** With which pressures, also times 1e100, have squares that are numbers. */
+    /** With which pressures, also times 1e100, have squares that are numbers.
+     */
     double
     largest_exponent() const
     {
