@@ -33,8 +33,13 @@ namespace ThermoContact
     double
     solve_node(ExchangeStage &end, Values k, const unsigned int i)
     {
-      const auto excess = [&](const double x) {
-        k[i] = x;
+      // Pressures are found from those that are nearby, up to rounding, and
+      // where the law jumps with the pressure its sign counts: from the same
+      // ones, each coefficient always has the same excess.
+      const Values nearby(end.pressure);
+      const auto   excess = [&](const double x) {
+        k[i]         = x;
+        end.pressure = nearby;
         return x - end.law_at(k)[i];
       };
       double a = k[i], excess_a = excess(a);
@@ -49,7 +54,9 @@ namespace ThermoContact
           if (excess_b == 0.)
             return b;
           if ((excess_a < 0.) != (excess_b < 0.))
-            return bracketed_root(excess, std::min(a, b), std::max(a, b)).first;
+            return a < b ?
+                     bracketed_root(excess, a, b, excess_a, excess_b).first :
+                     bracketed_root(excess, b, a, excess_b, excess_a).first;
           a        = b;
           excess_a = excess_b;
         }

@@ -242,6 +242,9 @@ namespace ThermoContact
   void
   ContactTracker<dim>::turn(const LoadBreak &at, StepResult &result)
   {
+    // its velocity is that of the step, as are the rates that it followed
+    if (body.scene.material.is_static())
+      return;
     State &state = result.state;
     body.obstacle.set_rates(at.old_time, state);
     const std::vector<double> old_rate(state.gap_rate);

@@ -193,11 +193,14 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactTransition<dim>::follow_turn(State &state) const
+  ContactTransition<dim>::follow_turn(State &state)
   {
-    if (body.law().damping() == 0. || !body.scene.material.has_inertia())
+    if (body.law().damping() == 0.)
       return;
-    body.set_pressures_of_law(state);
+    if (body.scene.material.has_inertia())
+      body.set_pressures_of_law(state);
+    else
+      quasi_static.complete(state);
     set_exchange_of_law(body, state);
   }
 

@@ -201,6 +201,8 @@ namespace ThermoContact
   {
     event_time.reset();
     was_rejected = true;
+    if (step.is_of_nodes && std::isfinite(error))
+      rejected_error_of_nodes = error;
     const double factor =
       std::isfinite(error) ?
         0.9 * std::pow(error / largest_error(), -1. / order) :
@@ -224,6 +226,7 @@ namespace ThermoContact
   StepController::accept(const TimeStep &step, const double error)
   {
     event_time.reset();
+    rejected_error_of_nodes.reset();
     if (!has_error_control || step.is_of_nodes)
       return;
 

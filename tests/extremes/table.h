@@ -353,6 +353,14 @@ namespace ThermoContact
              scheme[1] == "Time/Start=consistent"))
           scenes.push_back({"2-D " + join(setting) + "; " + join(scheme),
                             scheme + body + setting});
+    scenes.push_back({"2-D, nodes at the jump of the heat exchange",
+                      scheme_settings()[1] + body +
+                        Overrides{"Contact/Gap=0.01+0.02*(1+y)*sin(10*t)^2",
+                                  "Contact/Compliance=0.01",
+                                  "Model/Poisson ratio=0.45",
+                                  "Boundary/Lateral support=free",
+                                  "Boundary/Heat exchange=if(pressure>0,1e-6,"
+                                  "1e6)"}});
   }
 
 

@@ -80,11 +80,13 @@ namespace ThermoContact
     set_pressures_of_acceleration(State &state);
 
     /**
-     * The pressures of a damped obstacle whose velocity has jumped, (M.82), at
-     * a body with inertia, which goes on as it was.
+     * The pressures of a damped obstacle whose velocity has jumped, (M.82): a
+     * body with inertia goes on as it was, one without it gets the velocity of
+     * (M.34). Not of a body that is in equilibrium at all times: its pressures
+     * do not jump, the velocity does by which it follows.
      */
     void
-    follow_turn(State &state) const;
+    follow_turn(State &state);
 
     /**
      * Pressures of a step that is accepted: none pulls, and where contact

@@ -146,11 +146,20 @@ namespace ThermoContact
      * enough; NaN is not. Fixed steps always are. The first step after contact
      * changed must be more accurate: the solution is not smooth there, and the
      * estimate is less than the error.
+     *
+     * The step in which nodes follow a jump is accurate enough, too, if its
+     * error is that of an attempt at it that was rejected, less a tenth: where
+     * contact changes on the way of the jump, the estimate measures the way,
+     * which does not depend on the length of the step, and its end does not
+     * depend on the way. Errors of all else fall at least as the length, which
+     * falls by a fifth or more.
      */
     bool
     is_accurate(const double error) const
     {
-      return !has_error_control || error <= largest_error();
+      return !has_error_control || error <= largest_error() ||
+             (rejected_error_of_nodes &&
+              error >= 0.9 * *rejected_error_of_nodes);
     }
 
     /** The step is not accurate enough. */
@@ -215,6 +224,9 @@ namespace ThermoContact
     bool                  was_rejected;
     bool                  is_restarting; ///< after contact or a load changed
     std::optional<double> event_time;
+
+    /** Of the last attempt, if nodes were to follow a jump in it. */
+    std::optional<double> rejected_error_of_nodes;
 
     double
     largest_error() const
