@@ -106,8 +106,8 @@ namespace ThermoContact
     }
 
     /**
-     * The same, or what is to be told apart from the rounding of the values if
-     * that is more: small parts of it do not matter.
+     * The same, or what is to be told apart from the rounding of the values or
+     * of time if that is more: small parts of it do not matter.
      */
     double
     scale() const;
