@@ -120,8 +120,8 @@ namespace ThermoContact
             low  = std::min(low, x);
             high = std::max(high, x);
           }
-        if (const double x = value(time); !(x >= low - 1e-9 * largest &&
-                                            x <= high + 1e-9 * largest))
+        if (const double x = value(time);
+            !(x >= low - 1e-9 * largest && x <= high + 1e-9 * largest))
           throw ComputationError(ThermoContact::text(
             expression.path,
             " = ",

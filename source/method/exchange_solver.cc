@@ -191,7 +191,8 @@ namespace ThermoContact
           last = k;
           for (unsigned int i = 0; i < end.n; ++i)
             k[i] = solve_node(end, k, i);
-          // between the sides of a jump pressures are rounding, and tell no more
+          // between the sides of a jump pressures are rounding, and tell no
+          // more
           if (defect(k, last) <= (sweep < n_sweeps ? 1e-14 : 1e-12))
             return true;
           Values trial(k);

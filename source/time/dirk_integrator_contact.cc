@@ -100,6 +100,37 @@ namespace ThermoContact
 
 
   template <int dim>
+  bool
+  DirkIntegrator<dim>::release_crossing_nodes(const double tau,
+                                              StageRates  &stage)
+  {
+    if (stage.held_at.empty() ||
+        std::find(stage.is_held.begin(), stage.is_held.end(), true) ==
+          stage.is_held.end())
+      return false;
+    std::vector<double> velocity;
+    look_at_stops(body, known, stops);
+    body.contact_end().get_values(Field::displacement,
+                                  stage.velocity,
+                                  velocity);
+    bool releases = false;
+    for (unsigned int node = 0; node < velocity.size(); ++node)
+      if (stage.is_held[node])
+        {
+          stops.see_from(node, -stage.held_at[node]);
+          if (stops.near[node] - stage.held_at[node] * tau * velocity[node] <=
+              0.)
+            continue;
+          stage.is_held[node] = false;
+          stage.held_at[node] = 0;
+          releases            = true;
+        }
+    return releases;
+  }
+
+
+
+  template <int dim>
   std::vector<bool>
   DirkIntegrator<dim>::closed_at_end(const ContactMode mode) const
   {
@@ -148,6 +179,8 @@ namespace ThermoContact
                                                   const ContactMode);        \
   template void DirkIntegrator<dim>::hold_closing_nodes(const State &,       \
                                                         const unsigned int); \
+  template bool DirkIntegrator<dim>::release_crossing_nodes(const double,    \
+                                                            StageRates &);   \
   template std::vector<bool> DirkIntegrator<dim>::closed_at_end(             \
     const ContactMode) const;                                                \
   template void DirkIntegrator<dim>::find_closed_nodes(const State &,        \

@@ -126,6 +126,15 @@ namespace ThermoContact
     void
     hold_closing_nodes(const State &state, const unsigned int i);
 
+    /**
+     * Lets nodes go that are held at a stop and have come past the other one
+     * in a stage from the known values.
+     *
+     * @return true if there are any, and the stage is to be solved again
+     */
+    bool
+    release_crossing_nodes(const double tau, StageRates &stage);
+
     /** The nodes in contact at the end of the step. */
     std::vector<bool>
     closed_at_end(const ContactMode mode) const;
