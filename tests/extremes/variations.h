@@ -122,8 +122,9 @@ namespace ThermoContact
 
   /**
    * The scene with thermal and mechanical data multiplied by a factor each. An
-   * expression that is 0 stays absent. (epsilon p^(1/m) is a displacement, and
-   * c v a number.)
+   * expression that is 0 stays absent, and one that is multiplied by 1 as it
+   * is: the parser rounds others. (epsilon p^(1/m) is a displacement, and c v a
+   * number.)
    */
   inline Parameters
   scaled(Parameters parameters, const double thermal, const double mechanical)
@@ -131,7 +132,7 @@ namespace ThermoContact
     // in expressions, where it may be one itself
     const double theta_A = Scene(parameters).heat.fixed_end_temperature;
     const auto   scale   = [theta_A](const double factor, std::string &text) {
-      if (text != "0")
+      if (factor != 1. && text != "0")
         text = times(factor, text, theta_A);
     };
     scale(thermal, parameters.initial_values.temperature);
