@@ -240,7 +240,10 @@ namespace ThermoContact
         tracker.mode() == ContactMode::unilateral &&
         result.n_iterations > 0) // a node was pushed back in some stage
       error.kinetic = 0.;
-    return error_norm(error, result.energy) / time.tolerance;
+    const double carried = scene_.sources.has_moving_end ?
+                             result.state.displacement.linfty_norm() :
+                             0.;
+    return error_norm(error, result.energy, carried) / time.tolerance;
   }
 
 
