@@ -15,26 +15,31 @@ namespace ThermoContact
   /** One attempt at a step: a row of steps.csv. */
   struct StepAttempt
   {
-    double      time         = 0.; ///< where it starts
-    double      size         = 0.;
-    double      error        = 0.; ///< relative to the tolerance
-    bool        is_accepted  = false;
-    const char *reason       = ""; ///< why it ends there or was rejected
+    double      time        = 0.; ///< where it starts
+    double      size        = 0.;
+    double      error       = 0.; ///< relative to the tolerance
+    bool        is_accepted = false;
+    std::string reason; ///< why it ends there or was rejected
     double      wall_seconds = 0.;
   };
+
+
+
+  /** The reason of an attempt that is not accurate enough. */
+  inline const char *const rejected_by_tolerance = "tolerance";
 
 
 
   /**
    * Why error-controlled steps end, and what to try.
    *
-   * @param attempt the last one
-   * @param failure why it could not be computed, or empty
+   * @param attempts those so far, the last one at the end
+   * @param failure why that could not be computed, or empty
    */
   std::string
-  describe_exhaustion(const StepAttempt &attempt,
-                      const std::string &failure,
-                      const Parameters  &parameters);
+  describe_exhaustion(const std::vector<StepAttempt> &attempts,
+                      const std::string              &failure,
+                      const Parameters               &parameters);
 
 
 
