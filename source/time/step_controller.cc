@@ -259,8 +259,13 @@ namespace ThermoContact
   {
     event_time.reset();
     rejected_error_of_nodes.reset();
-    if (!has_error_control || step.is_of_nodes)
+    if (!has_error_control)
       return;
+    if (step.is_of_nodes)
+      {
+        was_rejected = false;
+        return;
+      }
 
     const double e = std::max(error, 1e-10); // an error of zero says nothing
     double       factor = ladder.keeps_sizes ? keeping_factor(e) :

@@ -9,10 +9,12 @@
 //    at s = 2. Start 1 with tau = 0, v = 1/2: p = 2 * 2 = 4, free velocity 1
 //    with the response 1/8. An obstacle so hard, phi = 1e24, that all
 //    velocities but -1/c, to rounding, make too large a pressure: start 1 and
-//    the response 1 leave it of 3/2 if p = 2, one node alone and two. With the
-//    response (4 -3; -2 3), p = 1 at both leaves -1/2 of 1/2; the first node
-//    alone has 1/4, the second one then 1/2, with which the first one misses
-//    3/2 of its velocity, more than the 1 without pressures.
+//    the response 1 leave it of 3/2 if p = 2, one node alone and two. Four
+//    nodes, R_ij = f_max(i,j) w_j, f = (38, 12, 7, 2), w = (1, 1, 17, 19):
+//    p = 1 leaves -1/2 of R 1 - 1/2 = (206.5, 180.5, 170.5, 75.5). One node
+//    after the other, from no pressures, they have 207/38 = 5.4, 9.6, 0.55 and
+//    0.71, with which the first one misses 208 of its velocity, more than the
+//    207 without pressures.
 // 2. A node that is held, start 1/4, tau = 1: v = -1/2 gives s = -1/4 and p =
 //    -1/2 [1 - 2/4] = -1/4, so that the response 1 leaves it of -3/4. At the
 //    start 1 the factor is 0: p = 0 for the free velocity -2.
@@ -85,18 +87,20 @@ namespace
                                {1e-3, {1., 1.}, {1.5, 1.5}, {}},
                                pressure);
     std::vector<double> coupled;
-    response(0, 0) = 4.;
-    response(0, 1) = -3.;
-    response(1, 0) = -2.;
-    response(1, 1) = 3.;
-    DampedContact(*hard).solve(response,
-                               {1e-3, {1., 1.}, {0.5, 0.5}, {}},
-                               coupled);
+    response.reinit(4, 4);
+    for (unsigned int i = 0; i < 4; ++i)
+      for (unsigned int j = 0; j < 4; ++j)
+        response(i, j) = std::vector<double>{38., 12., 7., 2.}[std::max(i, j)] *
+                         std::vector<double>{1., 1., 17., 19.}[j];
+    DampedContact(*hard).solve(
+      response,
+      {1e-3, std::vector<double>(4, 1.), {206.5, 180.5, 170.5, 75.5}, {}},
+      coupled);
     const auto factor_of_rounding = make_law(1e-24, 1., 49.); // 1 - 49 (1/49)
     deallog << "hard " << pressure_alone(*hard, 1e-3, 1., 1.5, 1.) << ", "
             << pressure_alone(*factor_of_rounding, 1e-3, 1., 2. - 1. / 49., 1.)
             << ", two " << pressure[0] << ' ' << pressure[1] << ", coupled "
-            << coupled[0] << ' ' << coupled[1] << std::endl;
+            << coupled[0] << ' ' << coupled[3] << std::endl;
     deallog << "held " << pressure_alone(*law, 1., 0.25, -0.75, 1., true)
             << ", let go " << pressure_alone(*law, 1., 1., -2., 1., true)
             << ", held in contact "

@@ -18,7 +18,9 @@
 //   e = 0: 4 (clipped): -24;         rejected, e = 16: 0.495: -40.
 // Nodes that follow a jump, in steps of 1e-11: error 5 is too large, and after
 // it 4.4, but not 4.6, which is more than 0.9 times 5; nor is it after the step
-// that follows, in which nothing jumps, and whose 5 says nothing.
+// that follows, in which nothing jumps, and whose 5 says nothing. What was
+// rejected is forgotten behind the jump: error 0 makes that step 4 times as
+// long.
 // At most the largest size, whether it is chosen or given: 0.001, 0.1.
 // A time is on a multiple of an interval if it is less than 1e-6 intervals
 // away: 1 - 1e-7 is on 1 (of intervals of 1), 1 - 1e-5 is not, and 1 + 1e-5 has
@@ -149,8 +151,12 @@ namespace
             << controller.is_accurate(4.6);
     controller.accept(controller.propose(0.), 4.6);
     deallog << ", behind it 4.6 " << controller.is_accurate(4.6);
-    controller.reject(controller.propose(1e-11), 5.);
-    deallog << ", twice " << controller.is_accurate(5.) << std::endl;
+    const TimeStep next = controller.propose(1e-11);
+    controller.accept(next, 0.);
+    const TimeStep after = controller.propose(1e-11);
+    controller.reject(after, 5.);
+    deallog << ", grows " << after.size / next.size << ", twice "
+            << controller.is_accurate(5.) << std::endl;
   }
 
 
