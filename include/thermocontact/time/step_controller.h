@@ -19,7 +19,7 @@ namespace ThermoContact
     double      size        = 0.;
     double      error       = 0.; ///< relative to the tolerance
     bool        is_accepted = false;
-    std::string reason; ///< why it ends there or was rejected
+    std::string reason = ""; ///< why it ends there or was rejected
     double      wall_seconds = 0.;
   };
 
