@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -99,22 +100,23 @@ namespace ThermoContact
 
 
       bool
-      takes(const std::string &sign)
+      takes(const char *sign)
       {
         skip_blanks();
-        if (std::string(next).compare(0, sign.size(), sign) != 0)
+        const std::size_t length = std::strlen(sign);
+        if (std::strncmp(next, sign, length) != 0)
           return false;
-        next += sign.size();
+        next += length;
         return true;
       }
 
 
 
       void
-      need(const std::string &sign)
+      need(const char *sign)
       {
         if (!takes(sign))
-          cannot_read("what should be '" + sign + "'");
+          cannot_read(std::string("what should be '") + sign + "'");
       }
 
 

@@ -15,11 +15,11 @@ namespace ThermoContact
   /** One attempt at a step: a row of steps.csv. */
   struct StepAttempt
   {
-    double      time        = 0.; ///< where it starts
-    double      size        = 0.;
-    double      error       = 0.; ///< relative to the tolerance
-    bool        is_accepted = false;
-    std::string reason = ""; ///< why it ends there or was rejected
+    double      time         = 0.; ///< where it starts
+    double      size         = 0.;
+    double      error        = 0.; ///< relative to the tolerance
+    bool        is_accepted  = false;
+    std::string reason       = ""; ///< why it ends there or was rejected
     double      wall_seconds = 0.;
   };
 
