@@ -182,6 +182,9 @@ namespace ThermoContact
     relax(ExchangeStage &end, Values &k)
     {
       constexpr unsigned int n_sweeps = 60, n_to_extrapolate = 5;
+      // pressures that are small differences, or rounding between the sides of
+      // a jump, leave no more digits
+      constexpr double still_rounding = 1e-9;
       if (end.n > 32)
         return false; // takes too long
       Values before_last(k), last(k);
@@ -191,9 +194,7 @@ namespace ThermoContact
           last = k;
           for (unsigned int i = 0; i < end.n; ++i)
             k[i] = solve_node(end, k, i);
-          // between the sides of a jump pressures are rounding, and tell no
-          // more
-          if (defect(k, last) <= (sweep < n_sweeps ? 1e-14 : 1e-12))
+          if (defect(k, last) <= (sweep < n_sweeps ? 1e-14 : still_rounding))
             return true;
           Values trial(k);
           if (solve_smooth(end, trial))

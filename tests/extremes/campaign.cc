@@ -15,8 +15,9 @@
 //   contact        p >= 0, g - u_n + eps p >= 0, and = 0 where p > 0, at every
 //                  contact node: (M.4), (M.5), which stiffly accurate schemes
 //                  satisfy at the end of a step. 1e-12 of the largest term is
-//                  rounding; a miss of an event by s is no violation, because
-//                  the step that makes it ends with p = s/eps.
+//                  rounding, more where cells are flat; a miss of an event by s
+//                  is no violation, because the step that makes it ends with p
+//                  = s/eps.
 //   energy         without loads it changes by the physical dissipation alone
 //                  in a step of energy conserving (section 13), and does not
 //                  grow in one of backward Euler (M.22), nor in one of the

@@ -169,9 +169,11 @@ namespace ThermoContact
              way,
              p,
              p > 0. ? std::max(std::abs(state.gap[i]), rear_gap) : 0.});
-          require_below("gap + eps p < 0", -s, miss + 1e-12 * scale);
+          const double rounding =
+            1e-12 * scale * flatness(simulation.parameters());
+          require_below("gap + eps p < 0", -s, miss + rounding);
           if (p > 0.)
-            require_below("p (gap + eps p) > 0", s, 1e-12 * scale);
+            require_below("p (gap + eps p) > 0", s, rounding);
         }
     }
 
