@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -18,6 +19,9 @@ namespace ThermoContact
   namespace
   {
     using Arguments = std::vector<Jet>;
+
+    /** Parts of a formula within parts; each takes some of the stack. */
+    constexpr unsigned int max_levels = 1000;
 
 
 
@@ -65,6 +69,43 @@ namespace ThermoContact
       const Jet                            time;
       const std::map<std::string, double> &constants;
       std::vector<double> *const           zeros;
+      unsigned int                         n_levels = 0;
+
+
+
+      [[noreturn]] static void
+      cannot_read(const std::string &what)
+      {
+        throw std::invalid_argument(what);
+      }
+
+
+
+      /** A part is within another one for the time of its life. */
+      class Level
+      {
+      public:
+        explicit Level(unsigned int &n_levels)
+          : n_levels(n_levels)
+        {
+          if (++n_levels > max_levels)
+            cannot_read("what is nested more than " +
+                        std::to_string(max_levels / 2) + " times");
+        }
+
+        ~Level()
+        {
+          --n_levels;
+        }
+
+        Level(const Level &) = delete;
+
+        Level &
+        operator=(const Level &) = delete;
+
+      private:
+        unsigned int &n_levels;
+      };
 
 
 
@@ -76,14 +117,6 @@ namespace ThermoContact
         const double zero = value_of(time) - value_of(x) / x.derivative(1);
         if (std::isfinite(zero))
           zeros->push_back(zero);
-      }
-
-
-
-      [[noreturn]] static void
-      cannot_read(const std::string &what)
-      {
-        throw std::invalid_argument(what);
       }
 
 
@@ -102,7 +135,7 @@ namespace ThermoContact
       takes(const std::string &sign)
       {
         skip_blanks();
-        if (std::string(next).compare(0, sign.size(), sign) != 0)
+        if (std::strncmp(next, sign.c_str(), sign.size()) != 0)
           return false;
         next += sign.size();
         return true;
@@ -122,7 +155,8 @@ namespace ThermoContact
       Jet
       choice()
       {
-        const Jet condition = disjunction();
+        const Level level(n_levels);
+        const Jet   condition = disjunction();
         if (!takes("?"))
           return condition;
         const Jet first = choice();
@@ -228,6 +262,7 @@ namespace ThermoContact
       Jet
       signed_power()
       {
+        const Level level(n_levels);
         if (takes("-"))
           return -signed_power();
         if (takes("+"))
