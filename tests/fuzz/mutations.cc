@@ -162,8 +162,11 @@ namespace ThermoContact
       {
         case 0:
           {
-            const std::size_t n = std::size_t(1) << pick(16, generator);
-            return std::string(n, "x(9 \\;\n1"[pick(8, generator)]);
+            const std::size_t n      = std::size_t(1) << pick(16, generator);
+            const char        letter = "x(9 \\;\n1-"[pick(9, generator)];
+            if (letter == '(' && pick(2, generator) == 0)
+              return std::string(n / 4, '(') + 't' + std::string(n / 4, ')');
+            return std::string(n, letter);
           }
         case 1:
           return std::to_string(static_cast<double>(generator()) / (1 << 30));
