@@ -132,22 +132,23 @@ namespace ThermoContact
 
 
       bool
-      takes(const std::string &sign)
+      takes(const char *sign)
       {
         skip_blanks();
-        if (std::strncmp(next, sign.c_str(), sign.size()) != 0)
+        const std::size_t length = std::strlen(sign);
+        if (std::strncmp(next, sign, length) != 0)
           return false;
-        next += sign.size();
+        next += length;
         return true;
       }
 
 
 
       void
-      need(const std::string &sign)
+      need(const char *sign)
       {
         if (!takes(sign))
-          cannot_read("what should be '" + sign + "'");
+          cannot_read(std::string("what should be '") + sign + "'");
       }
 
 

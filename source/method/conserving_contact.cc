@@ -3,7 +3,6 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/method/conserving_contact.h>
 #include <thermocontact/method/scheme.h>
-#include <thermocontact/method/two_stops.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -70,17 +69,18 @@ namespace ThermoContact
     /** Size of the terms that positions at the end of a step are made of. */
     double
     position_scale(const double                      displacement_scale,
-                   const std::vector<double>        &start,
-                   const std::vector<double>        &free_end,
+                   const NodesBeforeStops           &start,
+                   const NodesBeforeStops           &free_end,
                    const dealii::FullMatrix<double> &receptance,
                    const std::vector<double>        &pressure)
     {
       double scale = 0.;
-      for (unsigned int i = 0; i < start.size(); ++i)
+      for (unsigned int i = 0; i < pressure.size(); ++i)
         {
-          double sum =
-            displacement_scale + std::abs(start[i]) + std::abs(free_end[i]);
-          for (unsigned int j = 0; j < start.size(); ++j)
+          double sum = displacement_scale +
+                       std::abs(start.at_nearer_stop(start, i)) +
+                       std::abs(start.at_nearer_stop(free_end, i));
+          for (unsigned int j = 0; j < pressure.size(); ++j)
             sum += 2. * std::abs(receptance(i, j) * pressure[j]);
           scale = std::max(scale, sum);
         }
@@ -118,7 +118,20 @@ namespace ThermoContact
   ConservingContact::equilibrium(const NodesBeforeStops &s,
                                  std::vector<double>    &pressure) const
   {
-    contact_solver.solve(static_receptance, s.front, pressure, {}, s.rear);
+    if (s.rear.empty())
+      {
+        contact_solver.solve(static_receptance, s.front, pressure);
+        return;
+      }
+    // a stop that is far away has no digits left of what the nodes do
+    NearerStops stops;
+    stops.near = s.front;
+    stops.far  = s.rear;
+    stops.choose();
+    stops.turn(pressure);
+    contact_solver.solve(
+      stops.turned(static_receptance), stops.near, pressure, {}, stops.far);
+    stops.turn(pressure);
   }
 
 
@@ -257,7 +270,9 @@ namespace ThermoContact
          {&stretch.slope, &stretch.p, &stretch.change})
       vector->reinit(n);
     for (unsigned int i = 0; i < n; ++i)
-      stretch.slope(i) = end.front[i] - start.front[i];
+      stretch.slope(i) = start.is_nearer_to_rear(i) ?
+                           start.rear[i] - end.rear[i] :
+                           end.front[i] - start.front[i];
     for (double xi = 0.; xi < 1.;)
       {
         equilibrium(start.on_way_to(end, xi + peep), pressure);
@@ -339,8 +354,8 @@ namespace ThermoContact
         if (norm >= old_norm &&
             old_norm <= 1e-14 * (derivative.linfty_norm() *
                                    position_scale(displacement_scale,
-                                                  start.front,
-                                                  free_end.front,
+                                                  start,
+                                                  free_end,
                                                   receptance,
                                                   old_pressure) +
                                  largest_entry(old_pressure)))

@@ -24,6 +24,7 @@ namespace ThermoContact
     : s0(s0)
     , slope0(slope0)
     , s1(s1)
+    , slope1(slope1)
     , quadratic(3. * (s1 - s0) - 2. * slope0 - slope1)
     , cubic(2. * (s0 - s1) + slope0 + slope1)
   {}
@@ -41,7 +42,7 @@ namespace ThermoContact
   double
   CubicHermite::slope(const double x) const
   {
-    return slope0 + x * (2. * quadratic + x * 3. * cubic);
+    return x == 1. ? slope1 : slope0 + x * (2. * quadratic + x * 3. * cubic);
   }
 
 

@@ -40,6 +40,16 @@ namespace ThermoContact
 
 
 
+    /** Past the play: a miss of an event is less than that. */
+    bool
+    is_beyond_other_stop(const ContactValues &values, const unsigned int node)
+    {
+      return !values.rear_penetration.empty() &&
+             values.rear_penetration[node] > 0.;
+    }
+
+
+
     /** The node that contact changes first or last. */
     unsigned int
     foremost(const ContactValues &values)
@@ -216,7 +226,8 @@ namespace ThermoContact
           node = i;
         zero = std::min(zero, node_zero);
         const bool is_node_near =
-          is_near(s1, s.slope(1.) / size, sizes, scales);
+          is_near(s1, s.slope(1.) / size, sizes, scales) &&
+          !is_beyond_other_stop(next, i);
         ends_near &= s1 >= 0. || is_node_near;
         is_near_zero |= is_node_near;
         all_change &= s1 < 0. || is_node_near;
@@ -277,7 +288,14 @@ namespace ThermoContact
       }
     const bool begins = mode_ == ContactMode::open;
     if (begins)
-      turn_to(new_side);
+      {
+        turn_to(new_side);
+        if (!is_at_its_stop(present))
+          {
+            hold_nothing();
+            return false;
+          }
+      }
     waiting = {
       {time,
        begins ? ContactEvent::begin : ContactEvent::end,
@@ -357,9 +375,10 @@ namespace ThermoContact
                      side * velocity,
                      side},
                     events);
-        mode_ = !finding.is_of_all_nodes ? ContactMode::unilateral :
-                begins                   ? ContactMode::closed :
-                                           ContactMode::open;
+        mode_ = !finding.is_of_all_nodes || (begins && !is_at_its_stop(next)) ?
+                  ContactMode::unilateral :
+                begins ? ContactMode::closed :
+                         ContactMode::open;
       }
     present = seen_from(next_values, side, mirrored_next);
     largest.add(present);

@@ -18,9 +18,12 @@ namespace ThermoContact
     const double size = next.time - from.time;
     double       s0   = sign * from.penetration[node];
     double       s1   = sign * next.penetration[node];
-    if (mode_ == ContactMode::closed && nodes != ContactNodes::with_mass)
+    if (mode_ == ContactMode::closed && nodes != ContactNodes::with_mass &&
+        law.damping() == 0.)
       {
-        // the same with the digits that a stiff obstacle needs
+        // the same with the digits that a stiff obstacle needs; the pressures
+        // that a damped one has here are those of the penetrations, and
+        // between two stops there is none
         s0 = law.penetration(from.pressure[node]);
         s1 = law.penetration(next.pressure[node]);
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/method/event_locator.h>
+#include <thermocontact/method/two_stops.h>
 
 #include <vector>
 
@@ -20,6 +21,21 @@ namespace ThermoContact
       for (double &value : *column)
         value = -value;
     return mirrored;
+  }
+
+
+
+  bool
+  EventLocator::is_at_its_stop(const ContactValues &values) const
+  {
+    for (unsigned int i = 0; i < values.rear_penetration.size(); ++i)
+      if (side * nearer_stop(side > 0 ? values.penetration[i] :
+                                        values.rear_penetration[i],
+                             side > 0 ? values.rear_penetration[i] :
+                                        values.penetration[i]) <
+          0)
+        return false;
+    return true;
   }
 
 

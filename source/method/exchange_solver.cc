@@ -33,8 +33,13 @@ namespace ThermoContact
     double
     solve_node(ExchangeStage &end, Values k, const unsigned int i)
     {
-      const auto excess = [&](const double x) {
-        k[i] = x;
+      // Pressures are found from those that are nearby, up to rounding, and
+      // where the law jumps with the pressure its sign counts: from the same
+      // ones, each coefficient always has the same excess.
+      const Values nearby(end.pressure);
+      const auto   excess = [&](const double x) {
+        k[i]         = x;
+        end.pressure = nearby;
         return x - end.law_at(k)[i];
       };
       double a = k[i], excess_a = excess(a);
@@ -49,7 +54,9 @@ namespace ThermoContact
           if (excess_b == 0.)
             return b;
           if ((excess_a < 0.) != (excess_b < 0.))
-            return bracketed_root(excess, std::min(a, b), std::max(a, b)).first;
+            return a < b ?
+                     bracketed_root(excess, a, b, excess_a, excess_b).first :
+                     bracketed_root(excess, b, a, excess_b, excess_a).first;
           a        = b;
           excess_a = excess_b;
         }
@@ -148,18 +155,45 @@ namespace ThermoContact
 
 
 
+    /**
+     * Sweeps that go on as the last two did, each less than the one before by
+     * the same factor, end that much farther on (Aitken).
+     */
+    void
+    extrapolate(const Values &before_last, const Values &last, Values &k)
+    {
+      double product = 0., square = 0.;
+      for (unsigned int i = 0; i < k.size(); ++i)
+        {
+          product += (k[i] - last[i]) * (last[i] - before_last[i]);
+          square += std::pow(last[i] - before_last[i], 2);
+        }
+      if (!(product > 0. && product < square))
+        return;
+      const double factor = product / (square - product);
+      for (unsigned int i = 0; i < k.size(); ++i)
+        k[i] = std::max(0., k[i] + factor * (k[i] - last[i]));
+    }
+
+
+
     /** Node by node, and all when they are near; true if it converged. */
     bool
     relax(ExchangeStage &end, Values &k)
     {
+      constexpr unsigned int n_sweeps = 60, n_to_extrapolate = 5;
       if (end.n > 32)
         return false; // takes too long
-      for (unsigned int sweep = 0; sweep < 50; ++sweep)
+      Values before_last(k), last(k);
+      for (unsigned int sweep = 1; sweep <= n_sweeps; ++sweep)
         {
-          const Values last(k);
+          before_last.swap(last);
+          last = k;
           for (unsigned int i = 0; i < end.n; ++i)
             k[i] = solve_node(end, k, i);
-          if (defect(k, last) <= 1e-14)
+          // between the sides of a jump pressures are rounding, and tell no
+          // more
+          if (defect(k, last) <= (sweep < n_sweeps ? 1e-14 : 1e-12))
             return true;
           Values trial(k);
           if (solve_smooth(end, trial))
@@ -167,6 +201,8 @@ namespace ThermoContact
               k = trial;
               return true;
             }
+          if (sweep % n_to_extrapolate == 0 && sweep < n_sweeps)
+            extrapolate(before_last, last, k);
         }
       return false;
     }

@@ -22,10 +22,6 @@ namespace ThermoContact
     constexpr double negligible_jump = 1e-6;
     constexpr double negligible_kink = 1e-7;
 
-    /** A variation that is smaller than this part of the values counts as it.
-     */
-    constexpr double rounding_of_values = 1e-8;
-
     /** Parts of the end time within which a jump of the slope is. */
     constexpr double around_bend = 1e-7;
 
@@ -63,18 +59,6 @@ namespace ThermoContact
 
 
 
-    double
-    largest_value(LoadSamples &samples)
-    {
-      double largest = 0.;
-      for (const TimedValues &sample : samples.uniform())
-        for (const double value : sample.values)
-          largest = std::max(largest, std::abs(value));
-      return largest;
-    }
-
-
-
     /** The slope from one sample to another. */
     Values
     slope(const TimedValues &a, const TimedValues &b)
@@ -92,8 +76,7 @@ namespace ThermoContact
     public:
       explicit BreakFinder(LoadSamples &samples)
         : samples(samples)
-        , scale(std::max(samples.variation(),
-                         rounding_of_values * largest_value(samples)))
+        , scale(samples.scale())
       {}
 
 
@@ -108,7 +91,7 @@ namespace ThermoContact
 
     private:
       LoadSamples &samples;
-      const double scale; ///< largest variation that is not rounding
+      const double scale; ///< of its variation
       LoadHistory  result;
 
 

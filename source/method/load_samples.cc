@@ -13,6 +13,12 @@ namespace ThermoContact
     /** Around a named time the spacing goes down to $T$ over 2 to it. */
     constexpr int finest_level = 48;
 
+    /** A variation below this part of the values counts as it. */
+    constexpr double rounding_of_values = 1e-8;
+
+    /** Parts of the end time. */
+    constexpr double little_beyond = 1e-9;
+
     /** More evaluations, beside the first ones, are not worth their time. */
     constexpr unsigned int max_evaluations = 1 << 19;
   } // namespace
@@ -92,6 +98,25 @@ namespace ThermoContact
     if (++n_asked > max_evaluations)
       throw UnresolvedLoad{time, false};
     return sample;
+  }
+
+
+
+  double
+  LoadSamples::scale() const
+  {
+    double largest = 0.;
+    for (const TimedValues &sample : uniform_samples)
+      for (const double value : sample.values)
+        largest = std::max(largest, std::abs(value));
+    // what bends at the end has begun to change there by the rounding of time
+    TimedValues beyond{end_time() * (1. + little_beyond), {}};
+    load(beyond.time, beyond.values);
+    const double change =
+      distance(uniform_samples.back().values, beyond.values);
+    return std::max({variation(),
+                     rounding_of_values * largest,
+                     std::isfinite(change) ? change : 0.});
   }
 
 

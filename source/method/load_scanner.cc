@@ -34,7 +34,7 @@ namespace ThermoContact
                   const double               end_time,
                   const std::vector<double> &named_times)
         : samples(load, end_time, named_times)
-        , scale(samples.variation())
+        , scale(samples.scale())
       {}
 
 
@@ -42,7 +42,7 @@ namespace ThermoContact
       LoadHistory
       history()
       {
-        if (scale == 0.)
+        if (samples.variation() == 0.)
           return {};
         result.breaks = find_load_breaks(samples);
         find_stretches();
@@ -51,7 +51,7 @@ namespace ThermoContact
 
     private:
       LoadSamples  samples;
-      const double scale; ///< largest variation
+      const double scale; ///< of its variation
       LoadHistory  result;
 
       /** Those at equal distances, and both sides of the breaks. */

@@ -146,6 +146,7 @@ namespace ThermoContact
     Nodes                  nodes;
     nodes.x = std::move(x);
     evaluate(laws, response, free_x, nodes);
+    double smallest_defect = nodes.largest_defect;
     for (unsigned int iteration = 1; iteration <= max_iterations; ++iteration)
       {
         const std::vector<double> aim = newton_step(laws, response, nodes);
@@ -156,7 +157,7 @@ namespace ThermoContact
             for (unsigned int i = 0; i < n; ++i)
               trial.x[i] = part * aim[i] + (1. - part) * nodes.x[i];
             evaluate(laws, response, free_x, trial);
-            is_better = trial.largest_defect < nodes.largest_defect;
+            is_better = trial.largest_defect < smallest_defect;
           }
         if (is_better)
           nodes = trial;
@@ -167,10 +168,13 @@ namespace ThermoContact
           }
         if (!is_better)
           {
-            // with its pressures, which that of a rounded x may be far from
+            // with its pressures, which that of a rounded x may be far from:
+            // a sweep may end farther away than it began, and what it begins
+            // is not to be undone by a step back to where it began
             sweep(laws, response, free_x, nodes);
             measure(response, free_x, nodes);
           }
+        smallest_defect = std::min(nodes.largest_defect, smallest_defect);
       }
     throw ComputationError("the pressures of " + std::to_string(n) +
                            " contact nodes were not found\n  remedy:  a "

@@ -60,6 +60,16 @@ namespace ThermoContact
 
 
   void
+  NearerStops::see_from(const unsigned int node, const int new_side)
+  {
+    if (sides[node] * new_side < 0.)
+      std::swap(near[node], far[node]);
+    sides[node] = new_side;
+  }
+
+
+
+  void
   NearerStops::turn(std::vector<double> &values) const
   {
     if (are_two())

@@ -220,10 +220,7 @@ namespace ThermoContact
       }
     else
       {
-        const bool is_event = finding.kind == EventLocator::Finding::at_end;
-        transition.finish_pressure(is_event && mode == ContactMode::open,
-                                   is_event && mode == ContactMode::closed,
-                                   result);
+        transition.finish_pressure(mode, finding, result);
         if (body.law().is_rigid() && mode != ContactMode::closed &&
             locator.mode() == ContactMode::closed)
           {
@@ -245,6 +242,9 @@ namespace ThermoContact
   void
   ContactTracker<dim>::turn(const LoadBreak &at, StepResult &result)
   {
+    // its velocity is that of the step, as are the rates that it followed
+    if (body.scene.material.is_static())
+      return;
     State &state = result.state;
     body.obstacle.set_rates(at.old_time, state);
     const std::vector<double> old_rate(state.gap_rate);

@@ -5,8 +5,6 @@
 #include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/time/contact_equilibrium.h>
 
-#include <algorithm>
-
 namespace ThermoContact
 {
   template <int dim>
@@ -113,6 +111,7 @@ namespace ThermoContact
         for (unsigned int j = 0; j < excess.size(); ++j)
           state.contact_pressure[i] += inverse_receptance(i, j) * excess[j];
       }
+    set_exchange_of_law(body, state);
   }
 
 
@@ -169,16 +168,24 @@ namespace ThermoContact
 
   template <int dim>
   bool
-  ContactTransition<dim>::clip_at_nearer_stop(State &state) const
+  ContactTransition<dim>::remove_pull(const int held_at, State &state) const
   {
-    const std::vector<double> seen    = pressures_of_nearer_stop(body, state);
-    bool                      changed = false;
-    for (unsigned int i = 0; i < seen.size(); ++i)
-      if (seen[i] < 0.)
-        {
-          state.contact_pressure[i] = 0.;
-          changed                   = true;
-        }
+    std::vector<double> of_nearer;
+    if (held_at == 0 && body.scene.contact.rear_gap)
+      of_nearer = pressures_of_nearer_stop(body, state);
+    bool changed = false;
+    for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
+      {
+        double      &p    = state.contact_pressure[i];
+        const double seen = !of_nearer.empty() ? of_nearer[i] :
+                            held_at < 0        ? -p :
+                                                 p;
+        if (seen < 0.)
+          {
+            p       = 0.;
+            changed = true;
+          }
+      }
     return changed;
   }
 
@@ -186,11 +193,14 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactTransition<dim>::follow_turn(State &state) const
+  ContactTransition<dim>::follow_turn(State &state)
   {
-    if (body.law().damping() == 0. || !body.scene.material.has_inertia())
+    if (body.law().damping() == 0.)
       return;
-    body.set_pressures_of_law(state);
+    if (body.scene.material.has_inertia())
+      body.set_pressures_of_law(state);
+    else
+      quasi_static.complete(state);
     set_exchange_of_law(body, state);
   }
 
@@ -198,26 +208,19 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactTransition<dim>::finish_pressure(const bool  begins_contact,
-                                          const bool  ends_contact,
-                                          StepResult &result)
+  ContactTransition<dim>::finish_pressure(const ContactMode            mode,
+                                          const EventLocator::Finding &finding,
+                                          StepResult                  &result)
   {
-    std::vector<double> &pressure = result.state.contact_pressure;
-    bool                 changed  = false;
-    if (body.scene.contact.rear_gap)
-      changed = clip_at_nearer_stop(result.state);
-    else
-      for (double &p : pressure)
-        {
-          changed |= p < 0.;
-          p = std::max(p, 0.);
-        }
-    if (begins_contact && !body.law().is_rigid())
+    const bool is_event = finding.kind == EventLocator::Finding::at_end;
+    bool       changed =
+      remove_pull(mode == ContactMode::closed ? finding.side : 0, result.state);
+    if (is_event && mode == ContactMode::open && !body.law().is_rigid())
       {
         changed = true;
         body.set_pressures_of_law(result.state);
       }
-    if (changed || ends_contact)
+    if (changed || (is_event && mode == ContactMode::closed))
       set_exchange_of_law(body, result.state);
     if (!changed)
       return;

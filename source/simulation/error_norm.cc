@@ -25,7 +25,9 @@ namespace ThermoContact
 
 
   double
-  ErrorNorm::operator()(const EnergyTerms &error, const EnergyTerms &energy)
+  ErrorNorm::operator()(const EnergyTerms &error,
+                        const EnergyTerms &energy,
+                        const double       carried)
   {
     // Without a scale of its own the error of a load that starts like a power
     // of t has the same relative size for every step.
@@ -37,14 +39,18 @@ namespace ThermoContact
       return part == 0. ? 0. : part / whole;
     };
     const double rounding = 1e-14;
-    const double thermal  = std::max(max_thermal, energy.thermal);
+    // of displacements that a stage solves for, in their energy
+    const double smallest_elastic = 0.5 * std::pow(1e-13 * carried, 2);
+    const double elastic_error =
+      error.elastic <= smallest_elastic ? 0. : error.elastic;
+    const double thermal = std::max(max_thermal, energy.thermal);
     const double thermal_error =
       error.thermal <= rounding * rounding * (temperature_energy + thermal) ?
         0. :
         error.thermal;
     return std::sqrt(
       ratio(thermal_error, thermal) +
-      ratio(error.elastic + error.kinetic + error.obstacle,
+      ratio(elastic_error + error.kinetic + error.obstacle,
             std::max({max_mechanical, energy.elastic, energy.kinetic})));
   }
 } // namespace ThermoContact

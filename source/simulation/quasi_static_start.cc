@@ -275,6 +275,7 @@ namespace ThermoContact
     if (body.law().damping() > 0.)
       {
         solve_with_damping(rhs, state);
+        body.driven_end.set_velocity(state.time, state.velocity);
         return;
       }
     if (body.law().is_rigid())

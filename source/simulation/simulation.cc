@@ -128,7 +128,7 @@ namespace ThermoContact
       else if (attempt.error = relative_error(result);
                !controller.is_accurate(attempt.error))
         {
-          attempt.reason = "tolerance";
+          attempt.reason = rejected_by_tolerance;
           controller.reject(time_step, attempt.error);
         }
       else if (!fits_contact(time_step, result))
@@ -156,7 +156,9 @@ namespace ThermoContact
     if ((!result.failure.empty() || !controller.is_accurate(attempt.error)) &&
         controller.is_exhausted(time_step, state_.time))
       give_up(time_step,
-              describe_exhaustion(attempt, result.failure, parameters()));
+              describe_exhaustion(history_.attempts,
+                                  result.failure,
+                                  parameters()));
     return false;
   }
 
@@ -240,7 +242,10 @@ namespace ThermoContact
         tracker.mode() == ContactMode::unilateral &&
         result.n_iterations > 0) // a node was pushed back in some stage
       error.kinetic = 0.;
-    return error_norm(error, result.energy) / time.tolerance;
+    const double carried = scene_.sources.has_moving_end ?
+                             result.state.displacement.linfty_norm() :
+                             0.;
+    return error_norm(error, result.energy, carried) / time.tolerance;
   }
 
 

@@ -126,17 +126,12 @@ namespace ThermoContact
   {
     StageRates &stage = stages[i];
     if (driven)
-      {
-        driven->constrain(i, tau, heat_load, momentum_load, known);
-        solver->solve(known,
-                      tau,
-                      driven->heat_load(),
-                      driven->momentum_load(),
-                      mode,
-                      stage);
-      }
-    else
-      solver->solve(known, tau, heat_load, momentum_load, mode, stage);
+      driven->constrain(i, tau, heat_load, momentum_load, known);
+    const Vector &heat   = driven ? driven->heat_load() : heat_load;
+    const Vector &forces = driven ? driven->momentum_load() : momentum_load;
+    do
+      solver->solve(known, tau, heat, forces, mode, stage);
+    while (stage.failure.empty() && release_crossing_nodes(tau, stage));
     if (stage.failure.empty() &&
         (i + 1 < tableau.n_stages() || tableau.has_error_estimate() || driven))
       set_difference(accelerations[i],
@@ -192,6 +187,7 @@ namespace ThermoContact
     result.n_iterations  = 0;
     result.is_prescribed = false;
     start_drives(state, time_step);
+    choose_stops(state, mode);
     for (unsigned int i = 0; i < tableau.n_stages(); ++i)
       {
         StageRates &stage = stages[i];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/time/dirk_integrator.h>
 
 #include <algorithm>
@@ -61,16 +62,70 @@ namespace ThermoContact
 
   template <int dim>
   void
+  DirkIntegrator<dim>::choose_stops(const State &state, const ContactMode mode)
+  {
+    for (StageRates &stage : stages)
+      stage.held_at.clear();
+    if (mode != ContactMode::closed || !body.scene.contact.rear_gap)
+      return;
+    look_at_stops(body, state, stops);
+    for (StageRates &stage : stages)
+      for (unsigned int node = 0; node < stops.near.size(); ++node)
+        stage.held_at.push_back(stops.side(node) < 0. ? -1 : 1);
+  }
+
+
+
+  template <int dim>
+  void
   DirkIntegrator<dim>::hold_closing_nodes(const State       &state,
                                           const unsigned int i)
   {
     std::vector<bool> &is_held = stages[i].is_held;
+    std::vector<int>  &held_at = stages[i].held_at;
     is_held.assign(state.contact_pressure.size(), false);
+    if (body.scene.contact.rear_gap)
+      held_at.assign(is_held.size(), 0);
     for (unsigned int j = 0; j < i; ++j)
       for (unsigned int node = 0; node < is_held.size(); ++node)
-        if (state.contact_pressure[node] == 0. &&
-            stages[j].pressure[node] != 0.)
-          is_held[node] = true;
+        if (const double p = stages[j].pressure[node];
+            state.contact_pressure[node] == 0. && p != 0. && !is_held[node])
+          {
+            is_held[node] = true;
+            if (!held_at.empty())
+              held_at[node] = p < 0. ? -1 : 1;
+          }
+  }
+
+
+
+  template <int dim>
+  bool
+  DirkIntegrator<dim>::release_crossing_nodes(const double tau,
+                                              StageRates  &stage)
+  {
+    if (stage.held_at.empty() ||
+        std::find(stage.is_held.begin(), stage.is_held.end(), true) ==
+          stage.is_held.end())
+      return false;
+    std::vector<double> velocity;
+    look_at_stops(body, known, stops);
+    body.contact_end().get_values(Field::displacement,
+                                  stage.velocity,
+                                  velocity);
+    bool releases = false;
+    for (unsigned int node = 0; node < velocity.size(); ++node)
+      if (stage.is_held[node])
+        {
+          stops.see_from(node, -stage.held_at[node]);
+          if (stops.near[node] - stage.held_at[node] * tau * velocity[node] <=
+              0.)
+            continue;
+          stage.is_held[node] = false;
+          stage.held_at[node] = 0;
+          releases            = true;
+        }
+    return releases;
   }
 
 
@@ -120,8 +175,12 @@ namespace ThermoContact
     const;                                                                   \
   template bool DirkIntegrator<dim>::holds_closing_nodes(const ContactMode)  \
     const;                                                                   \
+  template void DirkIntegrator<dim>::choose_stops(const State &,             \
+                                                  const ContactMode);        \
   template void DirkIntegrator<dim>::hold_closing_nodes(const State &,       \
                                                         const unsigned int); \
+  template bool DirkIntegrator<dim>::release_crossing_nodes(const double,    \
+                                                            StageRates &);   \
   template std::vector<bool> DirkIntegrator<dim>::closed_at_end(             \
     const ContactMode) const;                                                \
   template void DirkIntegrator<dim>::find_closed_nodes(const State &,        \

@@ -120,14 +120,17 @@ namespace ThermoContact
                                   velocity);
     old_free_position = product(receptance, state.contact_pressure);
     free_position.resize(n);
+    look_at_stops(body, state, stops);
+    const auto distance_of_stop = [&](const unsigned int i) {
+      return stops.side(i) < 0. ? *rear_gap : std::abs(state.gap[i]);
+    };
     double displacement_scale = 0.;
     for (unsigned int i = 0; i < n; ++i)
       {
         old_free_position[i] += old_displacement[i];
         displacement_scale =
           std::max(displacement_scale,
-                   std::max(std::abs(state.gap[i]), rear_gap.value_or(0.)) +
-                     std::abs(old_free_position[i]));
+                   distance_of_stop(i) + std::abs(old_free_position[i]));
         free_position[i] =
           2. * (old_displacement[i] + 0.5 * time_step.size * velocity[i]) -
           old_free_position[i];

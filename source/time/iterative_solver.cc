@@ -121,8 +121,9 @@ namespace ThermoContact
         {
           const bool   is_fixed = mode == ContactMode::closed || is_held[i];
           const double p        = known.contact_pressure[i];
-          sets.is_rear[i]       = is_fixed ? stage.is_nearer_to_rear(i) :
-                                             body.scene.contact.rear_gap && p < 0.;
+          sets.is_rear[i]       = is_fixed ?
+                                    !rates.held_at.empty() && rates.held_at[i] < 0 :
+                                    body.scene.contact.rear_gap && p < 0.;
           sets.is_active[i]     = is_fixed || sets.is_rear[i] || p > 0.;
         }
     if (body.law().is_active() && mode == ContactMode::unilateral)

@@ -42,6 +42,9 @@ namespace ThermoContact
     // from the obstacle on: in contact the first term is small or zero, and
     // the sum keeps the digits of the second in short stages
     look_at_stops(body, known, stops);
+    for (unsigned int i = 0; i < rates.held_at.size(); ++i)
+      if (rates.held_at[i] != 0)
+        stops.see_from(i, rates.held_at[i]);
     end.get_values(Field::displacement, rates.velocity, free_penetration);
     stops.turn(free_penetration);
     far_penetration = stops.far;

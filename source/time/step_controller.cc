@@ -14,6 +14,9 @@ namespace ThermoContact
   namespace
   {
     const double infinity = std::numeric_limits<double>::infinity();
+
+    /** Steps below that part of the time are not much above its rounding. */
+    constexpr double rounding_of_time = 1e-13;
   } // namespace
 
 
@@ -38,22 +41,51 @@ namespace ThermoContact
 
 
 
-  std::string
-  describe_exhaustion(const StepAttempt &attempt,
-                      const std::string &failure,
-                      const Parameters  &parameters)
+  namespace
   {
+    /** Of those since the last step that was accepted, by their errors. */
+    StepAttempt
+    best_rejected(const std::vector<StepAttempt> &attempts)
+    {
+      StepAttempt best = attempts.back();
+      for (auto a = attempts.rbegin(); a != attempts.rend() && !a->is_accepted;
+           ++a)
+        if (a->reason == rejected_by_tolerance && a->error < best.error)
+          best = *a;
+      return best;
+    }
+  } // namespace
+
+
+
+  std::string
+  describe_exhaustion(const std::vector<StepAttempt> &attempts,
+                      const std::string              &failure,
+                      const Parameters               &parameters)
+  {
+    const StepAttempt &last = attempts.back();
+    const auto         time = [&](const double value) {
+      return QuantityUnits(parameters).text("time", value);
+    };
     std::ostringstream message;
     message << "no step is accepted, the last one tried had size "
-            << QuantityUnits(parameters).text("time", attempt.size) << ": ";
-    if (failure.empty())
-      message
-        << "its error is " << attempt.error
-        << " times the tolerance (1 is allowed, 0.2 after an event)"
-           "\n  remedy:  a larger Time/Tolerance, Time/Break points where loads "
-           "jump, or a smaller Time/Minimum step size if one is given";
-    else
-      message << failure;
+            << time(last.size) << ": ";
+    if (!failure.empty())
+      {
+        message << failure;
+        return message.str();
+      }
+    message << "its error is " << last.error
+            << " times the tolerance (1 is allowed, 0.2 after an event)";
+    if (const StepAttempt best = best_rejected(attempts);
+        best.error < last.error)
+      message << ", of size " << time(best.size) << " it was " << best.error
+              << ": rounding makes smaller steps worse";
+    else if (last.size < rounding_of_time * last.time)
+      message << ": it changes faster than times can be told apart there";
+    message
+      << "\n  remedy:  a larger Time/Tolerance, Time/Break points where "
+         "loads jump, or a smaller Time/Minimum step size if one is given";
     return message.str();
   }
 
@@ -201,6 +233,8 @@ namespace ThermoContact
   {
     event_time.reset();
     was_rejected = true;
+    if (step.is_of_nodes && std::isfinite(error))
+      rejected_error_of_nodes = error;
     const double factor =
       std::isfinite(error) ?
         0.9 * std::pow(error / largest_error(), -1. / order) :
@@ -224,8 +258,14 @@ namespace ThermoContact
   StepController::accept(const TimeStep &step, const double error)
   {
     event_time.reset();
-    if (!has_error_control || step.is_of_nodes)
+    rejected_error_of_nodes.reset();
+    if (!has_error_control)
       return;
+    if (step.is_of_nodes)
+      {
+        was_rejected = false;
+        return;
+      }
 
     const double e = std::max(error, 1e-10); // an error of zero says nothing
     double       factor = ladder.keeps_sizes ? keeping_factor(e) :

@@ -18,6 +18,7 @@ namespace ThermoContact
   {
     double displacement      = 0.;
     double velocity          = 0.;
+    double gap               = 0.; ///< of the front stop
     double temperature       = 0.;
     double force             = 0.;
     double energy            = 0.; ///< of the absolute terms, work, dissipation
@@ -59,14 +60,32 @@ namespace ThermoContact
 
 
   /**
+   * How flat the cells at the contact end are, at least 1: their stiffness
+   * along the body is that many times the one across, which is left with so
+   * many digits less.
+   */
+  inline double
+  flatness(const Parameters &parameters)
+  {
+    const MeshParameters &mesh = parameters.mesh;
+    return parameters.dimension == 1 ?
+             1. :
+             std::max(1.,
+                      mesh.width / mesh.cells_across / mesh.contact_spacing());
+  }
+
+
+
+  /**
    * What the laws of a damped obstacle (M.82) and of a heat exchange that
    * depends on the contact (M.57) leave to wish for in the present state, in
    * units of what is allowed. Penetrations are known to 1e-12 of the
-   * displacements, velocities of massless nodes and of bodies without inertia
-   * to those over the step. Pressures are the remainder of the forces at the
-   * end, u_x - a theta and p, (M.2), and known to 1e-12 of the largest of them:
-   * a pressure that vanishes, as between the sides of a coefficient that jumps
-   * with the contact, comes out as their rounding.
+   * displacements, velocities to 1e-12 of the largest and to those over the
+   * step. Pressures are the remainder of the forces at the
+   * end, u_x + zeta v_x - a theta and p, (M.2), where derivatives are those of
+   * the cells there, and known to 1e-12 of the largest of them, or less if the
+   * cells are flat: a pressure that vanishes, as between the sides of a
+   * coefficient that jumps with the contact, comes out as their rounding.
    */
   template <int dim>
   std::map<std::string, double>
@@ -100,11 +119,12 @@ namespace ThermoContact
           (scene.fields.has_temperature ?
              std::abs(scene.material.thermal_stress) * scales.temperature :
              0.) +
-          scales.displacement + p;
+          (scales.displacement + scene.material.viscosity * scales.velocity) /
+            scene.parameters.mesh.contact_spacing() *
+            flatness(scene.parameters) +
+          p;
         double dv = 1e-12 * scales.velocity;
-        if ((scene.contact.is_in_equilibrium ||
-             !scene.material.has_inertia()) &&
-            dt > 0.)
+        if (dt > 0.)
           dv += ds / dt;
         // without inertia it is what is left of velocities of all forces
         if (!scene.material.has_inertia() && scene.material.has_viscosity())

@@ -189,7 +189,8 @@ namespace ThermoContact
         set("Contact/Rear gap", rear_gap);
     }
 
-    /** With which pressures have squares that are numbers. */
+    /** With which pressures, also times 1e100, have squares that are numbers.
+     */
     double
     largest_exponent() const
     {
@@ -197,7 +198,7 @@ namespace ThermoContact
         {1., u_end - number("Contact/Gap", 0.), std::abs(velocity) * duration});
       const double digits =
         std::log10(penetration / number("Contact/Compliance", 0.01));
-      return digits > 0. ? std::max(1., std::floor(100. / digits)) : 10.;
+      return digits > 0. ? std::max(1., std::floor(50. / digits)) : 10.;
     }
 
     /** Starts at zero; no jump. */

@@ -211,6 +211,22 @@ namespace ThermoContact
       {"Contact/Gap=0.01-1e-3*sin(1e4*t)", "Contact/Damping=10"},
       {"Contact/Gap=0.01-100*t^2", "Contact/Condition=rigid"},
       {"Contact/Gap=0.01-min(1e3*t,5)", "Contact/Compliance=1e-6"},
+      {"Contact/Gap=0.01-0.05*sin(40*t)",
+       "Initial values/Velocity=-10*sin(pi*x)",
+       "Initial values/Temperature=theta_A+5*sin(4*x)",
+       "Mesh/Cells=18",
+       "Mesh/Degree=2",
+       "Model/Inertia=0.04",
+       "Model/Viscosity=0",
+       "Model/Coupling=0.1",
+       "Contact/Condition=rigid",
+       "Contact/Massless nodes=off",
+       "Boundary/Heat exchange=if(pressure>0,1e3,1)"},
+      {power,
+       "Contact/Exponent=5",
+       "Contact/Gap=1e-6",
+       "Contact/Rear gap=2e-7",
+       "Initial values/Velocity=-1e4*sin(9*x)"},
       {"Boundary/Lateral heat exchange=1e6", "Boundary/Ambient temperature=-5"},
       {"Boundary/Heat exchange=if(pressure>0,1e6,1e-6)"},
       {"Boundary/Heat exchange=if(gap>0,1e-4/(1e-4+gap),1+1e9*pressure)"},
@@ -337,6 +353,14 @@ namespace ThermoContact
              scheme[1] == "Time/Start=consistent"))
           scenes.push_back({"2-D " + join(setting) + "; " + join(scheme),
                             scheme + body + setting});
+    scenes.push_back({"2-D, nodes at the jump of the heat exchange",
+                      scheme_settings()[1] + body +
+                        Overrides{"Contact/Gap=0.01+0.02*(1+y)*sin(10*t)^2",
+                                  "Contact/Compliance=0.01",
+                                  "Model/Poisson ratio=0.45",
+                                  "Boundary/Lateral support=free",
+                                  "Boundary/Heat exchange=if(pressure>0,1e-6,"
+                                  "1e6)"}});
   }
 
 

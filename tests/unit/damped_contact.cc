@@ -9,7 +9,12 @@
 //    at s = 2. Start 1 with tau = 0, v = 1/2: p = 2 * 2 = 4, free velocity 1
 //    with the response 1/8. An obstacle so hard, phi = 1e24, that all
 //    velocities but -1/c, to rounding, make too large a pressure: start 1 and
-//    the response 1 leave it of 3/2 if p = 2, one node alone and two.
+//    the response 1 leave it of 3/2 if p = 2, one node alone and two. Four
+//    nodes, R_ij = f_max(i,j) w_j, f = (38, 12, 7, 2), w = (1, 1, 17, 19):
+//    p = 1 leaves -1/2 of R 1 - 1/2 = (206.5, 180.5, 170.5, 75.5). One node
+//    after the other, from no pressures, they have 207/38 = 5.4, 9.6, 0.55 and
+//    0.71, with which the first one misses 208 of its velocity, more than the
+//    207 without pressures.
 // 2. A node that is held, start 1/4, tau = 1: v = -1/2 gives s = -1/4 and p =
 //    -1/2 [1 - 2/4] = -1/4, so that the response 1 leaves it of -3/4. At the
 //    start 1 the factor is 0: p = 0 for the free velocity -2.
@@ -19,8 +24,12 @@
 //    pressures matter. The solver has to find p, to 1e-8 of the largest; one
 //    node alone to 1e-11 of what a velocity is rounded by.
 // 4. Its derivative with respect to the velocity: differences of pressures.
+// 5. The end of a static body goes from 0.05 beyond one of two stops to 0.05
+//    before it, between both, where there is no pressure, from t = 1 to 2: it
+//    leaves at 1.5, seen from either stop.
 
 #include <thermocontact/method/damped_contact.h>
+#include <thermocontact/method/event_locator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,10 +86,21 @@ namespace
     DampedContact(*hard).solve(response,
                                {1e-3, {1., 1.}, {1.5, 1.5}, {}},
                                pressure);
+    std::vector<double> coupled;
+    response.reinit(4, 4);
+    for (unsigned int i = 0; i < 4; ++i)
+      for (unsigned int j = 0; j < 4; ++j)
+        response(i, j) = std::vector<double>{38., 12., 7., 2.}[std::max(i, j)] *
+                         std::vector<double>{1., 1., 17., 19.}[j];
+    DampedContact(*hard).solve(
+      response,
+      {1e-3, std::vector<double>(4, 1.), {206.5, 180.5, 170.5, 75.5}, {}},
+      coupled);
     const auto factor_of_rounding = make_law(1e-24, 1., 49.); // 1 - 49 (1/49)
     deallog << "hard " << pressure_alone(*hard, 1e-3, 1., 1.5, 1.) << ", "
             << pressure_alone(*factor_of_rounding, 1e-3, 1., 2. - 1. / 49., 1.)
-            << ", two " << pressure[0] << ' ' << pressure[1] << std::endl;
+            << ", two " << pressure[0] << ' ' << pressure[1] << ", coupled "
+            << coupled[0] << ' ' << coupled[3] << std::endl;
     deallog << "held " << pressure_alone(*law, 1., 0.25, -0.75, 1., true)
             << ", let go " << pressure_alone(*law, 1., 1., -2., 1., true)
             << ", held in contact "
@@ -201,6 +221,38 @@ namespace
     if (!(worst < 1e-8 && worst_alone < 1e-6 && worst_slope < 1e-5))
       deallog << worst << ' ' << worst_alone << ' ' << worst_slope << std::endl;
   }
+
+
+
+  void
+  test_end_between_stops()
+  {
+    const auto law = with_damping(make_law(0.01, 1., 0.), 1.);
+    deallog << "leaves one of two stops, at";
+    for (const double side : {1., -1.})
+      {
+        // each stop is 0.2 from the middle
+        const auto values = [&](const double time, const double beyond) {
+          const double u = side * (0.2 + beyond);
+          return ContactValues{time,
+                               {u},
+                               {u - 0.2},
+                               {-side},
+                               {side * law->pressure(beyond)},
+                               {-u - 0.2}};
+        };
+        std::vector<ContactEvent> events;
+        EventLocator locator(*law, true, ContactNodes::of_static_body, 1e-3);
+        locator.start(values(1., 0.05), events);
+        const EventLocator::Finding finding =
+          locator.examine(values(2., -0.05), false, {1., 1.});
+        deallog << ' '
+                << (finding.kind == EventLocator::Finding::within ?
+                      finding.time :
+                      0.);
+      }
+    deallog << std::endl;
+  }
 } // namespace
 
 
@@ -211,4 +263,5 @@ main()
   initlog();
   test_by_hand();
   test_random();
+  test_end_between_stops();
 }

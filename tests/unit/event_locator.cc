@@ -6,7 +6,9 @@
 //    counts, one where it touches zero or rises does not; "inf" without one, 0
 //    if it is never positive. 16 (x - 1/4)(x - 1/2) has its minimum -1/4
 //    between its roots, a dip above it is tolerated. (x - 0.995)^2 - 5e-5 is
-//    still below zero at 1: then its dip counts from 0.995 on.
+//    still below zero at 1: then its dip counts from 0.995 on. At its ends the
+//    slope is what was given, 1e-20 and -1e-20, whatever it is in between.
+//    x - 3 has its zero in (0, 4), and none in (5, 9): the nearer end is 5.
 // 2. EventLocator, gap 0.1, compliance 0.01, tolerance 1e-3, momentum 1. From
 //    t = 1, u = 0 with u_t = 0.2 contact begins at 1.5. A step to t = 2 is to
 //    be taken to there; one that was aimed ends the state if the miss s of u(1)
@@ -34,6 +36,7 @@
 //    obstacle than 1e-5 of the largest displacement 0.1, as above: 0.9e-6 but
 //    not 1.1e-6; 1e-17 is rounding.
 
+#include <thermocontact/method/bracketed_root.h>
 #include <thermocontact/method/event_locator.h>
 
 #include <cmath>
@@ -105,7 +108,6 @@ namespace
     print_first_zero("falls from zero", {{0., -1., 0., 0.}});
     print_first_zero("falls from zero and comes back", {{0., -0.5, 1., 0.}});
     print_first_zero("falls to zero", {{1., -1., 0., 0.}});
-
     deallog << "zero near the end: 1.1 - x "
             << cubic({{1.1, -1., 0., 0.}}).zero_near_end() << ", 0.81 - x^2 "
             << cubic({{0.81, 0., -1., 0.}}).zero_near_end() << ", 0.3 - x "
@@ -114,6 +116,14 @@ namespace
     const CubicHermite s = cubic({{1., 2., 3., 4.}});
     deallog << "1 + 2x + 3x^2 + 4x^3 at 1/2: " << s.value(0.5) << ", slope "
             << s.slope(0.5) << std::endl;
+    const CubicHermite jump(1., 1e-20, 4., -1e-20);
+    const auto         line = [](const double x) { return x - 3.; };
+    deallog << "slopes of a jump at its ends: " << jump.slope(0.) * 1e20 << ' '
+            << jump.slope(1.) * 1e20 << "; zero of x - 3 in (0, 4): "
+            << bracketed_root(line, 0., 4.).first
+            << ", in (5, 9): " << bracketed_root(line, 5., 9.).second
+            << ", in (9, 9): " << bracketed_root(line, 9., 9.).first
+            << std::endl;
   }
 
 

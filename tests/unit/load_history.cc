@@ -16,7 +16,9 @@
 //    named: steps of any size that end where largest_step() ends them are
 //    shorter than w where the pulse is above 1/e, and fewer than 100. The same
 //    on a background of 1000, and beside a pulse that is 1000 times higher.
-// 4. A constant, and a + b t: no break, any step. sin(1e6 t) is not resolved;
+// 4. A constant, a + b t, and 2e4 + 3e-10 t^2, whose doubles are 3.6e-12 apart,
+//    stairs of 1e-16 of the value: no break, any step. sin(1e6 t) is not
+//    resolved;
 //    1/(t - 1/2) is not finite at 1/2, which is i/2^15.
 // 5. Together: breaks of both in order, the smaller widths; a listed time is a
 //    jump, but not where there is one already: 3 of the listed 0.3, 0.4, 0.2
@@ -157,8 +159,10 @@ namespace
   void
   test_others()
   {
-    for (const Function load : {Function([](double) { return 3.; }),
-                                Function([](double t) { return 3. - 2. * t; })})
+    for (const Function load :
+         {Function([](double) { return 3.; }),
+          Function([](double t) { return 3. - 2. * t; }),
+          Function([](double t) { return 2e4 + 3e-10 * t * t; })})
       {
         const auto scanned = scan(load);
         deallog << "straight: " << scanned.history.breaks.size() << ' '

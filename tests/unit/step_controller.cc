@@ -16,6 +16,11 @@
 //   e = 0.03: 1.98: -32;             e = 0.025: 2.07: -28;
 //   e = 0.8: 1.1: -32;               e = 0.9: 0.85: -36;
 //   e = 0: 4 (clipped): -24;         rejected, e = 16: 0.495: -40.
+// Nodes that follow a jump, in steps of 1e-11: error 5 is too large, and after
+// it 4.4, but not 4.6, which is more than 0.9 times 5; nor is it after the step
+// that follows, in which nothing jumps, and whose 5 says nothing. What was
+// rejected is forgotten behind the jump: error 0 makes that step 4 times as
+// long.
 // At most the largest size, whether it is chosen or given: 0.001, 0.1.
 // A time is on a multiple of an interval if it is less than 1e-6 intervals
 // away: 1 - 1e-7 is on 1 (of intervals of 1), 1 - 1e-5 is not, and 1 + 1e-5 has
@@ -131,6 +136,31 @@ namespace
 
 
 
+  void
+  test_jump_of_nodes()
+  {
+    LoadHistory history;
+    history.add_breaks({0.});
+    history.breaks[0].node_step = 1e-11;
+    StepController controller   = make_controller(from_rung());
+    controller.follow(history);
+    deallog << "jump of nodes, accurate with error 5 "
+            << controller.is_accurate(5.);
+    controller.reject(controller.propose(0.), 5.);
+    deallog << ", then 4.4 " << controller.is_accurate(4.4) << ", 4.6 "
+            << controller.is_accurate(4.6);
+    controller.accept(controller.propose(0.), 4.6);
+    deallog << ", behind it 4.6 " << controller.is_accurate(4.6);
+    const TimeStep next = controller.propose(1e-11);
+    controller.accept(next, 0.);
+    const TimeStep after = controller.propose(1e-11);
+    controller.reject(after, 5.);
+    deallog << ", grows " << after.size / next.size << ", twice "
+            << controller.is_accurate(5.) << std::endl;
+  }
+
+
+
   /** The ends of all steps. */
   void
   print_steps(const std::string &name, const Parameters &parameters)
@@ -223,6 +253,7 @@ main()
 {
   initlog();
   test_ladder();
+  test_jump_of_nodes();
   test_targets();
   test_multiples();
 }

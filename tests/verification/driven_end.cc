@@ -33,6 +33,7 @@
 //    value at t = 1, tolerance 1e-6.
 // 5. b = 0, zeta > 0: without loads and contact the rod moves with its end,
 //    u(1) = u_A and u_t(1) = u_A', at the start, too; b = zeta = 0: u(1) = u_A.
+//    Before a damped obstacle that is out of reach all nodes have u_A'.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -329,6 +330,23 @@ namespace
           if (zeta > 0.)
             raise(error, std::abs(r.velocity_end - 2. * t - 3.));
         }
+    Simulation<1> damped(
+      read_parameters("",
+                      {"Model/Fields=displacement",
+                       "Model/Inertia=0",
+                       "Model/Viscosity=0.3",
+                       "Initial values/Displacement=0",
+                       "Contact/Gap=1e3",
+                       "Contact/Damping=1",
+                       "Time/Step size=0.1",
+                       "Boundary/Fixed end displacement=t^2+3*t",
+                       "Time/End time=0.5"}),
+      MPI_COMM_SELF);
+    damped.run({[&](const Simulation<1> &simulation) {
+      const State &state = simulation.state();
+      for (const double velocity : state.velocity)
+        raise(error, std::abs(velocity - 2. * state.time - 3.));
+    }});
     deallog << "no inertia: moves with its end to 1e-9 " << (error < 1e-9)
             << std::endl;
   }

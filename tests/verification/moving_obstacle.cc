@@ -31,6 +31,14 @@
 // 4. The conserving scheme: the same spring and mass, normal compliance,
 //    without a mass of the contact node (two cells): energy + 0 = energy(0) +
 //    work to 1e-12, whatever the step.
+// 5. Without inertia u = x w(t), w + zeta w' = -p, before a damped obstacle,
+//    p = s [1 + c (w' - g')]_+/eps, s = w - g, that comes with 3/10 and turns
+//    at t = 1/2 to leave with 3/10. There w goes on, and the viscous rod gets
+//    w' = -(w + s (1 - c g')/eps)/(zeta + c s/eps) with g' behind the turn.
+//    Without viscosity p = -w goes on, and the row has the velocity w' in front
+//    of the turn, that of p with g' there. eps = 1/10, c = 2, zeta = 1/20 or 0:
+//    velocity and force of that row by its displacement and gap, and the rate
+//    of the gap that its state has, to 1e-12.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -306,6 +314,45 @@ namespace
             << ", energy less work to 1e-12 " << (defect < 1e-12 * largest)
             << std::endl;
   }
+
+
+
+  void
+  check_damped_turn(const double zeta, const Overrides &time)
+  {
+    double        error = 1.;
+    Simulation<1> rod(
+      read_parameters("",
+                      time + Overrides{"Model/Fields=displacement",
+                                       "Model/Inertia=0",
+                                       "Model/Viscosity=" + number(zeta),
+                                       "Initial values/Displacement=0",
+                                       "Contact/Compliance=0.1",
+                                       "Contact/Damping=2",
+                                       "Contact/Gap=-0.2+0.3*abs(t-0.5)",
+                                       "Mesh/Cells=2",
+                                       "Mesh/Degree=1",
+                                       "Time/Scheme=sdirk4",
+                                       "Time/End time=0.6"}),
+      MPI_COMM_SELF);
+    rod.run({[&](const Simulation<1> &simulation) {
+      const StepRecord &r = simulation.record();
+      if (std::abs(r.time - 0.5) > 1e-12)
+        return;
+      const double w = r.displacement_end, spring = -r.gap / 0.1;
+      const double rate = zeta > 0. ? 0.3 : -0.3;
+      const double velocity =
+        zeta > 0. ? -(w + spring * (1. - 2. * rate)) / (zeta + 2. * spring) :
+                    rate + 0.5 * (-w / spring - 1.);
+      error = std::abs(simulation.state().gap_rate[0] - rate);
+      raise(error, std::abs(r.velocity_end - velocity));
+      raise(error, std::abs(r.contact_force + w + zeta * velocity));
+    }});
+    deallog << "damped obstacle turns, zeta = " << zeta << ", " << time[0]
+            << ": rates and force to 1e-12 " << (error < 1e-12) << std::endl;
+    if (!(error < 1e-12))
+      deallog << error << std::endl;
+  }
 } // namespace
 
 
@@ -345,4 +392,8 @@ main(int argc, char **argv)
   check_turns("fixed steps beside the bends",
               {"Time/Step size=0.0037", "Time/Locate contact events=true"});
   check_conserving();
+  for (const double zeta : {0.05, 0.})
+    for (const Overrides &time :
+         {Overrides{"Time/Tolerance=1e-6"}, Overrides{"Time/Step size=0.04"}})
+      check_damped_turn(zeta, time);
 }

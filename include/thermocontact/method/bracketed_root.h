@@ -18,18 +18,40 @@ namespace ThermoContact
    * floating-point numbers.
    *
    * @param low,high a bracket: the signs there differ, or one of the values is
-   *   zero
+   *   zero. Where rounding has made them the same, or low is not below high,
+   *   the answer is the end at which the function is closer to zero, twice.
+   * @param at_low,at_high the values there
    */
+  template <typename Function>
+  std::pair<double, double>
+  bracketed_root(const Function &function,
+                 const double    low,
+                 const double    high,
+                 const double    at_low,
+                 const double    at_high)
+  {
+    const bool is_bracket = low < high && ((at_low <= 0. && at_high >= 0.) ||
+                                           (at_low >= 0. && at_high <= 0.));
+    if (!is_bracket) // the library would throw
+      {
+        const double end = std::abs(at_high) < std::abs(at_low) ? high : low;
+        return {end, end};
+      }
+    const auto are_neighbours = [](const double a, const double b) {
+      return std::nextafter(a, b) >= b;
+    };
+    std::uintmax_t max_evaluations = 198;
+    return boost::math::tools::toms748_solve(
+      function, low, high, at_low, at_high, are_neighbours, max_evaluations);
+  }
+
+
+
   template <typename Function>
   std::pair<double, double>
   bracketed_root(const Function &function, const double low, const double high)
   {
-    const auto are_neighbours = [](const double a, const double b) {
-      return std::nextafter(a, b) >= b;
-    };
-    std::uintmax_t max_evaluations = 200;
-    return boost::math::tools::toms748_solve(
-      function, low, high, are_neighbours, max_evaluations);
+    return bracketed_root(function, low, high, function(low), function(high));
   }
 } // namespace ThermoContact
 

@@ -5,6 +5,7 @@
 
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/contact_solver.h>
+#include <thermocontact/method/two_stops.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -18,6 +19,19 @@ namespace ThermoContact
   {
     std::vector<double> front; ///< $s$
     std::vector<double> rear;  ///< $s_2$, which falls as $s$ grows; or empty
+
+    /** Of these, or of where they go, at the stop that is nearer to these. */
+    double
+    at_nearer_stop(const NodesBeforeStops &seen, const unsigned int node) const
+    {
+      return is_nearer_to_rear(node) ? seen.rear[node] : seen.front[node];
+    }
+
+    bool
+    is_nearer_to_rear(const unsigned int node) const
+    {
+      return !rear.empty() && nearer_stop(front[node], rear[node]) < 0;
+    }
 
     /** Some way on to others. */
     NodesBeforeStops

@@ -38,7 +38,7 @@ namespace ThermoContact
     zero_near_end() const;
 
   private:
-    const double s0, slope0, s1, quadratic, cubic;
+    const double s0, slope0, s1, slope1, quadratic, cubic;
   };
 } // namespace ThermoContact
 

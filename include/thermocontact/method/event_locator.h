@@ -299,6 +299,10 @@ namespace ThermoContact
                  const bool           is_aimed,
                  const BodyScales    &scales) const;
 
+    /** False if a node is nearer to the other stop. */
+    bool
+    is_at_its_stop(const ContactValues &values) const;
+
     /** What was seen from one stop is seen from that of @p new_side. */
     void
     turn_to(const int new_side);

@@ -105,6 +105,13 @@ namespace ThermoContact
       return range.variation();
     }
 
+    /**
+     * The same, or what is to be told apart from the rounding of the values or
+     * of time if that is more: small parts of it do not matter.
+     */
+    double
+    scale() const;
+
   private:
     const LoadSample        &load;
     unsigned int             n_asked;

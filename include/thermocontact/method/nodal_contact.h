@@ -46,9 +46,9 @@ namespace ThermoContact
   /**
    * Pressures of nodes that influence each other, doc/model.md (M.70), (M.84):
    * $x_i+\sum_j R_{ij}\,p_j(x_j)=x^{free}_i$. Newton's method; each step, or a
-   * part of it, has to make the largest defect smaller, else one node after
-   * another meets its law. There is one solution, since R is a positive
-   * definite matrix with scaled columns.
+   * part of it, has to make the largest defect smaller than it ever was, else
+   * one node after another meets its law. There is one solution, since R is a
+   * positive definite matrix with scaled columns.
    *
    * @param response R
    * @param x in: where the search starts

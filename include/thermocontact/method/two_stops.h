@@ -80,6 +80,10 @@ namespace ThermoContact
       return are_two() ? sides[node] : 1.;
     }
 
+    /** Sees a node from the stop @p new_side, 1 or -1, though not the nearer. */
+    void
+    see_from(const unsigned int node, const int new_side);
+
     /** Displacements, velocities or pressures become those seen, or back. */
     void
     turn(std::vector<double> &values) const;

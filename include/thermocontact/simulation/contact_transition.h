@@ -3,6 +3,7 @@
 #ifndef thermocontact_simulation_contact_transition_h
 #define thermocontact_simulation_contact_transition_h
 
+#include <thermocontact/method/event_locator.h>
 #include <thermocontact/simulation/quasi_static_start.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/direct_solver.h>
@@ -71,7 +72,7 @@ namespace ThermoContact
     /**
      * The pressures become those with which nodes with mass that a rigid
      * obstacle holds have its acceleration, (M.112): those of the last stage
-     * are of first order only.
+     * are of first order only. The heat exchange becomes that of them.
      *
      * @throw ComputationError if the mass matrix cannot be factorised
      */
@@ -79,21 +80,26 @@ namespace ThermoContact
     set_pressures_of_acceleration(State &state);
 
     /**
-     * The pressures of a damped obstacle whose velocity has jumped, (M.82), at
-     * a body with inertia, which goes on as it was.
+     * The pressures of a damped obstacle whose velocity has jumped, (M.82): a
+     * body with inertia goes on as it was, one without it gets the velocity of
+     * (M.34). Not of a body that is in equilibrium at all times: its pressures
+     * do not jump, the velocity does by which it follows.
      */
     void
-    follow_turn(State &state) const;
+    follow_turn(State &state);
 
     /**
      * Pressures of a step that is accepted: none pulls, and where contact
      * begins they are those of the law, since no stage has seen them. So is the
      * heat exchange, where contact ends as well.
+     *
+     * @param mode of the step
+     * @param finding at its end
      */
     void
-    finish_pressure(const bool  begins_contact,
-                    const bool  ends_contact,
-                    StepResult &result);
+    finish_pressure(const ContactMode            mode,
+                    const EventLocator::Finding &finding,
+                    StepResult                  &result);
 
     const SolverCounters &
     counters() const
@@ -109,9 +115,16 @@ namespace ThermoContact
     restore(const SolverCounters &counters);
 
   private:
-    /** Between two stops; true if a pressure pulled. */
+    /**
+     * No pressure pulls: of nodes that are held closed none at the stop
+     * @p held_at, though they may have left it for the other one, of the others
+     * none at the nearer one.
+     *
+     * @param held_at 1 or -1; 0: nodes are not held
+     * @return true if one did
+     */
     bool
-    clip_at_nearer_stop(State &state) const;
+    remove_pull(const int held_at, State &state) const;
 
     Body<dim>                    &body;
     QuasiStaticStart<dim>        &quasi_static;

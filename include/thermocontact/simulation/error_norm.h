@@ -20,7 +20,8 @@ namespace ThermoContact
    * at a step that moves it. There is no absolute floor: scaling a scene
    * changes nothing. An error of the temperature that is rounding of the
    * temperature itself, of which $\hat\theta$ may be a tiny part, counts as
-   * none.
+   * none, and so does one of the displacement in a body whose end carries it
+   * far and hardly strains it.
    */
   class ErrorNorm
   {
@@ -37,9 +38,12 @@ namespace ThermoContact
      *
      * @param error half the squared norms of the estimate
      * @param energy of the state at the end of the step
+     * @param carried largest displacement there of a body whose end moves
      */
     double
-    operator()(const EnergyTerms &error, const EnergyTerms &energy);
+    operator()(const EnergyTerms &error,
+               const EnergyTerms &energy,
+               const double       carried);
 
     /** Largest elastic or kinetic energy so far. */
     double

@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/method/butcher_tableau.h>
+#include <thermocontact/method/two_stops.h>
 #include <thermocontact/time/driven_step.h>
 #include <thermocontact/time/obstacle_step.h>
 #include <thermocontact/time/time_integrator.h>
@@ -73,6 +74,7 @@ namespace ThermoContact
 
     std::vector<StageRates> stages;
     std::vector<Vector>     accelerations; ///< $v'$ of a stage
+    NearerStops             stops;         ///< where a closed step begins
     State                   known;
     State                   difference;
     Vector                  heat_load;
@@ -110,12 +112,28 @@ namespace ThermoContact
     holds_closing_nodes(const ContactMode mode) const;
 
     /**
+     * Closed nodes between two stops stay at the one where @p state has them:
+     * the known values of a stage, and its end, may be nearer to the other one.
+     */
+    void
+    choose_stops(const State &state, const ContactMode mode);
+
+    /**
      * Nodes that closed in an earlier stage of the step stay closed in stage
      * @p i: where the stages are not in the order of time some would leave them
      * open again, and the step would end short of the obstacle.
      */
     void
     hold_closing_nodes(const State &state, const unsigned int i);
+
+    /**
+     * Lets nodes go that are held at a stop and have come past the other one
+     * in a stage from the known values.
+     *
+     * @return true if there are any, and the stage is to be solved again
+     */
+    bool
+    release_crossing_nodes(const double tau, StageRates &stage);
 
     /** The nodes in contact at the end of the step. */
     std::vector<bool>

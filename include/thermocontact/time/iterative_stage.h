@@ -87,14 +87,6 @@ namespace ThermoContact
       return {none, none};
     }
 
-    /** The stop that a node is nearer to at the beginning is the rear one. */
-    bool
-    is_nearer_to_rear(const unsigned int node) const
-    {
-      return !rear_penetration.empty() &&
-             nearer_stop(front_penetration[node], rear_penetration[node]) < 0;
-    }
-
     /** Puts springs and held nodes of the active set in place. */
     void
     set_active(const SetsBetweenStops &sets);

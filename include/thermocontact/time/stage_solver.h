@@ -24,7 +24,15 @@ namespace ThermoContact
     std::vector<double> pressure;             ///< $p_i$ at the contact nodes
     std::vector<double> exchange_coefficient; ///< $k_i$ there
     std::vector<bool>   is_held; ///< in: nodes that stay closed; empty: none
-    unsigned int        n_iterations = 0; ///< active sets or fixed point
+
+    /**
+     * in: the stop, 1 or -1, at which nodes stay closed, those of closed stages
+     * among them, wherever the known values are; 0: a node that need not;
+     * empty: there is one stop
+     */
+    std::vector<int> held_at;
+
+    unsigned int n_iterations = 0; ///< active sets or fixed point
 
     /** Power of what a linear solver has left unsolved, (M.65). */
     double algebraic_power = 0.;

@@ -19,22 +19,27 @@ namespace ThermoContact
     double      size         = 0.;
     double      error        = 0.; ///< relative to the tolerance
     bool        is_accepted  = false;
-    const char *reason       = ""; ///< why it ends there or was rejected
+    std::string reason       = ""; ///< why it ends there or was rejected
     double      wall_seconds = 0.;
   };
+
+
+
+  /** The reason of an attempt that is not accurate enough. */
+  inline const char *const rejected_by_tolerance = "tolerance";
 
 
 
   /**
    * Why error-controlled steps end, and what to try.
    *
-   * @param attempt the last one
-   * @param failure why it could not be computed, or empty
+   * @param attempts those so far, the last one at the end
+   * @param failure why that could not be computed, or empty
    */
   std::string
-  describe_exhaustion(const StepAttempt &attempt,
-                      const std::string &failure,
-                      const Parameters  &parameters);
+  describe_exhaustion(const std::vector<StepAttempt> &attempts,
+                      const std::string              &failure,
+                      const Parameters               &parameters);
 
 
 
@@ -146,11 +151,20 @@ namespace ThermoContact
      * enough; NaN is not. Fixed steps always are. The first step after contact
      * changed must be more accurate: the solution is not smooth there, and the
      * estimate is less than the error.
+     *
+     * The step in which nodes follow a jump is accurate enough, too, if its
+     * error is that of an attempt at it that was rejected, less a tenth: where
+     * contact changes on the way of the jump, the estimate measures the way,
+     * which does not depend on the length of the step, and its end does not
+     * depend on the way. Errors of all else fall at least as the length, which
+     * falls by a fifth or more.
      */
     bool
     is_accurate(const double error) const
     {
-      return !has_error_control || error <= largest_error();
+      return !has_error_control || error <= largest_error() ||
+             (rejected_error_of_nodes &&
+              error >= 0.9 * *rejected_error_of_nodes);
     }
 
     /** The step is not accurate enough. */
@@ -215,6 +229,9 @@ namespace ThermoContact
     bool                  was_rejected;
     bool                  is_restarting; ///< after contact or a load changed
     std::optional<double> event_time;
+
+    /** Of the last attempt, if nodes were to follow a jump in it. */
+    std::optional<double> rejected_error_of_nodes;
 
     double
     largest_error() const
