@@ -20,6 +20,9 @@ namespace ThermoContact
   {
     using Arguments = std::vector<Jet>;
 
+    /** Parts of a formula within parts; each takes some of the stack. */
+    constexpr unsigned int max_levels = 1000;
+
 
 
     /** What deal.II takes for true: what rounds to another number than 0. */
@@ -66,6 +69,43 @@ namespace ThermoContact
       const Jet                            time;
       const std::map<std::string, double> &constants;
       std::vector<double> *const           zeros;
+      unsigned int                         n_levels = 0;
+
+
+
+      [[noreturn]] static void
+      cannot_read(const std::string &what)
+      {
+        throw std::invalid_argument(what);
+      }
+
+
+
+      /** A part is within another one for the time of its life. */
+      class Level
+      {
+      public:
+        explicit Level(unsigned int &n_levels)
+          : n_levels(n_levels)
+        {
+          if (++n_levels > max_levels)
+            cannot_read("what is nested more than " +
+                        std::to_string(max_levels / 2) + " times");
+        }
+
+        ~Level()
+        {
+          --n_levels;
+        }
+
+        Level(const Level &) = delete;
+
+        Level &
+        operator=(const Level &) = delete;
+
+      private:
+        unsigned int &n_levels;
+      };
 
 
 
@@ -77,14 +117,6 @@ namespace ThermoContact
         const double zero = value_of(time) - value_of(x) / x.derivative(1);
         if (std::isfinite(zero))
           zeros->push_back(zero);
-      }
-
-
-
-      [[noreturn]] static void
-      cannot_read(const std::string &what)
-      {
-        throw std::invalid_argument(what);
       }
 
 
@@ -124,7 +156,8 @@ namespace ThermoContact
       Jet
       choice()
       {
-        const Jet condition = disjunction();
+        const Level level(n_levels);
+        const Jet   condition = disjunction();
         if (!takes("?"))
           return condition;
         const Jet first = choice();
@@ -230,6 +263,7 @@ namespace ThermoContact
       Jet
       signed_power()
       {
+        const Level level(n_levels);
         if (takes("-"))
           return -signed_power();
         if (takes("+"))

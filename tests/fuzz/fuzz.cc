@@ -5,13 +5,15 @@
 //
 // Reads mutated parameter files, scenes and rods in units, as --check and
 // --units do: many in one process, and a new process after one that died. One
-// in eight of the rods that are accepted takes its first steps, too, with all
-// its files. Each file has a number from which --print makes it again. A file
+// in eight of those that are accepted takes its first steps, too, with all its
+// files. Each file has a number from which --print makes it again. A file
 // must be accepted or refused with a short message in UTF-8; what is accepted
 // must be written and read back the same. Everything else is a finding: another
 // exception, the end of the process (the sanitizers end it), 20 seconds for one
 // file, a file written where none belongs. It is saved in DIRECTORY as
-// finding-NUMBER.prm and .txt. Exit status 1 if there is any.
+// finding-NUMBER.prm and .txt. How often each entry had a value of its own in
+// a file that was accepted is in reach.txt there. Exit status 1 if there is a
+// finding.
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/input/parameter_text.h>
@@ -33,7 +35,9 @@
 #include <sstream>
 
 #include "mutations.h"
+#include "reach.h"
 #include "reading.h"
+#include "seeds.h"
 
 namespace ThermoContact
 {
@@ -101,6 +105,7 @@ namespace ThermoContact
     [[noreturn]] void
     work(const Mutations   &mutations,
          const std::string &directory,
+         Reach             &reach,
          Progress          &progress)
     {
       const auto n_files = [&directory]() {
@@ -118,6 +123,7 @@ namespace ThermoContact
             {
               const Reading reading =
                 read_as_program(text, number % 8 == 0 ? scratch : "");
+              reach.add(reading);
               ++progress.n_accepted;
               progress.n_large += reading.is_large;
               progress.n_rods_in_units += reading.is_rod_in_units;
@@ -130,6 +136,8 @@ namespace ThermoContact
               fault = find_fault(error.what());
               if (!fault.empty())
                 fault += ": " + std::string(error.what());
+              if (mutations.is_valid(number))
+                fault = "a valid file is refused: " + std::string(error.what());
             }
           catch (const ComputationError &error)
             {
@@ -165,6 +173,18 @@ namespace ThermoContact
 
 
 
+    void
+    report(const Reach &reach, const std::string &file_name)
+    {
+      std::ofstream file(file_name);
+      reach.print(file);
+      std::cout << "values tried of each entry: " << file_name << '\n';
+      for (const std::string &path : reach.missed())
+        std::cout << "  no file was accepted with a value of " << path << '\n';
+    }
+
+
+
     /** Starts workers one after the other until the time is over. */
     int
     fuzz(const double        minutes,
@@ -172,6 +192,7 @@ namespace ThermoContact
          const std::string  &directory)
     {
       const Mutations mutations(valid_files());
+      Reach           reach;
       auto           &progress = *static_cast<Progress *>(mmap(nullptr,
                                                      sizeof(Progress),
                                                      PROT_READ | PROT_WRITE,
@@ -198,7 +219,7 @@ namespace ThermoContact
               int                                      argc = 0;
               char                                   **argv = nullptr;
               dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-              work(mutations, folder, progress);
+              work(mutations, folder, reach, progress);
             }
           int  status  = 0;
           bool is_late = false, is_over = false;
@@ -234,6 +255,7 @@ namespace ThermoContact
           ++progress.number;
         }
       report(progress, first);
+      report(reach, folder / "reach.txt");
       return progress.n_findings == 0 ? 0 : 1;
     }
   } // namespace

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/input/units.h>
+
 #include "mutations.h"
 
 #include <sstream>
+
+#include "entries.h"
 
 namespace ThermoContact
 {
@@ -101,6 +105,9 @@ namespace ThermoContact
                                                  "/dev/null",
                                                  "."};
 
+    /** Numbers of files with the same seed of scripts/fuzz. */
+    constexpr unsigned long n_of_seed = 1000000000;
+
     std::size_t
     pick(const std::size_t n, std::mt19937_64 &generator)
     {
@@ -126,6 +133,16 @@ namespace ThermoContact
     : files(files)
     , tokens(odd_tokens)
   {
+    of_scenes.listed = listed_values("scene_values.txt");
+    of_rods.listed   = listed_values("rod_values.txt");
+    for (const std::string &file : files)
+      {
+        const std::vector<Assignment> given = statements(file);
+        is_rod.push_back(is_rod_in_units(given));
+        for (const Assignment &entry : given)
+          if (!entry.is_section())
+            (is_rod.back() ? of_rods : of_scenes).of_files.push_back({entry});
+      }
     for (const std::string &file : files)
       for (const std::string &line : split_lines(file))
         {
@@ -145,8 +162,11 @@ namespace ThermoContact
       {
         case 0:
           {
-            const std::size_t n = std::size_t(1) << pick(16, generator);
-            return std::string(n, "x(9 \\;\n1"[pick(8, generator)]);
+            const std::size_t n      = std::size_t(1) << pick(16, generator);
+            const char        letter = "x(9 \\;\n1-"[pick(9, generator)];
+            if (letter == '(' && pick(2, generator) == 0)
+              return std::string(n / 4, '(') + 't' + std::string(n / 4, ')');
+            return std::string(n, letter);
           }
         case 1:
           return std::to_string(static_cast<double>(generator()) / (1 << 30));
@@ -156,6 +176,31 @@ namespace ThermoContact
         default:
           return odd_tokens[pick(odd_tokens.size(), generator)];
       }
+  }
+
+
+
+  std::size_t
+  Mutations::pick_file(Generator &generator) const
+  {
+    const bool  for_rod = pick(5, generator) == 0;
+    std::size_t file    = pick(files.size(), generator);
+    while (for_rod && !is_rod[file])
+      file = (file + 1) % files.size();
+    return file;
+  }
+
+
+
+  const Group &
+  Mutations::new_entries(const bool for_rod, Generator &generator) const
+  {
+    // what is none of the rod stands in its scene
+    const Values &values =
+      for_rod && pick(3, generator) > 0 ? of_rods : of_scenes;
+    const std::vector<Group> &list =
+      pick(3, generator) > 0 ? values.listed : values.of_files;
+    return list[pick(list.size(), generator)];
   }
 
 
@@ -236,11 +281,28 @@ namespace ThermoContact
 
 
 
+  bool
+  Mutations::is_valid(const unsigned long number) const
+  {
+    return number % n_of_seed < files.size();
+  }
+
+
+
   std::string
   Mutations::make(const unsigned long number) const
   {
-    Generator   generator(number);
-    std::string text = files[pick(files.size(), generator)];
+    if (is_valid(number))
+      return files[number % n_of_seed];
+    Generator         generator(number);
+    const std::size_t file     = pick_file(generator);
+    const std::size_t n_groups = pick(5, generator);
+    std::string       text     = files[file];
+    for (std::size_t n = 0; n < n_groups; ++n)
+      for (const Assignment &entry : new_entries(is_rod[file], generator))
+        text = with_entry(text, entry);
+    if (n_groups > 0 && pick(3, generator) > 0)
+      return text;
     for (std::size_t n = 1 + pick(4, generator); n > 0; --n)
       mutate(text, generator);
     return text;

@@ -1,62 +1,35 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/units.h>
-#include <thermocontact/output/output.h>
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/report/scene_report.h>
-#include <thermocontact/report/summary.h>
 #include <thermocontact/scene/scales_checks.h>
 #include <thermocontact/scene/scene_checks.h>
-#include <thermocontact/study/error_bars.h>
 #include <thermocontact/study/study_plan.h>
 
 #include "reading.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <sstream>
 #include <stdexcept>
+
+#include "entries.h"
+#include "first_steps.h"
 
 namespace ThermoContact
 {
   namespace
   {
-    namespace fs = std::filesystem;
+    /** Memory that bodies may need, whatever this machine has. */
+    constexpr double bytes_here = 8e9;
 
-    constexpr unsigned int n_first_steps = 20;
-
-
-
-    std::vector<Assignment>
-    parse(const std::string &text)
-    {
-      std::istringstream stream(text);
-      return read_assignments(stream, "fuzz.prm");
-    }
-
-
-
-    /** All entries of a scene with their values, as used.prm has them. */
-    std::string
-    all_entries(const std::vector<Assignment> &assignments)
-    {
-      Parameters       parameters;
-      ParameterHandler prm;
-      parameters.add_parameters(prm);
-      assign_entries(assignments, prm);
-      std::ostringstream all;
-      write_entries(declared_entries(prm), {}, all);
-      return all.str();
-    }
-
-
-
-    /** Matrices that take long, and are not what is tested here. */
-    bool
-    is_large(const Parameters &parameters)
+    /** About how many entries the matrices have. */
+    double
+    matrix_size(const Parameters &parameters)
     {
       const MeshParameters &mesh = parameters.mesh;
       const double          n_cells =
@@ -66,88 +39,36 @@ namespace ThermoContact
       const double n_per_cell =
         std::pow(mesh.degree + 1., parameters.dimension) *
         (1. + parameters.dimension);
-      return n_cells * n_per_cell * n_per_cell > 2e6;
-    }
-
-
-
-    /** Ends a run from an observer. */
-    struct Enough
-    {};
-
-
-
-    /** The first steps, with all files; those of repeats, too. */
-    void
-    begin_run(Simulation<1> &simulation, const std::string &directory)
-    {
-      fs::remove_all(directory);
-      fs::create_directories(directory);
-      const auto count = [n = 0u]() mutable {
-        if (++n > n_first_steps)
-          throw Enough();
-      };
-      {
-        Output<1> output(directory, simulation);
-        try
-          {
-            simulation.run(
-              {[&](const Simulation<1> &s) { output.observe(s); },
-               [tick = count](const Simulation<1> &) mutable { tick(); }});
-            output.finish();
-          }
-        catch (const Enough &)
-          {}
-      }
-      write_summary(directory + "/summary.json", "done", simulation, {});
-      if (!simulation.parameters().output.has_error_bars)
-        return;
-      Log quiet(false, true);
-      try
-        {
-          error_bars<1>(
-            simulation, [tick = count]() mutable { tick(); }, quiet);
-        }
-      catch (const Enough &)
-        {}
+      return n_cells * n_per_cell * n_per_cell;
     }
 
 
 
     template <int dim>
     void
-    set_up(const Parameters &parameters, const std::string &, Reading &)
+    set_up(const Parameters  &parameters,
+           const std::string &scratch,
+           Reading           &reading)
     {
-      Log quiet(false, true);
-      report_scene(Simulation<dim>(parameters, MPI_COMM_SELF), quiet);
-    }
-
-    template <>
-    void
-    set_up<1>(const Parameters  &parameters,
-              const std::string &scratch,
-              Reading           &reading)
-    {
-      Simulation<1> simulation(parameters, MPI_COMM_SELF);
-      Log           quiet(false, true);
+      Simulation<dim> simulation(parameters, MPI_COMM_SELF);
+      Log             quiet(false, true);
       report_scene(simulation, quiet);
-      if (scratch.empty())
+      if (scratch.empty() || (dim > 1 && matrix_size(parameters) > 3e5))
         return;
       reading.has_begun = true;
-      begin_run(simulation, scratch);
+      take_first_steps(simulation, scratch);
     }
 
 
 
+    /** Unless its matrices take long, which are not what is tested here. */
     void
-    check_one(const Parameters       &parameters,
-              const ParameterHandler &prm,
-              const std::string      &scratch,
-              Reading                &reading)
+    set_up_small(const Parameters  &parameters,
+                 const std::string &scratch,
+                 Reading           &reading)
     {
-      check_unused_entries(parameters, prm);
-      check_scene(parameters);
-      reading.is_large = is_large(parameters);
+      reading.dimension = parameters.dimension;
+      reading.is_large  = matrix_size(parameters) > 2e6;
       if (reading.is_large)
         return;
       if (parameters.dimension == 1)
@@ -160,10 +81,27 @@ namespace ThermoContact
 
 
 
-    /** The first runs of a study, none of them made. */
+    void
+    check_one(const Parameters       &parameters,
+              const ParameterHandler &prm,
+              const std::string      &scratch,
+              Reading                &reading)
+    {
+      check_unused_entries(parameters, prm);
+      check_scene(parameters);
+      if (parameters.dimension > 1)
+        check_memory(Scene(parameters), 1, bytes_here, 1.);
+      set_up_small(parameters, scratch, reading);
+    }
+
+
+
+    /** The first runs of a study, and the start of the very first. */
     void
     check_plan(const Parameters              &parameters,
-               const std::vector<Assignment> &assignments)
+               const std::vector<Assignment> &assignments,
+               const std::string             &scratch,
+               Reading                       &reading)
     {
       check_scales(parameters);
       check_error_bars(parameters);
@@ -171,6 +109,8 @@ namespace ThermoContact
       SceneReader     reader(plan.scene_assignments());
       for (unsigned int run = 0; run < std::min(plan.n_runs(), 10u); ++run)
         plan.read_scene(plan.overrides(run), reader);
+      plan.read_scene(plan.overrides(0), reader);
+      set_up_small(reader.scene(), scratch, reading);
     }
 
 
@@ -188,7 +128,7 @@ namespace ThermoContact
         {
           reading.is_study = parameters.study.is_active();
           if (reading.is_study)
-            check_plan(parameters, assignments);
+            check_plan(parameters, assignments, scratch, reading);
           else
             check_one(parameters, prm, scratch, reading);
           if (!parameters.output.directory.empty())
@@ -199,37 +139,53 @@ namespace ThermoContact
           throw InputError(complete_message(error.what(), assignments, prm));
         }
     }
+
+
+
+    /** Those of a scene with another value than the default. */
+    void
+    add_entries(const std::vector<Assignment> &assignments, Reading &reading)
+    {
+      Parameters       parameters;
+      ParameterHandler prm;
+      parameters.add_parameters(prm);
+      assign_entries(assignments, prm);
+      for (const DeclaredEntry &entry : declared_entries(prm))
+        if (!equal_values(entry.value, entry.default_value))
+          reading.entries[entry.path] = entry.value;
+    }
   } // namespace
 
 
 
   std::vector<std::string>
-  valid_files()
+  paths_read()
   {
-    std::vector<fs::path> paths;
-    for (const auto &entry : fs::recursive_directory_iterator(PRM_DIR))
-      if (entry.path().extension() == ".prm")
-        paths.push_back(entry.path());
-    std::sort(paths.begin(), paths.end());
-    std::vector<std::string> texts, scenes;
-    for (const fs::path &path : paths)
-      {
-        texts.push_back(read_text(path));
-        if (const auto rod = parse(texts.back()); is_rod_in_units(rod))
-          scenes.push_back(scene_from_units(path, rod).text);
-      }
-    texts.insert(texts.end(), scenes.begin(), scenes.end());
+    std::vector<std::string> paths;
+    Parameters               parameters;
+    RodInUnits               rod;
+    ParameterHandler         of_scene, of_rod;
+    parameters.add_parameters(of_scene);
+    rod.add_parameters(of_rod);
+    for (const DeclaredEntry &entry : declared_entries(of_scene))
+      paths.push_back(entry.path);
+    for (const DeclaredEntry &entry : declared_entries(of_rod))
+      paths.push_back("rod: " + entry.path);
+    return paths;
+  }
 
-    const Assignment plane{"", "Dimension", "2"};
-    texts.push_back(all_entries({}));
-    texts.push_back(all_entries({plane}));
-    texts.push_back(all_entries(parse(scenes.front())));
-    for (const char *const path : {"paper/experiment-1.prm",
-                                   "examples/shaken-base.prm",
-                                   "units/steel-impact.prm"})
-      texts.push_back(read_text(fs::path(PRM_DIR) / path) +
-                      "subsection Output\n  set Error bars = true\nend\n");
-    return texts;
+
+
+  std::string
+  all_entries(const std::vector<Assignment> &assignments)
+  {
+    Parameters       parameters;
+    ParameterHandler prm;
+    parameters.add_parameters(prm);
+    assign_entries(assignments, prm);
+    std::ostringstream all;
+    write_entries(declared_entries(prm), {}, all);
+    return all.str();
   }
 
 
@@ -238,14 +194,23 @@ namespace ThermoContact
   read_as_program(const std::string &text, const std::string &scratch)
   {
     Reading                 reading;
-    std::vector<Assignment> assignments = parse(text);
+    std::vector<Assignment> assignments = statements(text);
     reading.is_rod_in_units             = is_rod_in_units(assignments);
     if (reading.is_rod_in_units)
-      assignments = scene_from_units("fuzz.prm", assignments).assignments;
+      {
+        const UnitScene scene = scene_from_units("fuzz.prm", assignments);
+        for (const Assignment &given : assignments)
+          if (!given.is_section())
+            reading.entries["rod: " + given.path] = given.value;
+        assignments = scene.assignments;
+        if (all_entries(statements(scene.text)) != all_entries(assignments))
+          throw std::logic_error("the scene reads differently:\n" + scene.text);
+      }
     check(assignments, scratch, reading);
     const std::string written = all_entries(assignments);
-    if (all_entries(parse(written)) != written)
+    if (all_entries(statements(written)) != written)
       throw std::logic_error("used.prm reads differently:\n" + written);
+    add_entries(assignments, reading);
     return reading;
   }
 } // namespace ThermoContact

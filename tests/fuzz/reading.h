@@ -3,6 +3,9 @@
 #ifndef thermocontact_fuzz_reading_h
 #define thermocontact_fuzz_reading_h
 
+#include <thermocontact/input/parameter_text.h>
+
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,26 +18,33 @@ namespace ThermoContact
     bool is_rod_in_units = false;
     bool is_study        = false;
     bool has_begun       = false; ///< the first steps were taken
+
+    unsigned int dimension = 1;
+
+    /** By path, those with another value than the default; of paths_read(). */
+    std::map<std::string, std::string> entries;
   };
 
 
 
-  /**
-   * Texts of files that the program accepts: those of prm, a scene of each rod
-   * in units there, with its scales, and files that hold all entries.
-   */
+  /** All entries of a scene, and "rod: " and those of a rod in units. */
   std::vector<std::string>
-  valid_files();
+  paths_read();
+
+  /** All entries of a scene with their values, as used.prm has them. */
+  std::string
+  all_entries(const std::vector<Assignment> &assignments);
 
 
 
   /**
    * What main() does with a file for --check, and for --units.
    *
-   * @param scratch a directory for the files of the first steps of a rod, made
-   *   and emptied here; none: no step is taken
+   * @param scratch a directory for the files of the first steps, made and
+   *   emptied here; none: no step is taken
    * @throw InputError, ComputationError as the program; std::logic_error if
-   *   what is accepted reads differently once it is written
+   *   what is accepted, or the scene of a rod in units, reads differently once
+   *   it is written
    */
   Reading
   read_as_program(const std::string &text, const std::string &scratch);
