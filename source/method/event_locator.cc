@@ -40,6 +40,17 @@ namespace ThermoContact
 
 
 
+    /** 0 if it cannot be told apart from the start. */
+    double
+    first_zero(const CubicHermite &s, const double dip, const double resolution)
+    {
+      const double zero = s.first_zero(dip);
+      return zero <= resolution || (s.value(0.) == 0. && zero < 1e-9) ? 0. :
+                                                                        zero;
+    }
+
+
+
     /** Past the play: a miss of an event is less than that. */
     bool
     is_beyond_other_stop(const ContactValues &values, const unsigned int node)
@@ -212,10 +223,8 @@ namespace ThermoContact
       {
         const CubicHermite s         = margin(from, next, i);
         const double       s1        = s.value(1.);
-        double             node_zero = s.first_zero(dip);
-        if (node_zero <= resolution || (s.value(0.) == 0. && node_zero < 1e-9))
-          node_zero = 0.;
-        const bool starts_here =
+        const double       node_zero = first_zero(s, dip, resolution);
+        const bool         starts_here =
           node_zero == 0. ||
           (node_zero < 0.1 && s.slope(0.) < 0. &&
            is_near(s.value(0.), s.slope(0.) / size, sizes, scales));

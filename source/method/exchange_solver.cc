@@ -182,9 +182,6 @@ namespace ThermoContact
     relax(ExchangeStage &end, Values &k)
     {
       constexpr unsigned int n_sweeps = 60, n_to_extrapolate = 5;
-      // pressures that are small differences, or rounding between the sides of
-      // a jump, leave no more digits
-      constexpr double still_rounding = 1e-9;
       if (end.n > 32)
         return false; // takes too long
       Values before_last(k), last(k);
@@ -194,7 +191,7 @@ namespace ThermoContact
           last = k;
           for (unsigned int i = 0; i < end.n; ++i)
             k[i] = solve_node(end, k, i);
-          if (defect(k, last) <= (sweep < n_sweeps ? 1e-14 : still_rounding))
+          if (defect(k, last) <= 1e-14)
             return true;
           Values trial(k);
           if (solve_smooth(end, trial))
@@ -205,7 +202,14 @@ namespace ThermoContact
           if (sweep % n_to_extrapolate == 0 && sweep < n_sweeps)
             extrapolate(before_last, last, k);
         }
-      return false;
+      // pressures that are small differences leave no more digits, and those
+      // that are rounding none, between the sides of a jump
+      end.law_at(k);
+      for (unsigned int i = 0; i < end.n; ++i)
+        if (!(std::abs(k[i] - last[i]) <= 1e-9 * k[i] ||
+              end.has_rounded_pressure(i)))
+          return false;
+      return true;
     }
   } // namespace
 

@@ -185,6 +185,17 @@ namespace ThermoContact
 
 
 
+  bool
+  ExchangeStage::has_rounded_pressure(const unsigned int node) const
+  {
+    double length = 0.;
+    for (const double s : response.free_penetration)
+      length = std::max(length, std::abs(s));
+    return std::abs(receptance(node, node) * pressure[node]) <= 1e-13 * length;
+  }
+
+
+
   double
   ExchangeStage::push(const unsigned int i) const
   {

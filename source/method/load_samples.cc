@@ -109,14 +109,18 @@ namespace ThermoContact
     for (const TimedValues &sample : uniform_samples)
       for (const double value : sample.values)
         largest = std::max(largest, std::abs(value));
-    // what bends at the end has begun to change there by the rounding of time
-    TimedValues beyond{end_time() * (1. + little_beyond), {}};
-    load(beyond.time, beyond.values);
-    const double change =
-      distance(uniform_samples.back().values, beyond.values);
-    return std::max({variation(),
-                     rounding_of_values * largest,
-                     std::isfinite(change) ? change : 0.});
+    // what bends at the end has begun to change there by the rounding of time;
+    // what jumps behind it has not
+    const auto change = [&](const double part) {
+      std::vector<double> values;
+      load(end_time() * (1. + part * little_beyond), values);
+      return distance(uniform_samples.back().values, values);
+    };
+    const double whole = change(1.), half = change(0.5);
+    return std::max(
+      {variation(),
+       rounding_of_values * largest,
+       half <= 0.75 * whole && std::isfinite(whole) ? whole : 0.});
   }
 
 

@@ -39,10 +39,12 @@ namespace ThermoContact
       return part == 0. ? 0. : part / whole;
     };
     const double rounding = 1e-14;
-    // of displacements that a stage solves for, in their energy
+    // of displacements that a stage solves for, in their energy, and of that
     const double smallest_elastic = 0.5 * std::pow(1e-13 * carried, 2);
+    const bool   is_rounding =
+      std::max(max_mechanical, energy.elastic) <= rounding * carried * carried;
     const double elastic_error =
-      error.elastic <= smallest_elastic ? 0. : error.elastic;
+      is_rounding && error.elastic <= smallest_elastic ? 0. : error.elastic;
     const double thermal = std::max(max_thermal, energy.thermal);
     const double thermal_error =
       error.thermal <= rounding * rounding * (temperature_energy + thermal) ?

@@ -126,7 +126,7 @@ namespace ThermoContact
       if (!result.failure.empty())
         retry_smaller(time_step, result.failure);
       else if (attempt.error = relative_error(result);
-               !controller.is_accurate(attempt.error))
+               !controller.is_accurate(time_step, attempt.error))
         {
           attempt.reason = rejected_by_tolerance;
           controller.reject(time_step, attempt.error);
@@ -153,7 +153,7 @@ namespace ThermoContact
       return true;
 
     ++history_.n_rejected_steps;
-    if ((!result.failure.empty() || !controller.is_accurate(attempt.error)) &&
+    if ((!result.failure.empty() || attempt.reason == rejected_by_tolerance) &&
         controller.is_exhausted(time_step, state_.time))
       give_up(time_step,
               describe_exhaustion(history_.attempts,

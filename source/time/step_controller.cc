@@ -43,16 +43,23 @@ namespace ThermoContact
 
   namespace
   {
-    /** Of those since the last step that was accepted, by their errors. */
-    StepAttempt
-    best_rejected(const std::vector<StepAttempt> &attempts)
+    /**
+     * Of those since the last step that was accepted the one with the smallest
+     * error, if that has grown much since then while steps became much smaller.
+     */
+    std::optional<StepAttempt>
+    attempt_before_rounding(const std::vector<StepAttempt> &attempts)
     {
-      StepAttempt best = attempts.back();
+      constexpr double   much = 100.;
+      const StepAttempt &last = attempts.back();
+      const StepAttempt *best = &last;
       for (auto a = attempts.rbegin(); a != attempts.rend() && !a->is_accepted;
            ++a)
-        if (a->reason == rejected_by_tolerance && a->error < best.error)
-          best = *a;
-      return best;
+        if (a->reason == rejected_by_tolerance && a->error < best->error)
+          best = &*a;
+      if (best->error * much <= last.error && last.size * much <= best->size)
+        return *best;
+      return {};
     }
   } // namespace
 
@@ -77,12 +84,11 @@ namespace ThermoContact
       }
     message << "its error is " << last.error
             << " times the tolerance (1 is allowed, 0.2 after an event)";
-    if (const StepAttempt best = best_rejected(attempts);
-        best.error < last.error)
-      message << ", of size " << time(best.size) << " it was " << best.error
+    if (const auto best = attempt_before_rounding(attempts))
+      message << ", of size " << time(best->size) << " it was " << best->error
               << ": rounding makes smaller steps worse";
     else if (last.size < rounding_of_time * last.time)
-      message << ": it changes faster than times can be told apart there";
+      message << ", and times that are closer cannot be told apart";
     message
       << "\n  remedy:  a larger Time/Tolerance, Time/Break points where "
          "loads jump, or a smaller Time/Minimum step size if one is given";
@@ -223,6 +229,7 @@ namespace ThermoContact
   void
   StepController::aim_at(const double time)
   {
+    rejected_of_nodes.reset();
     event_time = time;
   }
 
@@ -233,8 +240,9 @@ namespace ThermoContact
   {
     event_time.reset();
     was_rejected = true;
-    if (step.is_of_nodes && std::isfinite(error))
-      rejected_error_of_nodes = error;
+    if (step.is_of_nodes && std::isfinite(error) &&
+        (!rejected_of_nodes || is_shorter(step.size)))
+      rejected_of_nodes = {step.size, error};
     const double factor =
       std::isfinite(error) ?
         0.9 * std::pow(error / largest_error(), -1. / order) :
@@ -258,7 +266,7 @@ namespace ThermoContact
   StepController::accept(const TimeStep &step, const double error)
   {
     event_time.reset();
-    rejected_error_of_nodes.reset();
+    rejected_of_nodes.reset();
     if (!has_error_control)
       return;
     if (step.is_of_nodes)
@@ -300,6 +308,7 @@ namespace ThermoContact
   StepController::restart(const bool contact_begins)
   {
     event_time.reset();
+    rejected_of_nodes.reset();
     is_restarting = true;
     if (has_error_control)
       set_size((contact_begins ? 0.25 : 0.5) * size);

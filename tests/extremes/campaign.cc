@@ -3,10 +3,8 @@
 // Scenes at the ends of every parameter and in their corners (table.h), and
 // scenes drawn at random (random_scene.h). Each must run to its end (or for as
 // many steps as are wanted), but those of the table that are to be refused,
-// with a message that names the entry, and those with error control whose
-// message says that the rounding of values or of time leaves the tolerance
-// unmet. What must hold in each run, at the initial state and at the end of
-// every step (checks.h):
+// with a message that names the entry. What must hold in each run, at the
+// initial state and at the end of every step (checks.h):
 //
 //   finite         all columns of contact.csv.
 //   laws           pressures of damped obstacles are those of (M.82),
@@ -247,19 +245,6 @@ namespace
 
 
 
-  /** Of error-controlled steps, see describe_exhaustion(). */
-  bool
-  is_explained_by_rounding(const std::string &message)
-  {
-    for (const char *reason : {"rounding makes smaller steps worse",
-                               "faster than times can be told apart"})
-      if (message.find(reason) != std::string::npos)
-        return true;
-    return false;
-  }
-
-
-
   void
   judge_run(const TestScene &scene, const double factor, Verdict &verdict)
   {
@@ -270,7 +255,7 @@ namespace
     verdict.has_contact = run.has_contact;
     verdict.growth      = run.growth;
     verdict.is_stopped  = run.status == RunResult::stopped;
-    if (verdict.is_stopped && !is_explained_by_rounding(run.message))
+    if (verdict.is_stopped)
       verdict.add("stops", run.message);
     if (scene.expectation == TestScene::warns &&
         !contains(run.warnings, scene.message))

@@ -81,11 +81,12 @@ namespace ThermoContact
    * depends on the contact (M.57) leave to wish for in the present state, in
    * units of what is allowed. Penetrations are known to 1e-12 of the
    * displacements, velocities to 1e-12 of the largest and to those over the
-   * step. Pressures are the remainder of the forces at the
-   * end, u_x + zeta v_x - a theta and p, (M.2), where derivatives are those of
-   * the cells there, and known to 1e-12 of the largest of them, or less if the
-   * cells are flat: a pressure that vanishes, as between the sides of a
-   * coefficient that jumps with the contact, comes out as their rounding.
+   * step, of bodies with inertia to 1e-9 of the largest at worst. Pressures are
+   * the remainder of the forces at the end, u_x + zeta v_x - a theta and p,
+   * (M.2), where derivatives are those of the cells there, and known to 1e-12
+   * of the largest of them, or less if the cells are flat: a pressure that
+   * vanishes, as between the sides of a coefficient that jumps with the
+   * contact, comes out as their rounding.
    */
   template <int dim>
   std::map<std::string, double>
@@ -125,7 +126,10 @@ namespace ThermoContact
           p;
         double dv = 1e-12 * scales.velocity;
         if (dt > 0.)
-          dv += ds / dt;
+          dv +=
+            scene.contact.is_in_equilibrium || !scene.material.has_inertia() ?
+              ds / dt :
+              std::min(ds / dt, 1e-9 * scales.velocity);
         // without inertia it is what is left of velocities of all forces
         if (!scene.material.has_inertia() && scene.material.has_viscosity())
           dv += 1e-12 * forces / scene.material.viscosity;

@@ -16,10 +16,11 @@
 //   e = 0.03: 1.98: -32;             e = 0.025: 2.07: -28;
 //   e = 0.8: 1.1: -32;               e = 0.9: 0.85: -36;
 //   e = 0: 4 (clipped): -24;         rejected, e = 16: 0.495: -40.
-// Nodes that follow a jump, in steps of 1e-11: error 5 is too large, and after
-// it 4.4, but not 4.6, which is more than 0.9 times 5; nor is it after the step
-// that follows, in which nothing jumps, and whose 5 says nothing. What was
-// rejected is forgotten behind the jump: error 0 makes that step 4 times as
+// Nodes that follow a jump, in steps of 1e-11: error 5 is too large, and in a
+// shorter step after it 4.4 and 5.6, but not 4.6 and 5.4, which are 5 within a
+// tenth; 5 is too large if contact changes in between, after the jump, in the
+// step that follows, in which nothing jumps, and in the same step again. What
+// was rejected is forgotten behind the jump: error 0 makes that step 4 times as
 // long.
 // At most the largest size, whether it is chosen or given: 0.001, 0.1.
 // A time is on a multiple of an interval if it is less than 1e-6 intervals
@@ -60,6 +61,15 @@ namespace
 
 
 
+  /** The step from 0 on with this error. */
+  bool
+  accurate(const StepController &controller, const double error)
+  {
+    return controller.is_accurate(controller.propose(0.), error);
+  }
+
+
+
   double
   rung(const StepController &controller)
   {
@@ -82,7 +92,7 @@ namespace
          {16., 1.0001, std::numeric_limits<double>::quiet_NaN()})
       {
         StepController controller  = make_controller(from_rung());
-        const bool     is_accurate = controller.is_accurate(error);
+        const bool     is_accurate = accurate(controller, error);
         controller.reject(controller.propose(0.), error);
         deallog << "accurate " << is_accurate
                 << ", rejected: " << rung(controller);
@@ -96,7 +106,7 @@ namespace
                                   parameters.output,
                                   4,
                                   {1, true});
-        if (controller.is_accurate(error))
+        if (accurate(controller, error))
           controller.accept(controller.propose(0.), error);
         else
           controller.reject(controller.propose(0.), error);
@@ -118,10 +128,10 @@ namespace
         controller.restart(begins);
         deallog << (begins ? "after begin: " : "after end: ")
                 << rung(controller) << ", accurate with error 0.2 "
-                << controller.is_accurate(0.2) << ", 0.3 "
-                << controller.is_accurate(0.3);
+                << accurate(controller, 0.2) << ", 0.3 "
+                << accurate(controller, 0.3);
         controller.accept(controller.propose(0.), 0.1);
-        deallog << ", one step later " << controller.is_accurate(0.3)
+        deallog << ", one step later " << accurate(controller, 0.3)
                 << std::endl;
       }
     parameters                        = from_rung();
@@ -145,18 +155,30 @@ namespace
     StepController controller   = make_controller(from_rung());
     controller.follow(history);
     deallog << "jump of nodes, accurate with error 5 "
-            << controller.is_accurate(5.);
+            << accurate(controller, 5.);
     controller.reject(controller.propose(0.), 5.);
-    deallog << ", then 4.4 " << controller.is_accurate(4.4) << ", 4.6 "
-            << controller.is_accurate(4.6);
-    controller.accept(controller.propose(0.), 4.6);
-    deallog << ", behind it 4.6 " << controller.is_accurate(4.6);
+    for (const double error : {4.4, 4.6, 5.4, 5.6})
+      deallog << (error == 4.4 ? ", then " : ", ") << error << ' '
+              << accurate(controller, error);
+    controller.restart(true);
+    deallog << ", in the other state of contact " << accurate(controller, 5.);
+    controller.reject(controller.propose(0.), 5.);
+    controller.accept(controller.propose(0.), 5.);
+    deallog << ", behind it " << accurate(controller, 5.);
     const TimeStep next = controller.propose(1e-11);
     controller.accept(next, 0.);
     const TimeStep after = controller.propose(1e-11);
     controller.reject(after, 5.);
     deallog << ", grows " << after.size / next.size << ", twice "
-            << controller.is_accurate(5.) << std::endl;
+            << controller.is_accurate(controller.propose(1e-11), 5.)
+            << std::endl;
+
+    Parameters parameters             = from_rung();
+    parameters.time.minimum_step_size = 1e-9;
+    StepController smallest           = make_controller(parameters);
+    smallest.follow(history);
+    smallest.reject(smallest.propose(0.), 5.);
+    deallog << "the same step again " << accurate(smallest, 5.) << std::endl;
   }
 
 

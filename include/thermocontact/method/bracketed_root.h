@@ -3,6 +3,8 @@
 #ifndef thermocontact_method_bracketed_root_h
 #define thermocontact_method_bracketed_root_h
 
+#include <thermocontact/base/exceptions.h>
+
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <cmath>
@@ -21,6 +23,7 @@ namespace ThermoContact
    *   zero. Where rounding has made them the same, or low is not below high,
    *   the answer is the end at which the function is closer to zero, twice.
    * @param at_low,at_high the values there
+   * @throw ComputationError if one of them is not a number
    */
   template <typename Function>
   std::pair<double, double>
@@ -34,6 +37,10 @@ namespace ThermoContact
                                            (at_low >= 0. && at_high <= 0.));
     if (!is_bracket) // the library would throw
       {
+        if (std::isnan(at_low) || std::isnan(at_high))
+          throw ComputationError("a contact law or heat exchange is not a "
+                                 "number\n  remedy:  a smaller Time/Step size, "
+                                 "or another formula");
         const double end = std::abs(at_high) < std::abs(at_low) ? high : low;
         return {end, end};
       }

@@ -84,6 +84,10 @@ namespace ThermoContact
     dealii::FullMatrix<double>
     derivative() const;
 
+    /** After law_at(): the pressure moves the node by less than rounding. */
+    bool
+    has_rounded_pressure(const unsigned int node) const;
+
   private:
     const ContactLaw   &law;
     const HeatExchange &exchange;

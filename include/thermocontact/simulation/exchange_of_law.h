@@ -12,7 +12,8 @@ namespace ThermoContact
 {
   /**
    * The heat exchange $k$(gap, pressure) of a state at each contact node,
-   * (M.3): of two stops, that at which the gap is smaller.
+   * (M.3): of two stops, that at which the gap is smaller. A pull counts as no
+   * pressure: a step that ends with one is not the last attempt at it.
    */
   template <int dim>
   void
@@ -22,7 +23,7 @@ namespace ThermoContact
     look_at_stops(body, state, stops);
     for (unsigned int i = 0; i < stops.near.size(); ++i)
       state.exchange_coefficient[i] = body.scene.heat.exchange->coefficient(
-        stops.near[i], stops.side(i) * state.contact_pressure[i]);
+        stops.near[i], std::max(stops.side(i) * state.contact_pressure[i], 0.));
   }
 
 

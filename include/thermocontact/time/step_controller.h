@@ -6,6 +6,7 @@
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/method/load_history.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -153,18 +154,19 @@ namespace ThermoContact
      * estimate is less than the error.
      *
      * The step in which nodes follow a jump is accurate enough, too, if its
-     * error is that of an attempt at it that was rejected, less a tenth: where
-     * contact changes on the way of the jump, the estimate measures the way,
-     * which does not depend on the length of the step, and its end does not
-     * depend on the way. Errors of all else fall at least as the length, which
-     * falls by a fifth or more.
+     * error is, within a tenth, that of a longer attempt at it that was
+     * rejected: where contact changes on the way of the jump, the estimate
+     * measures the way, which does not depend on the length of the step, and
+     * its end does not depend on the way. Errors of all else fall at least as
+     * the length, which is to have fallen by a fifth.
      */
     bool
-    is_accurate(const double error) const
+    is_accurate(const TimeStep &step, const double error) const
     {
       return !has_error_control || error <= largest_error() ||
-             (rejected_error_of_nodes &&
-              error >= 0.9 * *rejected_error_of_nodes);
+             (step.is_of_nodes && rejected_of_nodes && is_shorter(step.size) &&
+              std::abs(error - rejected_of_nodes->error) <=
+                0.1 * rejected_of_nodes->error);
     }
 
     /** The step is not accurate enough. */
@@ -230,8 +232,21 @@ namespace ThermoContact
     bool                  is_restarting; ///< after contact or a load changed
     std::optional<double> event_time;
 
-    /** Of the last attempt, if nodes were to follow a jump in it. */
-    std::optional<double> rejected_error_of_nodes;
+    /** Of an attempt in which nodes were to follow a jump. */
+    struct Rejected
+    {
+      double size, error;
+    };
+
+    /** The longest one of the present step in the present state of contact. */
+    std::optional<Rejected> rejected_of_nodes;
+
+    /** By a fifth, than the one that was rejected. */
+    bool
+    is_shorter(const double step_size) const
+    {
+      return step_size <= 0.8 * rejected_of_nodes->size;
+    }
 
     double
     largest_error() const
