@@ -40,10 +40,9 @@
 //                  1: so even chaotic scenes must agree, to 1e-13; those of
 //                  power laws, whose powers are rounded, to 1e-6, but not
 //                  where they are below the smallest normal number, nor if
-//                  values that differ in the last digit make as much of a
-//                  difference. epsilon
-//                  scales like g^(1-1/m), the damping like 1/g, gap and
-//                  pressure in a heat exchange do not scale.
+//                  values that differ by the rounding of powers make as much of
+//                  a difference. epsilon scales like g^(1-1/m), the damping
+//                  like 1/g, gap and pressure in a heat exchange do not scale.
 //   sign           a and theta change sign together: the same u.
 //   period         of random scenes: Output/Period at whose multiples steps end
 //   anyway, or that is
@@ -152,14 +151,17 @@ namespace
 
 
 
-  /** Values that differ in their last digits make another run of it. */
+  /**
+   * Values that differ by what powers are rounded, 1e-100^(1-1/m) by 1e-14,
+   * make another run of it.
+   */
   bool
   is_chaotic(const Parameters  &parameters,
              const unsigned int max_steps,
              const RunResult   &run,
              const double       allowed)
   {
-    const double    nearly_one = std::nextafter(1., 2.);
+    const double    nearly_one = 1. + std::ldexp(1., -46);
     const RunResult result =
       run_scene(scaled(parameters, nearly_one, nearly_one), max_steps);
     return !(difference(run, result, 1., 1., parameters.time.end_time) <=

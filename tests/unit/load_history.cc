@@ -17,8 +17,9 @@
 //    shorter than w where the pulse is above 1/e, and fewer than 100. The same
 //    on a background of 1000, and beside a pulse that is 1000 times higher.
 // 4. A constant, a + b t, and 2e4 + 3e-10 t^2, whose doubles are 3.6e-12 apart,
-//    stairs of 1e-16 of the value: no break, any step. sin(1e6 t) is not
-//    resolved;
+//    stairs of 1e-16 of the value: no break, any step. Of a load that jumps at
+//    0.3 and by 1e7 behind the end the one at 0.3; none of one that begins to
+//    grow two doubles before the end. sin(1e6 t) is not resolved;
 //    1/(t - 1/2) is not finite at 1/2, which is i/2^15.
 // 5. Together: breaks of both in order, the smaller widths; a listed time is a
 //    jump, but not where there is one already: 3 of the listed 0.3, 0.4, 0.2
@@ -168,6 +169,13 @@ namespace
         deallog << "straight: " << scanned.history.breaks.size() << ' '
                 << scanned.history.largest_step(0.1, 0.9) << std::endl;
       }
+    const auto behind = scan([](double t) {
+      return t < 0.3 ? 0. : t <= 1. ? 1. : 1e7;
+    });
+    const auto at_end =
+      scan([](double t) { return 1e-8 + std::max(0., t - (1. - 2e-16)); });
+    deallog << "behind the end: " << behind.history.breaks.size()
+            << ", bends there: " << at_end.history.breaks.size() << std::endl;
     const auto fast = scan([](const double t) { return std::sin(1e6 * t); });
     const auto pole = scan([](const double t) { return 1. / (t - 0.5); });
     deallog << "fast: " << fast.is_resolved << fast.is_infinite

@@ -151,7 +151,8 @@ namespace ThermoContact
      * True if a step with this error, relative to the tolerance, is accurate
      * enough; NaN is not. Fixed steps always are. The first step after contact
      * changed must be more accurate: the solution is not smooth there, and the
-     * estimate is less than the error.
+     * estimate is less than the error; unless the rounding of times leaves no
+     * shorter one.
      *
      * The step in which nodes follow a jump is accurate enough, too, if its
      * error is, within a tenth, that of a longer attempt at it that was
@@ -164,6 +165,7 @@ namespace ThermoContact
     is_accurate(const TimeStep &step, const double error) const
     {
       return !has_error_control || error <= largest_error() ||
+             (error <= 1. && is_as_short_as_time_allows(step)) ||
              (step.is_of_nodes && rejected_of_nodes && is_shorter(step.size) &&
               std::abs(error - rejected_of_nodes->error) <=
                 0.1 * rejected_of_nodes->error);
@@ -246,6 +248,12 @@ namespace ThermoContact
     is_shorter(const double step_size) const
     {
       return step_size <= 0.8 * rejected_of_nodes->size;
+    }
+
+    static bool
+    is_as_short_as_time_allows(const TimeStep &step)
+    {
+      return step.size < 1e-13 * step.end;
     }
 
     double
