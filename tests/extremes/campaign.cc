@@ -164,7 +164,7 @@ namespace
     const double    nearly_one = 1. + std::ldexp(1., -46);
     const RunResult result =
       run_scene(scaled(parameters, nearly_one, nearly_one), max_steps);
-    return !(difference(run, result, 1., 1., parameters.time.end_time) <=
+    return !(difference(run, result, 1., 1., parameters.time.end_time, false) <=
              allowed);
   }
 
@@ -183,8 +183,12 @@ namespace
                              const double       mechanical,
                              const double       allowed) {
       const RunResult result = run_scene(varied, scene.max_steps);
-      const double    value =
-        difference(run, result, thermal, mechanical, parameters.time.end_time);
+      const double    value  = difference(run,
+                                      result,
+                                      thermal,
+                                      mechanical,
+                                      parameters.time.end_time,
+                                      allowed == exact);
       if (mechanical > 0. && mechanical != 1. &&
           (run.has_underflow || result.has_underflow))
         return;

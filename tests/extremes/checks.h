@@ -40,8 +40,9 @@ namespace ThermoContact
     double                        growth      = 0.; ///< of the energy
 
     /**
-     * Of a pressure of the elastic law: below the smallest normal number it
-     * has fewer digits than others, or none, and powers of two make others.
+     * Of a pressure: below the smallest normal number it has fewer digits than
+     * others, or none, and powers of two make others. So has one of the elastic
+     * law.
      */
     bool has_underflow = false;
 
@@ -76,6 +77,9 @@ namespace ThermoContact
     double              rounding      = 0.; ///< of the steps so far
     std::size_t         n_last_events = 0;
     bool                had_new_event = false; ///< in the step before
+
+    /** Times 1e-100 it is below the smallest normal number. */
+    static constexpr double smallest_to_be_scaled = 1e-207;
 
     /** Notes @p what if @p value is beyond @p bound or not a number. */
     void
@@ -157,7 +161,8 @@ namespace ThermoContact
           const bool is_underflow =
             stops.near[i] > 0. && !law.is_rigid() &&
             law.pressure(stops.near[i]) < std::numeric_limits<double>::min();
-          has_underflow |= is_underflow;
+          has_underflow |=
+            is_underflow || (p > 0. && p < smallest_to_be_scaled);
           if (is_underflow || law.damping() > 0.)
             continue; // misses_of_laws()
           const double s = law.penetration(p) - stops.near[i];

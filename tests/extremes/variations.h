@@ -172,13 +172,17 @@ namespace ThermoContact
    * Largest difference between a run and the run of a scene that was multiplied
    * by @p thermal and @p mechanical, relative to the largest values; of forces
    * that are rounding of the stresses, to the displacements.
+   *
+   * @param is_exact false: an event that rounding moves past the end of a step
+   *   may make one more, of the length of that
    */
   inline double
   difference(const RunResult &run,
              const RunResult &scaled_run,
              const double     thermal,
              const double     mechanical,
-             const double     end_time)
+             const double     end_time,
+             const bool       is_exact)
   {
     double     largest = 0.;
     const auto compare =
@@ -189,7 +193,8 @@ namespace ThermoContact
     const StepRecord &r = run.last, &s = scaled_run.last;
     const Scales     &scales = run.scales;
     compare(run.status, scaled_run.status, 1.);
-    compare(r.step, s.step, 1.);
+    if (is_exact)
+      compare(r.step, s.step, 1.);
     compare(r.time, s.time, end_time);
     compare(r.displacement_end,
             s.displacement_end / mechanical,
