@@ -14,9 +14,6 @@ namespace ThermoContact
   namespace
   {
     const double infinity = std::numeric_limits<double>::infinity();
-
-    /** Steps below that part of the time are not much above its rounding. */
-    constexpr double rounding_of_time = 1e-13;
   } // namespace
 
 

@@ -21,7 +21,7 @@ namespace ThermoContact
    * changes nothing. An error of the temperature that is rounding of the
    * temperature itself, of which $\hat\theta$ may be a tiny part, counts as
    * none, and so does one of the displacement in a body whose end carries it
-   * far and hardly strains it.
+   * so far that its elastic energy is rounding.
    */
   class ErrorNorm
   {

@@ -6,6 +6,7 @@
 #include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/space/state.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace ThermoContact

@@ -26,6 +26,11 @@ namespace ThermoContact
 
 
 
+  /** Steps below that part of the time are not much above its rounding. */
+  inline constexpr double rounding_of_time = 1e-13;
+
+
+
   /** The reason of an attempt that is not accurate enough. */
   inline const char *const rejected_by_tolerance = "tolerance";
 
@@ -250,10 +255,11 @@ namespace ThermoContact
       return step_size <= 0.8 * rejected_of_nodes->size;
     }
 
+    /** No shorter one is worth an attempt. */
     static bool
     is_as_short_as_time_allows(const TimeStep &step)
     {
-      return step.size < 1e-13 * step.end;
+      return step.size < rounding_of_time * step.end;
     }
 
     double
