@@ -145,10 +145,13 @@ namespace ThermoContact
           state, tau, heat_load, momentum_load, rates);
         return;
       }
-    static const std::vector<double> one_stage = {1.};
-    driven->start(state, time_step.size, {{time_step.last_loads}, one_stage});
+    static const std::vector<std::vector<double>> half   = {{0.5}};
+    static const std::vector<double>              weight = {1.};
+    driven->start(state,
+                  time_step.size,
+                  {half, weight, {time_step.last_loads}});
     State known(state);
-    driven->constrain(0, tau, heat_load, momentum_load, known);
+    driven->constrain(0, heat_load, momentum_load, known);
     solver->solve_without_contact(
       known, tau, driven->heat_load(), driven->momentum_load(), rates);
   }
@@ -184,7 +187,7 @@ namespace ThermoContact
       apply_contact(state, time_step);
 
     if (driven)
-      driven->complete(rates, acceleration);
+      driven->complete(0, rates, acceleration);
     set_equal(midpoint.velocity, rates.velocity);
     set_sum(midpoint.temperature,
             state.temperature,
