@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/space/direct_solver.h>
-#include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/time/dirk_integrator.h>
 #include <thermocontact/time/make_stage_solver.h>
 #include <thermocontact/time/schemes.h>
@@ -260,12 +259,7 @@ namespace ThermoContact
     const std::vector<double> &pressure = result.state.contact_pressure;
     if (can_change_at_once(mode))
       solver->keep_contact(closed_at_end(mode), pressure, difference);
-    result.error =
-      !body.scene.contact.rear_gap ?
-        body.energy.difference_energy(difference, pressure) :
-        body.energy.difference_energy(difference,
-                                      pressures_of_nearer_stop(body,
-                                                               result.state));
+    result.error = body.energy.difference_energy(difference, pressure);
   }
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/space/nearer_stop.h>
+#include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/dirk_integrator.h>
 
 #include <algorithm>
@@ -115,10 +115,12 @@ namespace ThermoContact
       stage.held_at.clear();
     if (mode != ContactMode::closed || !body.scene.contact.rear_gap)
       return;
-    look_at_stops(body, state, stops);
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position;
+    get_node_laws(body, state, laws, position);
     for (StageRates &stage : stages)
-      for (unsigned int node = 0; node < stops.near.size(); ++node)
-        stage.held_at.push_back(stops.side(node) < 0. ? -1 : 1);
+      for (const NodeLaw &law : laws)
+        stage.held_at.push_back(law.side);
   }
 
 
@@ -155,8 +157,9 @@ namespace ThermoContact
         std::find(stage.is_held.begin(), stage.is_held.end(), true) ==
           stage.is_held.end())
       return false;
-    std::vector<double> velocity;
-    look_at_stops(body, known, stops);
+    std::vector<double>  velocity, position;
+    std::vector<NodeLaw> laws;
+    get_node_laws(body, known, laws, position);
     body.contact_end().get_values(Field::displacement,
                                   stage.velocity,
                                   velocity);
@@ -164,9 +167,10 @@ namespace ThermoContact
     for (unsigned int node = 0; node < velocity.size(); ++node)
       if (stage.is_held[node])
         {
-          stops.see_from(node, -stage.held_at[node]);
-          if (stops.near[node] - stage.held_at[node] * tau * velocity[node] <=
-              0.)
+          const double end = position[node] + tau * velocity[node];
+          if ((stage.held_at[node] > 0 ?
+                 laws[node].rear_penetration(end) :
+                 laws[node].front_penetration(end)) <= 0.)
             continue;
           stage.is_held[node] = false;
           stage.held_at[node] = 0;

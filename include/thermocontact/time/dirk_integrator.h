@@ -5,7 +5,6 @@
 
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/method/butcher_tableau.h>
-#include <thermocontact/method/two_stops.h>
 #include <thermocontact/time/driven_step.h>
 #include <thermocontact/time/time_integrator.h>
 
@@ -72,7 +71,6 @@ namespace ThermoContact
 
     std::vector<StageRates> stages;
     std::vector<Vector>     accelerations; ///< $v'$ of a stage
-    NearerStops             stops;         ///< where a closed step begins
     State                   known;
     State                   difference;
     Vector                  heat_load;
