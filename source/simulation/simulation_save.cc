@@ -24,8 +24,9 @@ namespace ThermoContact
   void
   Simulation<dim>::archive_progress(Archive &archive)
   {
-    archive &state_                                           &history_;
-    archive &controller &error_norm &energy_watch &mesh_watch &tracker;
+    archive &state_ &history_;
+    archive &controller &error_norm &energy_monitor &spatial_error_monitor
+      &tracker;
   }
 
 
