@@ -82,7 +82,7 @@ namespace ThermoContact
     tracker.start(state_, history_.events);
     history_.max_penetration   = record.penetration;
     history_.max_contact_force = std::abs(record.contact_force);
-    history_.add_maxima(scene_);
+    history_.add_maxima(scene_, gap_rate());
   }
 
 
@@ -181,7 +181,7 @@ namespace ThermoContact
     state_.swap(result.state);
     measurements.measure(state_, load_time(), history_.record);
     history_.add_step(time_step, result);
-    history_.add_maxima(scene_);
+    history_.add_maxima(scene_, gap_rate());
     error_norm.add(result.energy);
     spatial_error_monitor.add(state_, record());
     if (result.is_prescribed)
@@ -194,6 +194,19 @@ namespace ThermoContact
       if (const std::string warning = spatial_error_monitor.take_warning();
           !warning.empty())
         history_.warnings.push_back(warning);
+  }
+
+
+
+  template <int dim>
+  double
+  Simulation<dim>::gap_rate() const
+  {
+    if (!body_.obstacle.is_active())
+      return 0.;
+    return controller.followed_loads().break_at(state_.time) != nullptr ?
+             std::numeric_limits<double>::quiet_NaN() :
+             state_.gap_rate.front();
   }
 
 

@@ -123,7 +123,7 @@ namespace ThermoContact
     state_.swap(result.state);
     measurements.measure(state_, load_time(), history_.record);
     history_.add_jump(result);
-    history_.add_maxima(scene_);
+    history_.add_maxima(scene_, gap_rate());
     error_norm.add(result.energy);
     controller.restart_after_jump();
   }

@@ -255,6 +255,10 @@ namespace ThermoContact
     bool
     fits_contact(const TimeStep &time_step, StepResult &result);
 
+    /** $g'$ at the first contact node; NaN where it may have a jump. */
+    double
+    gap_rate() const;
+
     /** Where loads may jump and move something at once, or nullptr. */
     const LoadBreak *
     jump_at(const double time) const;
