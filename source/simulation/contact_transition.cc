@@ -60,7 +60,7 @@ namespace ThermoContact
     if (!mass_solver)
       compute_impulse_responses();
     std::vector<double> contact_velocity;
-    body.contact_end().get_approach(state, contact_velocity);
+    body.contact_end().get_relative_velocities(state, contact_velocity);
     std::vector<double> impulses(contact_velocity.size(), 0.);
     for (unsigned int i = 0; i < impulses.size(); ++i)
       for (unsigned int j = 0; j < impulses.size(); ++j)

@@ -29,7 +29,7 @@ namespace ThermoContact
   double
   ErrorNorm::operator()(const EnergyTerms &error,
                         const EnergyTerms &energy,
-                        const double       carried)
+                        const double       rigid_displacement)
   {
     // Without a scale of its own the error of a load that starts like a power
     // of t has the same relative size for every step.
@@ -43,9 +43,10 @@ namespace ThermoContact
     };
     const double rounding = 1e-14;
     // of displacements that a stage solves for, in their energy, and of that
-    const double smallest_elastic = 0.5 * std::pow(1e-13 * carried, 2);
-    const bool   is_rounding = std::max(mechanical_energy(), energy.elastic) <=
-                             rounding * carried * carried;
+    const double smallest_elastic =
+      0.5 * std::pow(1e-13 * rigid_displacement, 2);
+    const bool is_rounding = std::max(mechanical_energy(), energy.elastic) <=
+                             rounding * rigid_displacement * rigid_displacement;
     const double elastic_error =
       is_rounding && error.elastic <= smallest_elastic ? 0. : error.elastic;
     const double thermal =

@@ -265,10 +265,11 @@ namespace ThermoContact
         tracker.mode() == ContactMode::unilateral &&
         result.n_iterations > 0) // a node was pushed back in some stage
       error.kinetic = 0.;
-    const double carried = scene_.sources.has_moving_end ?
-                             result.state.displacement.linfty_norm() :
-                             0.;
-    return error_norm(error, result.energy, carried) / time.tolerance;
+    const double rigid_displacement =
+      scene_.sources.has_moving_end ? result.state.displacement.linfty_norm() :
+                                      0.;
+    return error_norm(error, result.energy, rigid_displacement) /
+           time.tolerance;
   }
 
 

@@ -2,13 +2,13 @@
 //
 // What a Simulation saves of itself, for checkpoints, and how it goes on.
 
+#include <thermocontact/base/collective_errors.h>
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/parts_file.h>
-#include <thermocontact/base/rank_faults.h>
+#include <thermocontact/base/parallel_file.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/simulation/simulation.h>
-#include <thermocontact/space/node_values.h>
+#include <thermocontact/space/state_serialiser.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -48,7 +48,7 @@ namespace ThermoContact
       const SolverCounters of_start      = quasi_static.counters();
       archive << retained << of_integrator << of_tracker << of_start;
     }
-    return {stream.str(), NodeValues<dim>(discretization()).save(state_)};
+    return {stream.str(), StateSerialiser<dim>(discretization()).save(state_)};
   }
 
 
@@ -64,11 +64,11 @@ namespace ThermoContact
     RetainedFactorizations retained;
     SolverCounters         of_integrator, of_tracker, of_start;
     std::string            fault;
-    const NodeValues<dim>  values(discretization());
-    std::size_t            n_set = 0, n_saved = 0;
-    const std::size_t      n_nodes =
+    const StateSerialiser<dim> values(discretization());
+    std::size_t                n_set = 0, n_saved = 0;
+    const std::size_t          n_nodes =
       n == n_ranks ? values.n_nodes() :
-                          Utilities::MPI::sum(values.n_nodes(), communicator);
+                              Utilities::MPI::sum(values.n_nodes(), communicator);
     try
       {
         std::istringstream              stream(progress);

@@ -21,7 +21,7 @@ namespace ThermoContact
    * scaling a scene changes nothing. An error of the temperature that is
    * rounding of the temperature itself, of which $\hat\theta$ may be a tiny
    * part, counts as none, and so does one of the displacement in a body whose
-   * end carries it so far that its elastic energy is rounding.
+   * end moves it so far that its elastic energy is rounding.
    */
   class ErrorNorm
   {
@@ -38,12 +38,13 @@ namespace ThermoContact
      *
      * @param error half the squared norms of the estimate
      * @param energy of the state at the end of the step
-     * @param carried largest displacement there of a body whose end moves
+     * @param rigid_displacement largest displacement there of a body whose end
+     *   moves
      */
     double
     operator()(const EnergyTerms &error,
                const EnergyTerms &energy,
-               const double       carried);
+               const double       rigid_displacement);
 
     /** Largest elastic or kinetic energy so far, or of the first attempt. */
     double

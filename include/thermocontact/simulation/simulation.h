@@ -24,7 +24,7 @@ namespace ThermoContact
   struct SavedRun
   {
     std::string progress; ///< the same on all ranks
-    std::string nodes;    ///< values of those of this rank, NodeValues
+    std::string nodes;    ///< values of those of this rank, StateSerialiser
   };
 
 
