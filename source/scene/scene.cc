@@ -223,15 +223,11 @@ namespace ThermoContact
                                                           *contact.law,
                                                           scheme,
                                                           has_prescribed_start);
-      const bool has_mass =
-        material.has_inertia() && !contact.has_massless_nodes;
-      contact.nodes = material.is_static() ? ContactNodes::of_static_body :
-                      has_mass             ? ContactNodes::with_mass :
-                                             ContactNodes::massless;
-      const bool has_viscous_stress =
-        material.has_viscosity() && scheme.has_viscous_contact;
-      contact.is_in_equilibrium =
-        contact.law->is_active() && !has_mass && !has_viscous_stress;
+      contact.order = material.has_inertia() && !contact.has_massless_nodes ?
+                        NodeOrder::inertial :
+                      material.has_viscosity() && scheme.has_viscous_contact ?
+                        NodeOrder::viscous :
+                        NodeOrder::quasi_static;
       contact.locates_events =
         contact.law->is_active() && parameters.time.locates_contact_events();
       return contact;

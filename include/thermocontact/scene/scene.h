@@ -77,11 +77,20 @@ namespace ThermoContact
       return has_thermal_stress() && !has_heating();
     }
 
+    /** Of the body, by $b$ and $\zeta$. */
+    NodeOrder
+    order() const
+    {
+      return has_inertia()   ? NodeOrder::inertial :
+             has_viscosity() ? NodeOrder::viscous :
+                               NodeOrder::quasi_static;
+    }
+
     /** True if displacements are in equilibrium at every time, $b=\zeta=0$. */
     bool
     is_static() const
     {
-      return !has_inertia() && !has_viscosity();
+      return order() == NodeOrder::quasi_static;
     }
   };
 
@@ -202,17 +211,11 @@ namespace ThermoContact
     /** $g_2$ of a stop behind the end, (M.107); none if there is no such. */
     std::optional<double> rear_gap;
 
-    /** How the contact nodes move; meaningless without obstacle. */
-    ContactNodes nodes;
+    /** Of the contact nodes; meaningless without obstacle. */
+    NodeOrder order;
 
     /** The mass of the contact nodes is moved to others, (M.36). */
     bool has_massless_nodes;
-
-    /**
-     * The contact nodes are in equilibrium at all times, since they, or the
-     * whole body, have neither mass nor viscous stress.
-     */
-    bool is_in_equilibrium;
 
     /** Steps end where contact begins or ends. */
     bool locates_events;
@@ -226,7 +229,14 @@ namespace ThermoContact
     bool
     has_mass() const
     {
-      return nodes == ContactNodes::with_mass;
+      return order == NodeOrder::inertial;
+    }
+
+    /** The contact nodes are in equilibrium with the obstacle at all times. */
+    bool
+    is_in_equilibrium() const
+    {
+      return law->is_active() && order == NodeOrder::quasi_static;
     }
 
     /** A node that meets the obstacle loses its velocity at once. */
