@@ -99,17 +99,27 @@ namespace ThermoContact
       notify();
     else if (!controller.is_finished(state_.time))
       make_up_for_jump();
-    StepResult result;
+    while (step())
+      notify();
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::step()
+  {
+    history_.attempts.clear();
     while (!controller.is_finished(state_.time))
       {
         const TimeStep time_step = controller.propose(state_.time);
         if (attempt(time_step, result))
           {
             accept(time_step, result);
-            notify();
-            history_.attempts.clear();
+            return true;
           }
       }
+    return false;
   }
 
 
