@@ -62,7 +62,7 @@ namespace
             raise(worst,
                   std::abs(law->penetration_of_energy(law->energy(p)) - s));
           }
-        deallog << kind.name << ": consistent to 1e-7 " << (worst < 1e-7)
+        deallog << kind.name << ": consistent " << within(worst, 1e-7)
                 << ", linear " << law->is_linear() << std::endl;
       }
   }
@@ -166,9 +166,9 @@ namespace
               }
           }
       }
-    deallog << "power laws: " << n_found << " problems, pressures to 1e-9 "
-            << (worst < 1e-9) << ", one node to 1e-12 " << (worst_alone < 1e-12)
-            << std::endl;
+    deallog << "power laws: " << n_found << " problems, pressures "
+            << within(worst, 1e-9) << ", one node "
+            << within(worst_alone, 1e-12) << std::endl;
   }
 } // namespace
 

@@ -213,11 +213,11 @@ namespace
                        1.));
         ++n_slopes;
       }
-    deallog << "random: " << (n_problems > 500) << ", pressures to 1e-8 "
-            << (worst < 1e-8) << ", one node to 1e-6 of 1e-5 "
-            << (worst_alone < 1e-6) << std::endl;
-    deallog << "derivatives: " << (n_slopes > 100) << ", to 1e-5 "
-            << (worst_slope < 1e-5) << std::endl;
+    deallog << "random: " << (n_problems > 500) << ", pressures "
+            << within(worst, 1e-8) << ", one node to 1e-6 of 1e-5 "
+            << within(worst_alone, 1e-6) << std::endl;
+    deallog << "derivatives: " << (n_slopes > 100) << " "
+            << within(worst_slope, 1e-5) << std::endl;
     if (!(worst < 1e-8 && worst_alone < 1e-6 && worst_slope < 1e-5))
       deallog << worst << ' ' << worst_alone << ' ' << worst_slope << std::endl;
   }

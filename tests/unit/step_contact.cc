@@ -82,7 +82,7 @@ namespace
                    (std::abs(s_free) + chi * std::abs(p) + std::abs(s_0)) +
                  energy(s) + energy(s_0) + 1e-300));
       }
-    deallog << "gradient to 1e-12 " << (error <= 1e-12) << ", p at least "
+    deallog << "gradient " << within(error, 1e-12) << ", p at least "
             << smallest << std::endl;
   }
 } // namespace
