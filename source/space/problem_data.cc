@@ -61,19 +61,16 @@ namespace ThermoContact
 
   template <int dim>
   std::unique_ptr<Function<dim>>
-  contact_gap(const Scene &scene)
+  contact_gap(const SpatialScene &scene)
   {
-    const SceneContact &contact = scene.contact;
-    if (!contact.law->is_active() ||
-        (contact.has_uniform_gap() && !scene.sources.has_moving_obstacle))
-      return std::make_unique<Functions::ConstantFunction<dim>>(contact.gap);
+    if (scene.gap_expression.empty())
+      return std::make_unique<Functions::ConstantFunction<dim>>(scene.gap);
     ExpressionNames names; // x is known too: it is one on the end
     names.constants["pi"] = numbers::PI;
     names.has_time        = true;
     names.example         = dim > 1 ? "0.1+(y-0.05)^2/2" : "0.1+0.02*sin(t)";
     return make_function<dim>(
-      check_expression<dim>(
-        {"Contact/Gap", scene.parameters.contact.gap_expression}, 1, names),
+      check_expression<dim>({"Contact/Gap", scene.gap_expression}, 1, names),
       names);
   }
 
@@ -231,11 +228,11 @@ namespace ThermoContact
 
 
   template std::unique_ptr<Function<1>>
-  contact_gap(const Scene &);
+  contact_gap(const SpatialScene &);
   template std::unique_ptr<Function<2>>
-  contact_gap(const Scene &);
+  contact_gap(const SpatialScene &);
   template std::unique_ptr<Function<3>>
-  contact_gap(const Scene &);
+  contact_gap(const SpatialScene &);
 
   template class ProblemData<1>;
   template class ProblemData<2>;

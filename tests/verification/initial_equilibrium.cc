@@ -65,8 +65,8 @@ namespace
                 force.linfty_norm());
       }
     deallog << solver << ", epsilon = " << compliance << ": some in contact "
-            << (n_contact > 3 && n_contact < 14) << ", in equilibrium to 1e-9 "
-            << (largest < 1e-9) << std::endl;
+            << (n_contact > 3 && n_contact < 14) << ", in equilibrium "
+            << within(largest, 1e-9) << std::endl;
   }
 } // namespace
 
