@@ -914,12 +914,15 @@ namespace ThermoContact
 
 
 
+    /** Squares, and small powers of variables, are products. */
     unsigned int
     add_power(const unsigned int base, const unsigned int exponent)
     {
-      const Part &part = parts[exponent];
+      const Part &part        = parts[exponent];
+      const bool  is_variable = parts[base].operation == Operation::variable;
       if (part.operation == Operation::number &&
-          (part.number == 2. || part.number == 3. || part.number == 4.))
+          (part.number == 2. ||
+           (is_variable && (part.number == 3. || part.number == 4.))))
         return add(Operation::whole_power, {base}, part.number);
       return add(Operation::to_the_power, {base, exponent});
     }
@@ -1217,8 +1220,6 @@ namespace ThermoContact
     {
       switch (operation)
         {
-          case Operation::to_the_power:
-            return add_power(x[0], x[1]);
           case Operation::log2:
           case Operation::log10:
             {
