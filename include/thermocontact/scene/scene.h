@@ -114,6 +114,10 @@ namespace ThermoContact
     /** $\theta_{obs}$; of one that varies that at $t=0$ and $y=z=0$. */
     double obstacle_temperature;
 
+    /** $\theta_{obs}$ of the coordinates and t if it is no number; else null.
+     */
+    std::unique_ptr<const Expression> obstacle_drive;
+
     /**
      * $k_s$ of the steady profile: $k$ at the gap of the undeformed body, or at
      * gap 0 if that is an expression. The profile is a reference: any will do.
@@ -318,8 +322,8 @@ namespace ThermoContact
   {
     /**
      * @param parameters may be ones that check_scene() refuses
-     * @throw InputError if the heat exchange or a drive of the fixed end is no
-     *   valid expression
+     * @throw InputError if the heat exchange, the gap, the temperature of the
+     *   obstacle or a drive of the fixed end is no valid expression
      */
     explicit Scene(const Parameters &parameters);
 
@@ -327,7 +331,11 @@ namespace ThermoContact
     const SceneFields fields;
     const std::unique_ptr<const BodyGeometry> geometry;
     const Material                            material;
-    const SceneHeat                           heat;
+
+    /** $g$ of the coordinates and t, if it is no number; else null. */
+    const std::unique_ptr<const Expression> gap_expression;
+
+    const SceneHeat heat;
 
     /** $u_A(t)$ of a fixed end that moves; else null. */
     const std::unique_ptr<const TimeFunction> fixed_end_motion;
