@@ -192,7 +192,7 @@ namespace ThermoContact
         const double beyond =
           base.displacement[n] + tau * values[n - 1][1] - scene.contact.gap;
         if (std::isfinite(beyond) && receptance > 0.)
-          pressure = scene.contact.law->local_pressure(beyond, receptance);
+          pressure = scene.contact.law->resolve(beyond, receptance).pressure;
         for (unsigned int i = 0; i < n; ++i)
           values[i] += pressure * response[i];
       }

@@ -2,7 +2,7 @@
 
 #include <thermocontact/simulation/contact_transition.h>
 #include <thermocontact/simulation/exchange_of_law.h>
-#include <thermocontact/space/nearer_stop.h>
+#include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/contact_equilibrium.h>
 
 namespace ThermoContact
@@ -125,15 +125,13 @@ namespace ThermoContact
     ImpactCost own;
     if (body.scene.contact.has_mass())
       stop_contact_nodes(state, own);
-    const std::optional<double> &rear_gap = body.scene.contact.rear_gap;
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position;
+    get_node_laws(body, state, laws, position);
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
-      {
-        const double gap = state.gap[node];
-        double      &u   = state.displacement.begin()[entry];
-        u = rear_gap && nearer_stop(u - gap, -u - *rear_gap) < 0 ? -*rear_gap :
-                                                                   gap;
-      }
+      state.displacement.begin()[entry] =
+        laws[node].side > 0 ? state.gap[node] : -*body.scene.contact.rear_gap;
     set_exchange_of_law(body, state);
     const double old_energy   = energy_terms.sum();
     energy_terms              = body.energy.energy(state);
@@ -170,17 +168,14 @@ namespace ThermoContact
   bool
   ContactTransition<dim>::remove_pull(const int held_at, State &state) const
   {
-    std::vector<double> of_nearer;
-    if (held_at == 0 && body.scene.contact.rear_gap)
-      of_nearer = pressures_of_nearer_stop(body, state);
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position;
+    get_node_laws(body, state, laws, position);
     bool changed = false;
-    for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
+    for (unsigned int i = 0; i < laws.size(); ++i)
       {
-        double      &p    = state.contact_pressure[i];
-        const double seen = !of_nearer.empty() ? of_nearer[i] :
-                            held_at < 0        ? -p :
-                                                 p;
-        if (seen < 0.)
+        double &p = state.contact_pressure[i];
+        if ((held_at != 0 ? held_at : laws[i].side) * p < 0.)
           {
             p       = 0.;
             changed = true;

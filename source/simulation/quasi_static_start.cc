@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/method/contact_solver.h>
-#include <thermocontact/method/damped_contact.h>
 #include <thermocontact/simulation/quasi_static_start.h>
-#include <thermocontact/space/nearer_stop.h>
+#include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/iterative_solver.h>
 
 #include <algorithm>
@@ -15,14 +13,20 @@ namespace ThermoContact
   {
     /** Those that were given, else those that do not lie before the obstacle.
      */
+    template <int dim>
     std::vector<bool>
-    closed_nodes(const std::vector<bool> &is_closed, const NearerStops &stops)
+    closed_nodes(const Body<dim>         &body,
+                 const State             &state,
+                 const std::vector<bool> &is_closed)
     {
       if (!is_closed.empty())
         return is_closed;
+      std::vector<NodeLaw> laws;
+      std::vector<double>  position;
+      get_node_laws(body, state, laws, position);
       std::vector<bool> result;
-      for (const double s : stops.near)
-        result.push_back(s >= 0.);
+      for (unsigned int i = 0; i < laws.size(); ++i)
+        result.push_back(laws[i].penetration(position[i]) >= 0.);
       return result;
     }
   } // namespace
@@ -65,29 +69,19 @@ namespace ThermoContact
 
   template <int dim>
   void
-  QuasiStaticStart<dim>::add_contact(const ContactLaw                &law,
-                                     const std::vector<unsigned int> &nodes,
-                                     const NearerStops               &stops,
-                                     Vector                          &w,
-                                     std::vector<double>             &pressure)
+  QuasiStaticStart<dim>::add_contact(const std::vector<NodeLaw> &laws,
+                                     const std::vector<double>  &free,
+                                     const double                factor,
+                                     Vector                     &w,
+                                     std::vector<double>        &pressure)
   {
-    if (!law.is_active() || nodes.empty())
+    if (!body.law().is_active())
       return;
-    const unsigned int  n = nodes.size();
-    FullMatrix<double>  matrix(n, n);
-    std::vector<double> p(n);
-    matrix.extract_submatrix_from(response, nodes, nodes);
-    for (unsigned int i = 0; i < n; ++i)
-      p[i] = pressure[nodes[i]];
-    stops.turn(p);
-    ContactSolver(law).solve(
-      stops.turned(matrix), stops.near, p, {}, stops.far);
-    stops.turn(p);
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        w.add(-p[i], unit_responses[nodes[i]]);
-        pressure[nodes[i]] = p[i];
-      }
+    FullMatrix<double> receptance(response);
+    receptance *= factor;
+    InterfaceProblem().solve(receptance, laws, free, pressure);
+    for (unsigned int i = 0; i < pressure.size(); ++i)
+      w.add(-pressure[i], unit_responses[i]);
   }
 
 
@@ -97,13 +91,10 @@ namespace ThermoContact
   QuasiStaticStart<dim>::solve_static(const Vector &load, State &state)
   {
     factors->solve(state.displacement, load);
-    NearerStops stops;
-    look_at_stops(body, state, stops);
-    std::vector<unsigned int> all;
-    for (unsigned int i = 0; i < stops.near.size(); ++i)
-      all.push_back(i);
-    add_contact(
-      body.law(), all, stops, state.displacement, state.contact_pressure);
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position;
+    get_node_laws(body, state, laws, position);
+    add_contact(laws, position, 1., state.displacement, state.contact_pressure);
   }
 
 
@@ -141,14 +132,13 @@ namespace ThermoContact
       body.driven_end.subtract_viscous_stress(state.time, momentum_load);
       if (body.law().is_rigid())
         {
-          NearerStops stops;
-          look_at_stops(body, state, stops);
-          solver.solve_quasi_static_velocity(known,
-                                             heat_load,
-                                             momentum_load,
-                                             closed_nodes(is_closed, stops),
-                                             stops,
-                                             rates);
+          std::vector<NodeLaw> laws;
+          get_velocity_laws(body,
+                            state,
+                            closed_nodes(body, state, is_closed),
+                            laws);
+          solver.solve_quasi_static_velocity(
+            known, heat_load, momentum_load, laws, rates);
           state.contact_pressure = rates.pressure;
         }
       else
@@ -174,28 +164,24 @@ namespace ThermoContact
   {
     // a stage of length 1 has the matrix (zeta + 1) S
     const double viscosity = body.scene.material.viscosity;
-    const double factor    = (viscosity + 1.) / viscosity;
+    const double factor    = viscosity / (viscosity + 1.);
     factors->solve(state.velocity, load);
-    state.velocity *= factor;
-    NearerStops stops;
-    look_at_stops(body, state, stops);
-    FullMatrix<double> velocity_response = stops.turned(response);
-    velocity_response *= factor;
-    NodesInMotion nodes; // where they are
-    nodes.start     = stops.near;
-    nodes.far_start = stops.far;
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position, velocity;
+    get_node_laws(body, state, laws, position);
     body.contact_end().get_values(Field::displacement,
                                   state.velocity,
-                                  nodes.free_velocity);
-    for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
-      nodes.free_velocity[i] -= state.gap_rate[i];
-    stops.turn(nodes.free_velocity);
-    std::vector<double> &p = state.contact_pressure;
-    stops.turn(p);
-    DampedContact(body.law()).solve(velocity_response, nodes, p);
-    stops.turn(p);
-    for (unsigned int i = 0; i < p.size(); ++i)
-      state.velocity.add(-p[i] * factor, unit_responses[i]);
+                                  velocity);
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      {
+        laws[i].is_in_velocity = true; // of nodes that stay where they are
+        laws[i].start          = position[i];
+        velocity[i]            = velocity[i] / factor -
+                      (state.gap_rate.empty() ? 0. : state.gap_rate[i]);
+      }
+    add_contact(
+      laws, velocity, 1. / factor, state.velocity, state.contact_pressure);
+    state.velocity /= factor;
   }
 
 
@@ -206,13 +192,8 @@ namespace ThermoContact
                                         const Vector            &load,
                                         State                   &state)
   {
-    NearerStops stops;
-    look_at_stops(body, state, stops);
-    const std::vector<bool>   may_push = closed_nodes(is_closed, stops);
-    std::vector<unsigned int> nodes;
-    for (unsigned int i = 0; i < may_push.size(); ++i)
-      if (may_push[i])
-        nodes.push_back(i);
+    std::vector<NodeLaw> laws;
+    get_velocity_laws(body, state, closed_nodes(body, state, is_closed), laws);
     std::fill(state.contact_pressure.begin(), state.contact_pressure.end(), 0.);
     factors->solve(state.velocity, load);
     std::vector<double> velocity;
@@ -222,14 +203,9 @@ namespace ThermoContact
     // velocities are scaled
     const double factor =
       body.scene.material.viscosity / (body.scene.material.viscosity + 1.);
-    for (unsigned int i = 0; i < velocity.size(); ++i)
+    for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
       velocity[i] -= factor * state.gap_rate[i];
-    const auto no_inward_velocity = rigid_obstacle().make({});
-    add_contact(*no_inward_velocity,
-                nodes,
-                stops.in_motion(nodes, velocity),
-                state.velocity,
-                state.contact_pressure);
+    add_contact(laws, velocity, 1., state.velocity, state.contact_pressure);
   }
 
 

@@ -91,17 +91,18 @@ namespace ThermoContact
 
   template <int dim>
   void
-  DrivenEnd<dim>::constrain(const EndMotion &motion,
-                            State           &known,
-                            Vector          &heat_load,
-                            Vector          &momentum_load) const
+  DrivenEnd<dim>::constrain(const PrescribedStage &temperature,
+                            const PrescribedStage &displacement,
+                            State                 &known,
+                            Vector                &heat_load,
+                            Vector                &momentum_load) const
   {
     const Material &material = scene.material;
-    set(Field::temperature, motion.temperature, known.temperature);
-    set(Field::displacement, motion.displacement, known.displacement);
+    set(Field::temperature, temperature.values, known.temperature);
+    set(Field::displacement, displacement.values, known.displacement);
     if (scene.sources.has_driven_temperature)
       {
-        set(Field::temperature, motion.temperature_rate, heat_lift);
+        set(Field::temperature, temperature.rates, heat_lift);
         equations.heat_mass().vmult(heat_product, heat_lift);
         heat_load -= heat_product;
       }
@@ -109,14 +110,14 @@ namespace ThermoContact
       return;
     if (material.has_inertia())
       {
-        set(Field::displacement, motion.acceleration, momentum_lift);
+        set(Field::displacement, displacement.accelerations, momentum_lift);
         equations.momentum_mass().vmult(momentum_product, momentum_lift);
         momentum_load.add(-material.inertia, momentum_product);
         // what the known velocity of the end says is in that term
         for (const unsigned int entry : entries_[Field::displacement])
           known.velocity.begin()[entry] = 0.;
       }
-    set(Field::displacement, motion.velocity, momentum_lift);
+    set(Field::displacement, displacement.rates, momentum_lift);
     if (material.has_viscosity())
       {
         equations.viscous_stiffness().vmult(momentum_product, momentum_lift);

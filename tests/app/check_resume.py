@@ -6,8 +6,8 @@ each time, and compares with the uninterrupted run, byte by byte.
 usage: check_resume.py DIR
 
 DIR holds a finished run with checkpoints. Wall times and memory are left out,
-and used.prm, which names the directory. Then: the same after SIGTERM, after a
-file that may not grow any more, and with a damaged checkpoint.
+and used.prm, which names the directory. Then: the same after SIGTERM, with a
+SIGHUP that is ignored, after a file that may not grow any more, and with a damaged checkpoint.
 """
 import json
 import os
@@ -124,6 +124,23 @@ def terminate(reference, expected):
     print(f"resumed by it: status {status},", compare(expected, run.directory))
 
 
+def hang_up(reference, expected):
+    """A run that is started as nohup starts it goes on when the shell ends."""
+    run = Run(reference, Path("hung up"))
+    process = run.start(
+        preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+    while run.step() < 1 and process.poll() is None:
+        time.sleep(0.002)
+    n_signals = 0
+    while process.poll() is None:
+        process.send_signal(signal.SIGHUP)
+        n_signals += 1
+        time.sleep(0.01)
+    process.communicate()
+    print("SIGHUP that is ignored, sent:", int(n_signals > 0), "status",
+          f"{process.returncode},", compare(expected, run.directory))
+
+
 def let_no_file_grow(reference, expected):
     """As on a full disk: a row that does not fit is an error."""
     run = Run(reference, Path("limited"))
@@ -157,7 +174,7 @@ def damage(reference, expected):
 def main():
     reference = Path(sys.argv[1])
     expected = contents(reference)
-    for directory in ("uninterrupted", "killed", "termi nated", "limited"):
+    for directory in ("uninterrupted", "killed", "termi nated", "hung up", "limited"):
         shutil.rmtree(directory, ignore_errors=True)
     begin = time.time()
     Run(reference, Path("uninterrupted")).finish()
@@ -166,6 +183,7 @@ def main():
     kill_again_and_again(reference, expected, seconds)
     if len(expected["contact.csv"]) > 200000:  # more than any other file
         terminate(reference, expected)
+        hang_up(reference, expected)
         let_no_file_grow(reference, expected)
         damage(reference, expected)
 

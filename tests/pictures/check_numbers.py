@@ -8,7 +8,6 @@ of the pictures, the obstacle, the speed of the animation. Exit status 77,
 """
 import math
 import os
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -16,19 +15,11 @@ from types import SimpleNamespace
 
 try:
     import drawings
+    from drawings import check
     from PIL import Image
 except ImportError as error:
     print(f"skipped: {error}")
     sys.exit(77)
-
-program, source = sys.argv[1], Path(sys.argv[2]).resolve()
-n_failed = 0
-
-
-def check(name, good, message=""):
-    global n_failed
-    n_failed += not good
-    print(f"{'passed' if good else 'FAILED'}: {name}  {message}".rstrip())
 
 
 def check_marks(numbers):
@@ -66,13 +57,9 @@ def check_plates(numbers):
 def check_gaps(script):
     """Settings have the gap of the scene, also 0."""
     for gap in (0.1, 0):
-        subprocess.run(
-            [program, "--quiet", "--output", f"gap-{gap}", "--set",
-             f"Contact/Gap={gap}", "--set", "Time/End time=0.002", "--set",
-             "Mesh/Cells=2", "--set", "Output/Fields interval=0.001",
-             source / "prm/paper/experiment-1.prm"], check=True, env={
-                 **os.environ, "OMPI_MCA_btl": "self",
-                 "OMPI_MCA_ess_singleton_isolated": "1"})
+        drawings.run(f"gap-{gap}", "paper/experiment-1.prm", f"Contact/Gap={gap}",
+                     "Time/End time=0.002", "Mesh/Cells=2",
+                     "Output/Fields interval=0.001")
         before, sys.argv = sys.argv, ["paraview", f"gap-{gap}"]
         found = script.settings_of(script.parse_arguments())["gap"]
         sys.argv = before
@@ -95,10 +82,10 @@ def check_animation(script):
 
 with tempfile.TemporaryDirectory() as scratch:
     os.chdir(scratch)
-    paraview = drawings.load(source / "scripts", "paraview")
+    paraview = drawings.load("paraview")
     check_marks(paraview.paraview_numbers)
     check_plates(paraview.paraview_numbers)
     check_gaps(paraview)
     check_animation(paraview)
     os.chdir("/")
-sys.exit(1 if n_failed else 0)
+drawings.finish()

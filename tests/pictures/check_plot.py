@@ -2,130 +2,215 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """usage: check_plot.py THERMOCONTACT SOURCE_DIRECTORY
 
-scripts/plot draws what it can and refuses the rest with a message and exit
-status 2. By the description of its pictures (scripts/plot --help): which files
-are written follows from what the scene has. Runs: error-controlled with both
-fields (all pictures), with fixed steps and cut off in the middle of a row as a
-killed run leaves it (no steps.csv, no summary.json), temperature alone (no
-contact). Exit status 77, "skipped", without matplotlib.
+What scripts/plot draws of runs is what its labels say: the data of each line are
+the column that the label of its axis names, of the run that the legend names by
+colour and dashes; times in contact and the obstacle are those of the scene. By
+the description of the pictures (scripts/plot --help), which files are written
+follows from what a run has: error-controlled with both fields, cut off within a
+row as a killed run leaves it, temperature alone. What cannot be drawn is refused.
+Exit status 77, "skipped", without matplotlib.
 """
+import contextlib
+import io
 import os
-import shutil
 import struct
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-program, source = sys.argv[1], Path(sys.argv[2])
-one_process = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_btl": "self"}
-quick = ["--set", "Time/End time=0.5", "--set", "Output/Fields interval=0"]
-n_failed = 0
+try:
+    import drawings
+    import numpy
+    from drawings import check, check_refused, table
+except ImportError as error:
+    print(f"skipped: {error}")
+    sys.exit(77)
 
 
-def check(name, good, message=""):
-    global n_failed
-    n_failed += not good
-    print(f"{'passed' if good else 'FAILED'}: {name}  {message}".rstrip())
+def defect(t):
+    """E(0) + work + algebraic - E - dissipation - numerical dissipation, (M.22)."""
+    return (t["energy"][0] + t["work"] + t.get("algebraic", 0.) - t["energy"] -
+            t["dissipation"] - t["numerical_dissipation"])
 
 
-def run(directory, *arguments):
-    subprocess.run([program, "--quiet", "--output", directory, *quick,
-                    *arguments], check=True,
-                   env={**os.environ, **one_process})
+# The label of an axis, and the column that it names or what follows from some.
+CURVES = {
+    "displacement  $u(1, t)$": "displacement_end",
+    "displacement  $u(1/2, t)$": "displacement_mid",
+    "velocity  $u_t(1, t)$": "velocity_end",
+    r"stress  $\sigma(1, t)$": "stress_end",
+    r"temperature  $\theta(1, t)$": "temperature_end",
+    r"mean temperature  $\bar{\theta}(t)$": "temperature_mean",
+    r"heat flux  $-\theta_x(1, t)$": "heat_flux_end",
+    r"$\ln\,(\hat{E} + 0.01)$": lambda t: numpy.log(t["energy"] + 0.01),
+    "gap  $g - u(1, t)$": "gap",
+    "contact force  $p(t)$": "contact_force",
+    r"impulse  $\int_0^t p$": "contact_impulse",
+    r"energy  $\hat{E}$": "energy",
+    "work": "work", "dissipation": "dissipation",
+    "numerical dissipation": "numerical_dissipation",
+    "defect of the balance": defect,
+}
+FIELDS = {r"temperature  $\theta$": "temperature",
+          r"displacement  $u$": "displacement",
+          r"velocity  $u_t$": "velocity", r"stress  $\sigma$": "stress"}
+STEPS = {r"step size  $\Delta t$": "step_size", "error / tolerance": "error"}
 
 
-def plot(*arguments):
-    return subprocess.run([sys.executable, source / "scripts/plot", "--dpi",
-                           "40", *arguments], capture_output=True, text=True)
+def faults_of(figure, runs):
+    """runs: the label in the legend (of one run "") and its tables."""
+    panels, legend = drawings.panels_of(figure)
+    faults = []
+    for panel in panels:
+        label = panel.get_ylabel()
+        if label not in CURVES:
+            return [f"unknown label {label!r}"]
+        left = dict(runs)
+        for line in panel.lines:
+            if len(line.get_ydata()) == 2:  # the obstacle
+                level = 0.1 if label.startswith("displacement") else 0.
+                if set(line.get_ydata()) != {level}:
+                    faults.append(f"{label}: obstacle at {line.get_ydata()}")
+                continue
+            name = legend.get(drawings.looks_of(line)) if len(runs) > 1 else ""
+            if name not in left:
+                faults.append(f"{label}: a curve of {name}")
+                continue
+            data, what = left.pop(name), CURVES[label]
+            y = what(data) if callable(what) else data[what]
+            rounding = 1e-14 * data["energy"][0] if what == defect else 0.
+            if not drawings.same(line, data["time"], y, rounding):
+                faults.append(f"{label}: another curve for {name!r}")
+        faults += [f"{label}: no curve of {name!r}" for name in left]
+    return faults
 
 
-def check_pictures(name, expected, *arguments):
-    """The files expected are there, are PNG, and show something."""
-    shutil.rmtree("pictures", ignore_errors=True)
-    result = plot("--output", "pictures", *arguments)
-    found = sorted(p.name for p in Path("pictures").glob("*"))
-    check(name, result.returncode == 0 and
-          found == sorted(f"{e}.png" for e in expected),
-          f"{found} {result.stderr}")
-    for picture in Path("pictures").glob("*"):
-        data = picture.read_bytes()
-        check(f"{name}, {picture.name}",
-              data.startswith(b"\x89PNG") and len(data) > 3000)
+def check_figures(plot):
+    """Two rods in contact; each line is falsified by the next column once."""
+    tables = {name: table(Path(name, "contact.csv"))
+              for name in ("controlled", "killed")}
+    events, end = table("controlled/events.csv")["time"], tables["controlled"]["time"][-1]
+    contact = [events[0], events[1] if len(events) > 1 else end]
+    figures = drawings.figures_of(plot, "controlled")
+    n_curves = 0
+    for picture in ("figure", "contact", "energy"):
+        figure = figures[picture]
+        one = {"": tables["controlled"]}
+        faults = faults_of(figure, one)
+        check(f"curves of {picture}", not faults, "; ".join(faults))
+        panels, _ = drawings.panels_of(figure)
+        for panel in panels:
+            # polygons, or rectangles from matplotlib 3.9
+            x = panel.patches[0].get_patch_transform().transform(
+                panel.patches[0].get_path().vertices)[:, 0]
+            check(f"shaded in {panel.get_ylabel()!r}", numpy.allclose(
+                [min(x), max(x)], contact, rtol=1e-12, atol=0), f"{min(x)} {max(x)}")
+            line = next(l for l in panel.lines if len(l.get_ydata()) > 2)
+            x, y = line.get_data()
+            line.set_ydata(numpy.roll(y, 1))
+            n_curves += bool(faults_of(figure, one))
+            line.set_ydata(y)
+    check("other data are noticed", n_curves == 12, str(n_curves))  # but the defect
+
+    for name in tables:
+        path = Path(name, "contact.csv")
+        path.write_text(f"# {name}" + path.read_text().partition("\n")[1:][0] +
+                        path.read_text().partition("\n")[2])
+    two = drawings.figures_of(plot, "controlled", "killed")
+    _, legend = drawings.panels_of(two["contact"])
+    labels = [text for text in legend.values() if text.startswith(("contr", "killed"))]
+    check("runs in the legend", [label.split()[0] for label in labels] == [
+        "controlled", "killed"] and "unfinished" in labels[1], str(labels))
+    for picture in ("figure", "contact", "energy"):
+        faults = faults_of(two[picture], dict(zip(labels, tables.values())))
+        check(f"curves of {picture}, two runs", not faults, "; ".join(faults))
 
 
-def check_resolution():
-    """Twice the dots per inch: twice as many in both directions."""
-    sizes = []
-    for dpi in (40, 80):
-        plot("heat", "--figure", "energy", "--output", "size.png", "--dpi", str(dpi))
-        sizes.append(struct.unpack(">2I", Path("size.png").read_bytes()[16:24]))
-    check("dots per inch", sizes[1] == tuple(2 * n for n in sizes[0]), str(sizes))
+def check_other_tables(plot):
+    """The accepted steps, and the fields at two places."""
+    steps = table("controlled/steps.csv")
+    good = steps["accepted"] == 1
+    panels, _ = drawings.panels_of(drawings.figures_of(
+        plot, "controlled", "--figure", "steps")["steps"])
+    check("steps", [panel.get_ylabel() for panel in panels] == list(STEPS) and all(
+        any(drawings.same(line, steps["time"][good], steps[column][good])
+            for line in panel.lines) for panel, column in zip(
+                panels, STEPS.values())))
+    probes = table("controlled/probes.csv")
+    panels, legend = drawings.panels_of(drawings.figures_of(
+        plot, "controlled", "--figure", "probes")["probes"])
+    shown = [legend.get(drawings.looks_of(line)) == f"probe {i}: $x$ = {x}"
+             for panel in panels for i, x in ((1, "0.25"), (2, "1"))
+             for line in panel.lines
+             if drawings.same(line, probes["time"],
+                              probes[f"{FIELDS[panel.get_ylabel()]}_{i}"])]
+    check("probes", len(panels) == 4 and len(shown) == 8 and all(shown), str(legend))
 
 
-def check_refusal(name, words, *arguments):
-    result = plot(*arguments)
-    check(f"refused: {name}", result.returncode == 2 and
-          len(result.stderr.splitlines()) == 1 and
-          all(word in result.stderr for word in words) and
-          "Traceback" not in result.stderr, result.stderr.strip())
+def check_files(plot):
+    """Which pictures there are, and that each shows something."""
+    usual = ["figure", "contact", "energy"]
+    for name, expected, *arguments in (
+            ("error-controlled", [*usual, "probes", "steps"], "controlled"),
+            ("killed", usual, "killed"),
+            ("heat", ["figure", "energy", "steps"], "heat"),
+            ("decay", ["decay"], "killed", "heat", "--figure", "decay")):
+        figures = drawings.figures_of(plot, *arguments)
+        check(f"pictures: {name}", sorted(figures) == sorted(expected), str(list(figures)))
+    plot = drawings.load("plot")
+    sizes = {}
+    for name in ("40.png", "80.png", "one.svg", "one.pdf"):
+        dpi = name.partition(".")[0] if name.endswith("png") else "40"
+        before, sys.argv = sys.argv, ["plot", "heat", "--figure", "energy",
+                                      "--output", name, "--dpi", dpi]
+        with contextlib.redirect_stdout(io.StringIO()):
+            plot.main()
+        sys.argv = before
+        data = Path(name).read_bytes()
+        check(f"written: {name}", len(data) > 3000)
+        sizes[name] = struct.unpack(">2I", data[16:24])
+    check("dots per inch", sizes["80.png"] == tuple(
+        2 * n for n in sizes["40.png"]), str(sizes))
+
+
+def check_refusals(plot):
+    header = "".join(Path("killed/contact.csv").read_text().splitlines(
+        keepends=True)[:3])
+    n = header.splitlines()[-1].count(",") - 1
+    for name, text, words in (
+            ("empty", "", ["empty", "again"]), ("headed", header, ["no rows", "wait"]),
+            ("other", "a,b\n1\n", ["no column"]),
+            ("damaged", header + "0,x" + ",0" * n + "\n", ["contact.csv:4", "'x'"])):
+        Path(name).mkdir()
+        Path(name, "contact.csv").write_text(text)
+        check_refused(plot, name, words, name)
+    check_refused(plot, "no directory", ["nowhere", "give the directory"], "nowhere")
+    check_refused(plot, "picture not of this scene", ["steps", "steps.csv"],
+                  "killed", "--figure", "steps")
+    check_refused(plot, "format", [".bmp", ".svg"], "killed", "--output", "x.bmp")
 
 
 def main():
-    run("controlled", source / "prm/paper/experiment-1.prm",
-        "--set", "Mesh/Cells=4", "--set", "Mesh/Degree=4",
-        "--set", "Time/Scheme=sdirk4", "--set", "Time/Start=consistent",
-        "--set", "Time/Step size=automatic")
-    run("killed", source / "prm/paper/experiment-1.prm",
-        "--set", "Mesh/Cells=10")
+    drawings.run("controlled", "paper/experiment-1.prm", "Time/End time=0.5",
+                 "Mesh/Cells=4", "Mesh/Degree=4", "Time/Scheme=sdirk4",
+                 "Time/Start=consistent", "Time/Step size=automatic",
+                 "Output/Fields interval=0", "Output/Probes=0.25; 1")
+    drawings.run("killed", "paper/experiment-1.prm", "Time/End time=0.5",
+                 "Mesh/Cells=10", "Output/Fields interval=0")
     Path("killed/summary.json").unlink()
-    table = Path("killed/contact.csv")
-    table.write_bytes(table.read_bytes()[:-137])  # within a row
-    run("heat", source / "prm/verification/heat-series.prm",
-        "--set", "Time/Tolerance=1e-4")
-
-    usual = ["figure", "contact", "energy"]
-    check_pictures("error-controlled", [*usual, "steps"], "controlled")
-    check_pictures("killed", usual, "killed")
-    check_pictures("heat", ["figure", "energy", "steps"], "heat")
-    check_pictures("several", [*usual, "steps"], "controlled", "killed", "heat")
-    check_pictures("decay", ["decay"], "killed", "heat", "--figure", "decay")
-
-    Path("probed").mkdir()
-    shutil.copy("killed/contact.csv", "probed")
-    Path("probed/probes.csv").write_text(
-        "# t\n# probe 1: x = 0.5\ntime,temperature_1,displacement_1,"
-        "velocity_1,stress_1\n0,1,nan,nan,nan\n1,2,nan,nan,nan\n2,3,n")
-    check_pictures("probes", [*usual, "probes"], "probed")
-    check_resolution()
-    for format in ("svg", "pdf"):
-        result = plot("killed", "--output", f"one.{format}")
-        check(f"one file, {format}", result.returncode == 0 and
-              Path(f"one.{format}").stat().st_size > 3000)
-
-    header = "".join(table.read_text().splitlines(keepends=True)[:3])
-    for name, text in (("empty", ""), ("headed", header), ("other", "a,b\n1\n"),
-                       ("damaged", header + "0,x" + ",0" * 18 + "\n")):
-        Path(name).mkdir()
-        Path(name, "contact.csv").write_text(text)
-    check_refusal("no directory", ["nowhere", "give the directory"], "nowhere")
-    check_refusal("no contact.csv", ["contact.csv"], "pictures")
-    check_refusal("empty file", ["empty", "again"], "empty")
-    check_refusal("no rows", ["no rows", "wait"], "headed")
-    check_refusal("another table", ["no column"], "other")
-    check_refusal("no number", ["contact.csv:4", "'x'"], "damaged")
-    check_refusal("picture not of this scene", ["steps", "steps.csv"],
-                  "killed", "--figure", "steps")
-    check_refusal("format", [".bmp", ".svg"], "killed", "--output", "x.bmp")
+    path = Path("killed/contact.csv")
+    path.write_bytes(path.read_bytes()[:-137])  # within a row
+    drawings.run("heat", "verification/heat-series.prm", "Time/End time=0.5",
+                 "Time/Tolerance=1e-4", "Output/Fields interval=0")
+    plot = drawings.load("plot")
+    check_figures(plot)
+    check_other_tables(plot)
+    check_files(plot)
+    check_refusals(plot)
 
 
-try:
-    import matplotlib  # noqa: F401
-except ImportError:
-    print("skipped: no python3-matplotlib")
-    sys.exit(77)
 with tempfile.TemporaryDirectory() as scratch:
     os.chdir(scratch)
     main()
     os.chdir("/")
-sys.exit(1 if n_failed else 0)
+drawings.finish()

@@ -2,17 +2,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """usage: check_studies.py THERMOCONTACT SOURCE_DIRECTORY
 
-The work-precision diagrams of scripts/plot show what their labels say. Tables
-with the columns that the program writes, whose numbers are all different, are
-drawn: the points of each curve are compared with the columns that the labels of
-the axes name, of the runs that the legend names. Known by hand: which runs
-belong to a curve and what it is called, which runs are not drawn, the axes.
-The check is seen to fail on each curve with the data of each other column, on
-exchanged and changed texts, and on artists that it does not know. Exit status
-77, "skipped", without matplotlib.
+What scripts/plot draws of studies is what its labels say. A study.csv with the
+columns that the program writes and numbers that are all different is drawn:
+errors over work, key results over what is varied, as curves and as maps, and the
+points of each period; each is compared with the columns that the labels name, of
+the runs that the legend names. Known by hand: which runs belong to a curve, which
+are not drawn. Exit status 77, "skipped", without matplotlib.
 """
 import os
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -20,250 +17,186 @@ from pathlib import Path
 try:
     import drawings
     import numpy
-    import tables
+    from drawings import check, check_refused
 except ImportError as error:
     print(f"skipped: {error}")
     sys.exit(77)
 
-program, source = sys.argv[1], Path(sys.argv[2]).resolve()
-n_failed = 0
-WORK = {"time of the loop, seconds": "loop_seconds",
-        "linear solves": "solves", "degrees of freedom": "dofs"}
+WORK = {"time of the loop, seconds": "loop_seconds", "linear solves": "solves",
+        "degrees of freedom": "dofs"}
 ERRORS = {r"error of the displacement  $u(1, t)$": "displacement_end",
           r"error of the velocity  $u_t(1, t)$": "velocity_end",
           "error of the contact force": "contact_force",
           r"error of the temperature  $\theta(1, t)$": "temperature_end",
           "error of the time of the first contact": "first_contact_time",
           r"error of the energy  $\hat{E}$": "energy"}
-SCHEMES = {"Time/Scheme": ["backward euler"] * 3 + ["sdirk4"] * 3,
-           "Time/Step size": ["0.02", "0.01", "0.005"] * 2}
+RESULTS = {"time of the first contact": "first_contact_time",
+           "number of contacts": "contact_begins",
+           "time in contact": "contact_duration",
+           "largest contact force": "max_contact_force",
+           "largest penetration": "max_penetration",
+           "contact impulse": "contact_impulse",
+           "coefficient of restitution": "restitution",
+           r"final displacement  $u(1, T)$": "final_displacement_end",
+           r"final temperature  $\theta(1, T)$": "final_temperature_end",
+           "state of rest": "reached_state_of_rest"}
+BIFURCATION = {r"$u(1)$ at multiples of $P$": "displacement_end",
+               r"$u_t(1)$ at multiples of $P$": "velocity_end",
+               r"$\theta(1)$ at multiples of $P$": "temperature_end",
+               "peak force of a period": "peaks"}
 
 
-def check(name, good, message=""):
-    global n_failed
-    n_failed += not good
-    print(f"{'passed' if good else 'FAILED'}: {name}  {message}".rstrip())
+def write_table(path, columns):
+    path.parent.mkdir(exist_ok=True)
+    path.write_text("# A study\n# thermocontact 0\n" + ",".join(columns) + "\n" +
+                    "".join(",".join(map(str, row)) + "\n"
+                            for row in zip(*columns.values())))
 
 
-class Study:
-    """A directory with a study.csv, and what its picture has to show."""
-
-    def __init__(self, directory, header, varied, curves, dofs=None, note="",
-                 marks=(), changes=()):
-        """
-        varied: the entries and their values in each run
-        curves: the runs by label, in the order in which they are joined
-        dofs: of each run, if they are refined
-        marks: (label, run)
-        changes: (column, run, word in the table)
-        """
-        self.directory, self.curves, self.note = directory, curves, note
-        self.marks, self.refined = list(marks), dofs is not None
-        n_runs = len(next(iter(varied.values())))
-        rest = header[header.index("status"):]
-        self.table = {"run": list(range(n_runs)), **varied, **{
-            name: [round((k + 2) * 1.37 ** i * 1e-3, 12) for i in range(n_runs)]
-            for k, name in enumerate(rest)}}
-        self.table["status"] = ["done"] * n_runs
-        self.table["dofs"] = dofs or [77] * n_runs
-        for column, i, word in changes:
-            self.table[column][i] = word
-        directory.mkdir()
-        self.write(self.table)
-
-    def write(self, table):
-        tables.write_table(self.directory / "study.csv", "A study", table)
-
-    def curve(self, runs, work, error):
-        x, y = ([float(self.table[name][i]) for i in runs]
-                for name in (work, error))
-        return x, [abs(value) for value in y]
+def make_study(name, header, varied, changes=()):
+    """changes: (column, run, word). Column k of run i holds (k + 2) 1.37^i / 1000."""
+    n = len(next(iter(varied.values())))
+    rest = header[header.index("status"):]
+    table = {"run": list(range(n)), **varied, **{
+        column: [round((k + 2) * 1.37 ** i * 1e-3, 12) for i in range(n)]
+        for k, column in enumerate(rest)}, "status": ["done"] * n}
+    for column, i, word in changes:
+        table[column][i] = word
+    write_table(Path(name, "study.csv"), table)
+    return table
 
 
-def faults_of_marks(axes, study, work, error):
-    """Rings with their labels, which are taken from the lists of the axes."""
-    points = [(*study.curve([run], work, error), label)
-              for label, run in study.marks]
-    rings = [line for line in axes.lines if line.get_markersize() == 12]
-    found = [([*ring.get_xdata()], [*ring.get_ydata()], text.get_text())
-             for ring, text in zip(rings, axes.texts)
-             if text.xy == (ring.get_xdata()[0], ring.get_ydata()[0])]
-    return [] if found == points and len(rings) == len(axes.texts) == len(
-        points) else [f"marks {found}"]
-
-
-def faults_of_study(figure, study):
-    panels, entries = drawings.parts_of(figure)
-    titles = [text.get_text() for text in figure.texts]
-    notes = [text.get_text() for axes in figure.axes if not axes.axison
-             for text in axes.texts]
-    labels = [panel.get_xlabel() for panel in panels]
-    faults = [] if titles == ["A study"] and notes == [study.note] else [
-        f"texts {titles} {notes}"]
-    if labels != ["time of the loop, seconds", "degrees of freedom" if
-                  study.refined else "linear solves"] or \
-            panels[0].get_ylabel() not in ERRORS or panels[1].get_ylabel():
-        return [*faults, f"labels {labels}"]
-    if [text for text, _ in entries] != [label for label in study.curves
-                                         if label]:
-        return [*faults, f"legend {entries}"]
-    error = "error_" + ERRORS[panels[0].get_ylabel()]
-    for panel, label in zip(panels, labels):
-        expected = dict(zip(
-            [(drawings.looks_of(handle), handle.get_marker())
-             for _, handle in entries] or [None],
-            [study.curve(runs, WORK[label], error)
-             for runs in study.curves.values()]))
-        faults += [label + artist for artist in drawings.unknown_artists(panel)]
-        faults += drawings.faults_of_range(panel)
-        faults += faults_of_marks(panel, study, WORK[label], error)
+def faults_of(panels, legend, x_of, y_of, curves, table):
+    """curves: the runs by label, in the order in which they are joined."""
+    faults = []
+    for panel in panels:
+        left = dict(curves)
         for line in panel.lines:
-            looks = drawings.looks_of(line), line.get_marker()
-            curve = expected.pop(looks if entries else None, None)
-            if line.get_markersize() != 12 and (
-                    curve is None or not drawings.same(line, curve)):
-                faults.append(f"{label}: {looks} is another curve")
-        if expected or panel.patches or panel.get_title():
-            faults.append(f"{label}: no curve {list(expected)}")
-        if (panel.get_xscale(), panel.get_yscale()) != ("log", "log"):
-            faults.append(f"{label}: scales")
+            label = legend.get(drawings.looks_of(line))
+            runs = left.pop(label, None)
+            if runs is None or not drawings.same(line, *(
+                    [abs(float(table[name][i])) for i in runs]
+                    for name in (x_of(panel), y_of(panel)))):
+                faults.append(f"{panel.get_xlabel()}, {panel.get_ylabel()}: {label}")
+        faults += [f"{panel.get_ylabel()}: no {label}" for label in left]
     return faults
 
 
-def check_study(plot, name, study, falsify=False):
-    """The errors one after the other."""
+def check_errors(plot, header):
+    """Errors over work; run 1 failed, of run 5 there is no error."""
+    varied = {"Time/Scheme": ["backward euler"] * 3 + ["sdirk4"] * 3,
+              "Time/Step size": ["0.02", "0.01", "0.005"] * 2}
+    errors = [name for name in header if name.startswith("error_")]
+    check("every error has a label", list(ERRORS.values()) == [
+        name[6:] for name in errors] == list(plot.plot_study.ERRORS))
+    table = make_study("errors", header, varied, [
+        ("status", 1, "failed: no"), *((name, 5, "nan") for name in errors)])
+    curves = {"backward euler": [0, 2], "sdirk4": [3, 4]}
     for label, error in ERRORS.items():
-        figure = drawings.figures_of(
-            plot, study.directory, "--error", error, *(
-                part for text, run in study.marks
-                for part in ("--mark", f"{text}={run}")))["work-precision"]
-        outside = drawings.texts_outside(figure)
-        faults = faults_of_study(figure, study) + outside
-        good = drawings.parts_of(figure)[0][0].get_ylabel() == label
-        check(f"{name}, {error}", good and not faults, "; ".join(faults))
-    if not falsify:
-        return
-    columns = [[float(value) for value in values] for column, values in
-               study.table.items() if column == "dofs" or "_" in column]
-
-    def others(line):
-        for runs in study.curves.values():
-            x = [study.table[name] for name in WORK.values()]
-            for xs in x:
-                for ys in columns:
-                    curve = [xs[i] for i in runs], [ys[i] for i in runs]
-                    if not drawings.same(line, curve):
-                        yield curve
-    n_faults, missed = 0, []
-    for fault in drawings.falsified(figure, others):
-        n_faults += 1
-        missed += [] if faults_of_study(figure, study) else [fault]
-    check(f"{name}: faults noticed", n_faults > 100 and not missed,
-          f"{n_faults - len(missed)} of {n_faults} {missed[:3]}")
-    check(f"{name}: as before", not faults_of_study(figure, study))
-
-
-def check_curves(plot, make):
-    """Schemes, the mesh, what has no name, error control."""
-    two = {"backward euler": [0, 1, 2], "sdirk4": [3, 4, 5]}
-    check_study(plot, "schemes", make("schemes", SCHEMES, two,
-                                      marks=[("mine", 4), ("yours", 0)]),
-                falsify=True)
-    mesh = {"Mesh/Degree": ["1", "2"] * 3, "Mesh/Cells": [
-        "16", "16", "8", "8", "4", "4"]}
-    # joined by degrees of freedom; a label has the name of a number
-    check_study(plot, "mesh", make(
-        "mesh", mesh, {"degree 1": [4, 2, 0], "degree 2": [5, 3, 1]},
-        dofs=[34, 66, 18, 34, 10, 18]), falsify=True)
-    check_study(plot, "numbers", make(
-        "numbers", {"Model/Viscosity": ["0.1", "0.2", "0.4"]}, {"": [0, 1, 2]}))
-    # what more than 70 % have in common is not in the labels
-    check_study(plot, "common", make("common", {
-        **SCHEMES, "Mesh/Degree": ["6", "6", "6", "6", "1", "6"]}, {
-            "backward euler": [0, 1, 2], "sdirk4": [3, 5],
-            "sdirk4, degree 1": [4]}))
-    check_study(plot, "error control", make("controlled", {
-        "Time/Scheme": [*SCHEMES["Time/Scheme"], "sdirk4", "sdirk4"],
-        "Time/Step size": [*SCHEMES["Time/Step size"], *["automatic"] * 2],
-        "Time/Tolerance": ["1e-5"] * 6 + ["1e-3", "1e-4"]},
-        {**two, "sdirk4, error-controlled": [6, 7]}))
-
-
-def check_left_out(plot, make):
-    """Runs that failed, or whose error or work no logarithmic axis has."""
-    errors = [f"error_{error}" for error in ERRORS.values()]
-    check_study(plot, "left out", make(
-        "left out", SCHEMES, {"backward euler": [0, 2], "sdirk4": [4]},
-        changes=[("status", 1, "failed: no convergence"), ("solves", 3, 0),
-                 *((error, 5, "") for error in errors),
-                 *((error, 2, -0.75) for error in errors)],
-        note="Of 6 runs not drawn: 1 failed, 1 with solves 0, "
-        "1 with error nan"))
-
-
-def check_refused(plot, what, words, *arguments):
-    status, message = drawings.refusal_of(plot, *arguments)
-    check(f"refused: {what}", status == 2 and message.count("\n") == 1 and
-          all(word in message for word in words), message.strip())
-
-
-def check_refusals(plot, make):
-    study = make("whole", SCHEMES, {}, changes=[("status", 1, "failed: no")])
-    whole = dict(study.table)
+        figure = drawings.figures_of(plot, "errors", "--error", error)[
+            "work-precision"]
+        panels, legend = drawings.panels_of(figure)
+        faults = faults_of(panels, legend, lambda panel: WORK[panel.get_xlabel()],
+                           lambda panel: f"error_{error}", curves, table)
+        notes = [text.get_text() for axes in figure.axes if not axes.axison
+                 for text in axes.texts]
+        check(f"errors: {error}", not faults and panels[0].get_ylabel() == label and
+              {panel.get_xscale() + panel.get_yscale() for panel in panels} == {
+                  "loglog"} and notes == [
+                      "Of 6 runs not drawn: 1 failed, 1 with error nan"],
+              f"{faults} {notes}")
     for label, words in (("a=1", ["run 1 cannot be marked: failed"]),
-                         ("a=9", ["run 9", "not in the study"]),
-                         ("a", ["LABEL=RUN"])):
-        check_refused(plot, f"mark {label}", words, study.directory, "--mark",
-                      label)
-    for name in ("run", "status", *WORK.values(), "error_displacement_end"):
-        study.write({n: v for n, v in whole.items() if n != name})
-        check_refused(plot, f"no {name}", [f"no column {name};"],
-                      study.directory)
-        if name not in ("run", "status"):
-            study.write({**whole, name: ["nan"] * 6})
-            check_refused(plot, f"{name} without numbers", [
-                "no run to draw", "1 failed", "5 with", "nan"], study.directory)
-            study.write({**whole, name: ["x"] * 6})
-            check_refused(plot, f"{name} x", ["study.csv:4", name, "'x'"],
-                          study.directory)
-    study.write({n: [] for n in whole})
-    check_refused(plot, "no rows", ["none has ended yet"], study.directory)
-    (study.directory / "study.csv").write_text("")
-    check_refused(plot, "an empty file", ["is empty"], study.directory)
-    check_refused(plot, "two studies", ["drawn alone"], study.directory,
-                  study.directory)
+                         ("a=9", ["run 9", "not in the study"])):
+        check_refused(plot, f"mark {label}", words, "errors", "--mark", label)
 
 
-def header_of_program():
-    subprocess.run(
-        [program, "--quiet", "--output", "program", "--set",
-         "Time/End time=0.002", "--set", "Mesh/Cells=2", "--set",
-         "Study/Vary=Mesh/Degree = 1 | 2", "--set",
-         "Study/Reference=Mesh/Degree = 3",
-         source / "prm/paper/experiment-1.prm"], check=True,
-        env={**os.environ, "OMPI_MCA_btl": "self",
-             "OMPI_MCA_ess_singleton_isolated": "1"})
-    return tables.header_of("program/study.csv")
+def check_results(plot, header):
+    """Curves of results over the gap, and maps over gap and compliance."""
+    check("every result has a label", header[-len(RESULTS):] == list(
+        RESULTS.values()) == list(plot.plot_sweep.RESULTS))
+    without = [(name, i, "nan") for name in header if "error_" in name for i in range(6)]
+    table = make_study("curves", header, {
+        "Contact/Condition": ["rigid"] * 3 + ["normal compliance"] * 3,
+        "Contact/Gap": ["0.1", "0.3", "0.2"] * 2}, without)
+    panels, legend = drawings.panels_of(drawings.figures_of(plot, "curves")["results"])
+    faults = faults_of(panels, legend, lambda panel: "Contact/Gap",
+                       lambda panel: RESULTS[panel.get_ylabel()],
+                       {"rigid": [0, 2, 1], "normal compliance": [3, 5, 4]}, table)
+    check("results", not faults and len(panels) == len(RESULTS), "; ".join(faults))
+
+    pairs = [(x, y) for y in ("0.4", "0.1", "0.2", "0.3")
+             for x in ("1", "10", "0.1", "0.01", "100")]
+    xs, ys = map(list, zip(*pairs))
+    table = make_study("map", header, {"Contact/Compliance": xs, "Contact/Gap": ys}, [
+        (name, i, "nan") for name in header if "error_" in name for i in range(20)])
+    figure = drawings.figures_of(plot, "map")["results"]
+    panels = [axes for axes in figure.axes if axes.get_xlabel()]
+    bars = [axes.get_ylabel() for axes in figure.axes
+            if axes.axison and not axes.get_xlabel()]
+    for panel, bar in zip(panels, bars):
+        cells = numpy.reshape(panel.collections[0].get_array(), (4, 5))
+        expected = [[table[RESULTS[bar]][pairs.index((x, y))] for x in sorted(
+            set(xs), key=float)] for y in sorted(set(ys), key=float)]
+        check(f"map of {bar}", numpy.array_equal(cells, expected) and [
+            text.get_text() for text in panel.get_xticklabels()] == sorted(
+                set(xs), key=float) and (panel.get_xlabel(), panel.get_ylabel()) == (
+                    "compliance", "gap"))
+    check("maps", bars == list(RESULTS), str(bars))
+
+
+def check_bifurcation(plot, header):
+    """The points of the last two of four periods of 2, and the largest force in each,
+    in every other at the rear one of two stops; run 2 has none."""
+    gaps = ["0.1", "0.3", "0.2"]
+    make_study("driven", header, {"Contact/Gap": gaps})
+    times = [0.25 * n for n in range(33)]
+    for i in range(2):
+        write_table(Path(f"driven/run-{i}/poincare.csv"), {
+            "time": [0, 2, 4, 6, 8], **{
+                name: [round((k + 2) * 0.1 + i + 0.01 * n, 9) for n in range(5)]
+                for k, name in enumerate(list(BIFURCATION.values())[:3])}})
+        write_table(Path(f"driven/run-{i}/contact.csv"), {
+            "time": times, "contact_force": [
+                round((-1)**(t // 2) * (1 + i + 0.1 * (t // 2)), 9)
+                if t % 2 == 1.25 else 0.5 for t in times]})
+    figure = drawings.figures_of(plot, "driven", "--figure", "bifurcation",
+                                 "--periods", "2")["bifurcation"]
+    for k, (panel, label) in enumerate(zip(figure.axes, BIFURCATION)):
+        expected = [(float(gaps[i]), round(
+            1 + i + 0.1 * (n - 1) if BIFURCATION[label] == "peaks" else
+            (k + 2) * 0.1 + i + 0.01 * n, 9)) for i in range(2) for n in (3, 4)]
+        points = [tuple(point) for line in panel.lines for point in line.get_xydata()]
+        check(f"bifurcation: {label}", panel.get_ylabel() == label and
+              sorted(points) == sorted(expected), str(points))
+
+
+def check_refusals(plot, header):
+    make_study("words", header, {"Time/Scheme": ["sdirk2", "sdirk4"]})
+    make_study("whole", header, {"Contact/Gap": ["0.1", "0.2"]},
+               [("restitution", i, "nan") for i in range(2)])
+    Path("empty").mkdir()
+    Path("empty/study.csv").write_text("")
+    for words, arguments in (
+            (["is empty"], ["empty"]), (["drawn alone"], ["whole", "words"]),
+            (["several values that are numbers"], ["words", "--figure", "results"]),
+            (["no run has a restitution"], ["whole", "--result", "restitution"]),
+            (["--figure contact is one of runs"], ["whole", "--figure", "contact"]),
+            (["poincare.csv", "Output/Period"], ["whole", "--figure", "bifurcation"])):
+        check_refused(plot, " ".join(arguments), words, *arguments)
 
 
 def main():
-    plot = drawings.load(source / "scripts", "plot")
-    header = header_of_program()
-    here = Path(".").resolve()
-    # every error of the table has a label, and every label an error
-    check("every error has a check", list(ERRORS.values()) == [
-        name[6:] for name in header if name.startswith("error_")] == list(
-            plot.plot_study.ERRORS))
-
-    def make(name, *arguments, **more):
-        return Study(here / name, header, *arguments, **more)
-
-    for part in (check_curves, check_left_out, check_refusals):
-        part(plot, make)
+    plot = drawings.load("plot")
+    drawings.run("program", "paper/experiment-1.prm", "Time/End time=0.002",
+                 "Mesh/Cells=2", "Study/Vary=Mesh/Degree = 1 | 2",
+                 "Study/Reference=Mesh/Degree = 3")
+    header = [name for name in drawings.table("program/study.csv") if "/" not in name]
+    for part in (check_errors, check_results, check_bifurcation, check_refusals):
+        part(plot, header)
 
 
 with tempfile.TemporaryDirectory() as scratch:
     os.chdir(scratch)
     main()
     os.chdir("/")
-sys.exit(1 if n_failed else 0)
+drawings.finish()

@@ -3,7 +3,7 @@
 #ifndef thermocontact_simulation_quasi_static_start_h
 #define thermocontact_simulation_quasi_static_start_h
 
-#include <thermocontact/method/two_stops.h>
+#include <thermocontact/method/interface_problem.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/space/state.h>
@@ -75,20 +75,19 @@ namespace ThermoContact
     factorize();
 
     /**
-     * Adds to $w$ what pressures do with (M.18) for $w$ at contact nodes.
+     * Adds to $w$ what pressures do at contact nodes that meet @p laws.
      *
-     * @param law between $w$ beyond its gaps and $p$
-     * @param nodes that may carry a pressure
-     * @param stops where $w$ without pressures has these nodes
+     * @param free what the laws are of, without pressures
+     * @param factor of that per $w$
      * @param w in: without pressures; out: the solution
-     * @param pressure of all nodes; in: a guess; out: the solution
+     * @param pressure in: a guess; out: the solution
      */
     void
-    add_contact(const ContactLaw                &law,
-                const std::vector<unsigned int> &nodes,
-                const NearerStops               &stops,
-                Vector                          &w,
-                std::vector<double>             &pressure);
+    add_contact(const std::vector<NodeLaw> &laws,
+                const std::vector<double>  &free,
+                const double                factor,
+                Vector                     &w,
+                std::vector<double>        &pressure);
 
     /** A static body: its displacement under a load. */
     void
