@@ -37,28 +37,28 @@ namespace ThermoContact
           "at the contact end, end traction less pressure; tension is positive"},
          {"gap",
           "length",
-          "what is left between body and obstacle, g − u(1), g that of the time, "
-          "negative for penetration of an elastic one; the smallest of the "
-          "face, and of two stops"},
+          "between body and obstacle, g(t) − u(1); negative: penetration of an "
+          "elastic obstacle; the smallest over the contact face and both "
+          "obstacles"},
          {"penetration",
           "length",
-          "into an elastic obstacle, by its law from the pressure; the largest "
-          "of the face; 0 for a rigid one"},
+          "of an elastic obstacle, from the pressure by its law; the largest "
+          "over the contact face; 0 for a rigid one"},
          {"contact_force",
           "force",
-          "pressure of the obstacle, its mean over the face; negative at a rear "
-          "stop"},
+          "mean pressure of the obstacle over the contact face; negative at a "
+          "rear obstacle"},
          {"contact_impulse",
           "force × time",
-          "sum of force times step size, and of impacts on a rigid obstacle, "
-          "with its sign"},
+          "time integral of the force, with the impulses of impacts on a rigid "
+          "obstacle"},
          {"temperature_end", "temperature", "θ(1), above the reference"},
          {"heat_flux_end",
           "heat flux",
           "from the body to the obstacle, k (θ − θ_obs)"},
          {"energy",
           "energy",
-          "of motion, strain, heat about the steady profile, and of an elastic "
+          "of motion, strain, heat about the steady state, and of an elastic "
           "obstacle, (M.8)"},
          {"dissipation",
           "energy",
@@ -68,17 +68,16 @@ namespace ThermoContact
           "by the scheme, summed up, (M.24)"},
          {"in_contact",
           "",
-          "1 if any node has pressure, with damped contact penetrates, else "
-          "0"},
+          "1 if any node has pressure (damped obstacle: penetration), else 0"},
          {"iterations",
           "",
-          "of the contact solver or of the fixed point, in the step"},
+          "of the contact solver or of the paper's iteration, in the step"},
          {"work", "energy", "of loads and drives, summed up, (M.25)"},
          {"temperature_mean", "temperature", "over the body"},
          {"contact_area",
           "",
-          "2-D, 3-D: part of the face whose pressure is positive"},
-         {"max_pressure", "stress", "2-D, 3-D: the largest of the nodes"},
+          "2-D, 3-D: part of the contact face that has pressure"},
+         {"max_pressure", "stress", "2-D, 3-D: the largest of all nodes"},
          {"min_gap",
           "length",
           "2-D, 3-D: the smallest g − u of the nodes, corners included"},
@@ -88,17 +87,16 @@ namespace ThermoContact
          {"moment_z", "force × length", "3-D: the same with z; else 0"},
          {"algebraic",
           "energy",
-          "iterative solver: what residuals of linear systems do, summed up, "
-          "(M.65); energy(0) + work + algebraic = energy + dissipation + "
-          "numerical_dissipation in each row"},
+          "iterative solver: energy that residuals of linear systems bring in, "
+          "summed up, (M.65); in each row energy(0) + work + algebraic = energy "
+          "+ dissipation + numerical_dissipation + contact_dissipation"},
          {"contact_dissipation",
           "energy",
-          "damped contact: what the damping of the obstacle takes, summed up, "
-          "(M.85); the right-hand side of that balance has it as well"},
+          "damped obstacle: what it dissipates, summed up, (M.85)"},
          {"lateral_heat_flux",
           "heat flux",
-          "lateral heat exchange: to the surroundings along the whole body, "
-          "per cross-section, (M.102)"},
+          "lateral heat exchange: to the surroundings along the body, per "
+          "cross-section, (M.102)"},
          {"lateral_dissipation",
           "energy",
           "lateral heat exchange: its part of dissipation, (M.105)"}}};
@@ -111,14 +109,17 @@ namespace ThermoContact
     {
       return {
         "events.csv",
-        "Begins and ends of contact, where there is an obstacle, in order.",
+        "Begins and ends of contact in the order of time.",
         "column",
-        {{"time", "time", "of the event; located where that is asked for"},
+        {{"time",
+          "time",
+          "of the event; located if `Time/Locate contact events`"},
          {"kind", "", "`begin` or `end`; contact at t = 0 is a `begin`"},
          {"velocity",
           "velocity",
-          "axial, of the contact end against the obstacle, u_t(1) − g′, before "
-          "an impact, after a release; positive towards the obstacle at x = 1"},
+          "axial, of the contact end relative to the obstacle, u_t(1) − g′; at "
+          "a `begin` before the impact, at an `end` after the release; positive "
+          "towards the front obstacle"},
          {"duration", "time", "of the contact that ends; `nan` of a `begin`"},
          {"side", "", "with `Contact/Rear gap`: `front` or `rear`"}}};
     }
@@ -130,7 +131,7 @@ namespace ThermoContact
     {
       return {
         "steps.csv",
-        "Every attempt at a step, with steps that are chosen.",
+        "Every attempt at a step, with error-controlled steps.",
         "column",
         {{"time", "time", "at its beginning"},
          {"step_size", "time", "that was tried"},
@@ -138,10 +139,10 @@ namespace ThermoContact
          {"accepted", "", "1 or 0"},
          {"reason",
           "",
-          "of a step why it ends there: `ok` (as far as the error allows), "
-          "`event`, `output`, `load` (a break), `end`; of others why it was "
-          "not accepted: `tolerance`, `contact` (changes within it), `failed` "
-          "(not solved)"},
+          "accepted: why the step ends there, `ok` (by the error), `event`, "
+          "`output`, `load` (discontinuity or kink of an input), `end`; else why "
+          "not: `tolerance`, `contact` (changes within it), `failed` (not "
+          "solved)"},
          {"wall_seconds", "s", "that the attempt took"}}};
     }
 
@@ -167,11 +168,12 @@ namespace ThermoContact
     OutputTable
     poincare_table()
     {
-      return {"poincare.csv",
-              "The rows of contact.csv, whose columns it has, at the multiples "
-              "of `Output/Period`, from t = 0 on; steps end there.",
-              "column",
-              {{"*", "", "as in contact.csv"}}};
+      return {
+        "poincare.csv",
+        "Rows as in contact.csv at the multiples of `Output/Period`, from "
+        "t = 0 on; steps end there.",
+        "column",
+        {{"*", "", "as in contact.csv"}}};
     }
 
 
@@ -181,9 +183,9 @@ namespace ThermoContact
     {
       return {
         "study.csv",
-        "A row for each run of a study; those of key results have the meaning "
-        "that they have in summary.json. Errors are those against the "
-        "reference at the own step ends, absolute; `nan` without one.",
+        "A row for each run of a study; key results are those of summary.json. "
+        "Errors are absolute, against the reference at the step ends of the "
+        "run; `nan` without a reference.",
         "column",
         {{"run", "", "number of the run, from 0"},
          {"*/*", "", "value of an entry that the study varies"},
@@ -217,7 +219,7 @@ namespace ThermoContact
          {"final_temperature_end", "temperature", "at the end"},
          {"reached_state_of_rest",
           "",
-          "number, from 1, of the state of rest that is reached"}}};
+          "number, from 1, of the steady state that is reached"}}};
     }
 
 
@@ -251,11 +253,8 @@ namespace ThermoContact
         "The contact end of a strip or a block at the times of the "
         "snapshots; `contact.pvd`.",
         "array",
-        {{"contact_pressure", "stress", "not negative, but at a rear stop"},
-         {"gap",
-          "length",
-          "what is left, g − u, g that of the time; of two stops, to the "
-          "nearer one"},
+        {{"contact_pressure", "stress", "negative at a rear obstacle"},
+         {"gap", "length", "g(t) − u; to the nearer one of two obstacles"},
          {"in_contact", "", "1 where there is pressure, else 0"},
          {"temperature", "temperature", "θ"},
          {"TIME", "time", "of the snapshot, field data of the file"},
@@ -337,8 +336,8 @@ namespace ThermoContact
     OutputTable table = {
       "summary.json",
       "The run in one object, written when it ends, also when it fails. "
-      "Keys `predicted_*` were known before the run (doc/model.md, sections "
-      "on forecasts); `null` is what is not known.",
+      "Keys `predicted_*` were known before the run (doc/model.md, "
+      "forecasts); `null` is what is not known.",
       "key",
       {{"title", "", "entry `Title`"},
        {"status", "", "`done`, `failed: ` or `interrupted: ` and why"},
@@ -361,27 +360,26 @@ namespace ThermoContact
        {"rejected_steps", "", "attempts that were not accepted"},
        {"factorizations",
         "",
-        "of stage matrices, and of those for impacts and for states without "
-        "inertia; with the iterative solver preconditioners made"},
+        "of all matrices; with the iterative solver preconditioners made"},
        {"responses", "", "of the body to a unit load at a contact node"},
        {"solves", "", "of stages"},
        {"linear_iterations", "", "of GMRES, all"},
        {"max_linear_iterations", "", "of one linear system"},
        {"active_set_iterations",
         "",
-        "sets of contact nodes that were solved for by the iterative solver"},
+        "sets of active contact nodes for which the iterative solver solved"},
        {"contact_begins", "", "how often contact began, by events.csv"},
        {"first_contact_time", "time", "of the first event"},
        {"contact_duration", "time", "in contact altogether"},
        {"contact_impulse", "force × time", "of contact.csv at the end"},
        {"restitution",
         "",
-        "velocity of the last release over that of the first impact, with "
-        "the sign that makes it positive for a body that comes back"},
+        "velocity of the last release over that of the first impact, positive "
+        "for a body that comes back"},
        {"max_penetration", "length", "over all steps, not only all rows"},
        {"max_contact_force",
         "force",
-        "over all steps; with two stops the largest magnitude"},
+        "over all steps; the largest magnitude of two obstacles"},
        {"final_time", "time", "that was reached"},
        {"final_displacement_end", "length", "of contact.csv at the end"},
        {"final_energy", "energy", "likewise"},
@@ -410,23 +408,23 @@ namespace ThermoContact
        {"final_in_contact", "", "likewise, `true` or `false`"},
        {"predicted_displacement_end",
         "length",
-        "of the state of rest, the nearest one to the end, (M.10)"},
+        "of the steady state, the nearest one to the end, (M.10)"},
        {"predicted_contact_force", "force", "likewise"},
        {"predicted_temperature_end", "temperature", "likewise"},
        {"predicted_in_contact", "", "likewise"},
        {"predicted_remark", "", "why there is none, or how it is reached"},
-       {"difference_displacement_end", "length", "end less state of rest"},
+       {"difference_displacement_end", "length", "end less steady state"},
        {"difference_contact_force", "force", "likewise"},
        {"difference_temperature_end", "temperature difference", "likewise"},
        {"predicted_first_contact_time", "time", "of the first impact"},
        {"predicted_first_penetration", "length", "peak of the first contact"},
        {"predicted_critical_step_size",
         "time",
-        "of the fixed point iteration: it contracts below"},
+        "below which the paper's iteration contracts"},
        {"predicted_steps", "", "that the run was expected to take"},
        {"states_of_rest",
         "",
-        "heat exchange that depends on the contact: all of them, objects "
+        "heat exchange that depends on the contact: all steady states, objects "
         "with `displacement_end`, `contact_force`, `temperature_end`, "
         "`in_contact`, `is_stable`"},
        {"reached_state_of_rest",

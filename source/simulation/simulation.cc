@@ -24,8 +24,8 @@ namespace ThermoContact
     , body_(scene_, communicator, shared)
     , measurements(body_)
     , integrator(scene_.scheme.integrator->make(body_))
-    , quasi_static(body_)
-    , tracker(body_, quasi_static)
+    , reset(body_)
+    , tracker(body_, reset)
     , controller(parameters.time,
                  parameters.output,
                  scene_.scheme.order,
@@ -51,7 +51,7 @@ namespace ThermoContact
   Simulation<dim>::set_initial_state()
   {
     state_             = initial_state(body_,
-                           quasi_static,
+                           reset,
                            controller.propose(0.).size,
                            history_.warnings);
     StepRecord &record = history_.record;
@@ -350,7 +350,7 @@ namespace ThermoContact
     try
       {
         has_jumped = apply_load_jump(body_,
-                                     quasi_static,
+                                     reset,
                                      integrator->stage_solver(),
                                      tracker.closed_nodes(result),
                                      *at,
@@ -409,8 +409,7 @@ namespace ThermoContact
   {
     SolverCounters sum = integrator->stage_solver().counters();
     sum += integrator->own_counters();
-    sum += tracker.counters();
-    sum += quasi_static.counters();
+    sum += reset.counters();
     return sum;
   }
 

@@ -107,7 +107,7 @@ namespace ThermoContact
     std::vector<NodeLaw> laws;
     std::vector<double>  position;
     get_node_laws(simulation.body(), state, laws, position);
-    end.get_approach(state, velocity);
+    end.get_relative_velocities(state, velocity);
     const bool is_moved =
       scene.material.is_static() && state.was_moved_at_once();
     const double dt = simulation.record().step_size;
@@ -128,7 +128,7 @@ namespace ThermoContact
         double dv = 1e-12 * scales.velocity;
         if (dt > 0.)
           dv +=
-            scene.contact.is_in_equilibrium || !scene.material.has_inertia() ?
+            scene.contact.is_in_equilibrium() || !scene.material.has_inertia() ?
               ds / dt :
               std::min(ds / dt, 1e-9 * scales.velocity);
         // without inertia it is what is left of velocities of all forces

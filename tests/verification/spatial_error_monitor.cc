@@ -156,8 +156,9 @@ namespace
           std::make_pair(Field::displacement, "strain")})
       if (simulation.discretization().has_field(field))
         deallog << file << ", " << name << ": to 3 % "
-                << (std::abs(sampled.error(field) / all.error(field) - 1.) <=
-                    0.03)
+                << within(std::abs(sampled.error(field) / all.error(field) -
+                                   1.),
+                          0.03)
                 << std::endl;
   }
 } // namespace
@@ -193,7 +194,7 @@ main(int argc, char **argv)
           << std::endl;
   Monitored straight(mesh(4, 4), [](const double x) { return x; });
   deallog << "straight: error below rounding "
-          << (straight.monitor.error(Field::displacement) < 1e-12)
+          << within(straight.monitor.error(Field::displacement), 1e-12)
           << ", warned of " << !straight.monitor.take_warning().empty()
           << std::endl;
   deallog << "degree 3: warned of " << !cubic.monitor.take_warning().empty()

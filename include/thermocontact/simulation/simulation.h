@@ -201,7 +201,7 @@ namespace ThermoContact
     Body<dim>                             body_;
     Measurements<dim>                     measurements;
     const std::unique_ptr<TimeIntegrator> integrator;
-    QuasiStaticStart<dim>                 quasi_static;
+    Reset<dim>                            reset;
     ContactTracker<dim>                   tracker;
     StepController                        controller;
     ErrorNorm                             error_norm;
