@@ -1,6 +1,7 @@
 # What an installation has: the program, its parameter files, the scripts that
-# draw, the module for Python, a man page made from --help, completion for bash;
-# and a Debian package of these, `cpack -G DEB` in the build tree.
+# draw, the module for Python, the manual (as a site if scripts/document has made
+# it), a man page made from --help, completion for bash; and a Debian package of
+# these, scripts/package.
 
 include(GNUInstallDirs)
 
@@ -32,8 +33,14 @@ install(DIRECTORY python/thermocontact
 install(FILES scripts/completion.bash
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
   RENAME thermocontact)
-install(FILES README.md CITATION.cff
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff Dockerfile
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY doc DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  FILES_MATCHING PATTERN *.md PATTERN *.ipynb PATTERN *.png)
+install(FILES tests/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests)
+install(DIRECTORY prm DESTINATION ${CMAKE_INSTALL_DOCDIR}) # links of the pages
+install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/doc/html
+  DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
 find_program(HELP2MAN_EXECUTABLE help2man)

@@ -86,5 +86,5 @@ def draw(path, n_periods):
         panel.set_ylabel(labels[name])
         if label:
             panel.legend(fontsize=9)
-    panel.set_xlabel(entry_label(names[0]))
+    panel.set_xlabel(entry_label(sweep, names[0]))
     return figure

@@ -18,8 +18,10 @@ HEAT = {"temperature_end": FIGURE["temperature_end"],
         "heat_flux_end": r"heat flux  $-\theta_x(1, t)$",
         "energy_drawn": ""}
 CONTACT = {"gap": r"gap  $g - u(1, t)$",
-           "contact_force": r"contact force  $p(t)$",
-           "contact_impulse": r"impulse  $\int_0^t p$"}
+           "contact_force": r"contact force  $F(t)$",
+           "contact_impulse": r"impulse  $\int_0^t F$",
+           "max_pressure": r"largest pressure  $p$",
+           "contact_area": "area in contact / area"}
 ENERGY = {"energy": r"energy  $\hat{E}$", "work": "work",
           "dissipation": "dissipation",
           "numerical_dissipation": "numerical dissipation",
@@ -40,10 +42,11 @@ def prepare(runs):
             fail(run.directory, f"in other units than {runs[0].directory}",
                  "run both with the same Scales and Output/SI")
     titles = [run.title for run in runs]
-    for i, run in enumerate(runs):
+    names = names_of(runs)
+    for i, (run, name) in enumerate(zip(runs, names)):
         run.looks = looks(i)
         if titles.count(run.title) > 1:
-            run.title += f" ({run.directory})"
+            run.title = name or f"{run.title} ({run.directory})"
         run.title = plain(run.title, 80) + run.ended
         run.data["energy_drawn"] = run.data["energy"]
     unit = runs[0].units.get("energy")
@@ -56,6 +59,18 @@ def prepare(runs):
     FIGURE["energy_drawn"] = HEAT["energy_drawn"] = \
         LOG_ENERGY if has_log else in_unit(ENERGY["energy"], unit) if unit \
         else PLAIN_ENERGY
+
+
+def names_of(runs):
+    """What the entries of used.prm tell the runs apart by, such as "gap = 0.1", or
+    nothing if these are more than three or the same for two runs."""
+    entries = sorted(set().union(*(run.entries for run in runs)))
+    differing = [name for name in entries if len(
+        {run.entries.get(name) for run in runs}) > 1]
+    names = [", ".join(f"{name.split('/')[-1].lower()} = {run.entries.get(name, 'default')}"
+                       for name in differing) for run in runs]
+    usable = 0 < len(differing) <= 3 and len(set(names)) == len(runs)
+    return names if usable else [None] * len(runs)
 
 
 def has(runs, column):
@@ -168,7 +183,9 @@ def panels_of(runs, names, columns, height, handles):
                                   sharex=first)
         first = first or axes
         panels[name] = axes
-        if row + 1 < rows:
+        below = i + columns  # a panel of another width has its own labels
+        is_over_wide = columns > 1 and below + 1 == len(names) and below % columns == 0
+        if below < len(names) and not is_over_wide:
             axes.tick_params(labelbottom=False)
         else:
             axes.set_xlabel(label_of(runs, "time", TIME))

@@ -12,8 +12,8 @@ COLUMNS = ["time", "displacement_end", "displacement_mid", "velocity_end",
            "stress_end", "gap", "contact_force", "contact_impulse",
            "temperature_end", "temperature_mean", "heat_flux_end", "energy",
            "work", "dissipation", "numerical_dissipation", "in_contact"]
-# what residuals do to the energy, with the iterative solver; what damping takes
-OPTIONAL = ["algebraic", "contact_dissipation"]
+# what residuals do to the energy, with the iterative solver; what damping takes; bodies
+OPTIONAL = ["algebraic", "contact_dissipation", "contact_area", "max_pressure"]
 STEPS = ["time", "step_size", "error", "accepted", "reason"]
 PROBE = re.compile(r"(temperature|displacement|velocity|stress)_(\d+)$")
 
@@ -70,7 +70,8 @@ def read_data(path, end_time):
             data["work"], data.get("algebraic", nothing), data["energy"],
             data["dissipation"], data["numerical_dissipation"],
             data.get("contact_dissipation", nothing))]
-    data.setdefault("contact_dissipation", [math.nan] * count)
+    for name in OPTIONAL[1:]:
+        data.setdefault(name, [math.nan] * count)
     return comments, times[-1], data, units_of(comments, header)
 
 
@@ -101,6 +102,25 @@ def obstacle_moves(directory):
     return bool(gap and re.search(r"\bt\b", gap[1]))
 
 
+def entries_of(directory):
+    """Section/Entry and value in used.prm, without titles and what is written."""
+    try:
+        text = (directory / "used.prm").read_text(encoding="utf-8")
+    except OSError:
+        return {}
+    entries, sections = {}, []
+    for line in text.splitlines():
+        words = re.match(r"\s*(?:subsection (.+)|(end)\s*$|set (.+?)\s*=\s*([^#]*))", line)
+        if words and words[1]:
+            sections.append(words[1].strip())
+        elif words and words[2]:
+            sections.pop()
+        elif words:
+            entries["/".join([*sections, words[3]])] = words[4].strip()
+    return {name: value for name, value in entries.items()
+            if not re.match("Title|Output/|Study/", name)}
+
+
 def path_of_obstacle(directory, data):
     """Times and gaps before the end at rest of a rod whose obstacle moves, else None; the
     end of a body does not move as one."""
@@ -116,7 +136,7 @@ def read_run(directory, end_time):
     ends = [(abs(u), u + gap) for u, gap in zip(
         data["displacement_end"], data["gap"]) if math.isfinite(u + gap)]
     return argparse.Namespace(
-        directory=directory, data=data, units=units,
+        directory=directory, data=data, units=units, entries=entries_of(directory),
         title=title_of(comments) or directory.resolve().name,
         ended=how_it_ended(directory, last_time, units.get("time", "")),
         contacts=read_contacts(directory / "events.csv", data),

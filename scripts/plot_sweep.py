@@ -84,8 +84,14 @@ def whole_numbers(sweep, result):
     return range(low, high + 1, 1 + (high - low) // 10)
 
 
-def entry_label(name):
-    return name.split("/")[-1].lower()
+def entry_label(sweep, name):
+    return in_unit(name.split("/")[-1].lower(), sweep.units.get(name))
+
+
+def differs(sweep, result):
+    """Whether a result varies by more than rounding and steps leave of it."""
+    values = [v for v in (number(run[result]) for run in sweep.runs) if not math.isnan(v)]
+    return max(values) - min(values) > 1e-6 * max(map(abs, values))
 
 
 def draw_curves(figure, sweep, results, axis):
@@ -93,7 +99,7 @@ def draw_curves(figure, sweep, results, axis):
     if len(curves) > 12:
         fail(sweep.path, f"{len(curves)} curves cannot be told apart",
              "vary fewer entries in one study, or two with a number each")
-    columns = min(3, len(results))
+    columns = columns_of(results, False)
     rows = math.ceil(len(results) / columns)
     beside = max(1, min(4, 110 // (8 + max(len(label) for label in curves))))
     below = math.ceil(len(curves) / beside) * any(curves)
@@ -108,7 +114,7 @@ def draw_curves(figure, sweep, results, axis):
                        label=plain(label, 90), markersize=4,
                        marker=MARKERS[i % len(MARKERS)], **looks(i))
         panel.set_xscale(scale_of([number(run[axis]) for run in sweep.runs]))
-        panel.set_xlabel(entry_label(axis))
+        panel.set_xlabel(entry_label(sweep, axis))
         panel.set_ylabel(in_unit(RESULTS[name], sweep.units.get(name)))
         if name in WHOLE:
             panel.set_yticks(whole_numbers(sweep, name))
@@ -124,10 +130,10 @@ def draw_maps(figure, sweep, results, axes):
     is missing is white."""
     xs, ys = (sorted({run[name] for run in sweep.runs}, key=number)
               for name in axes)
-    columns = min(2, len(results))
-    panels = figure.subplots(math.ceil(len(results) / columns), columns,
-                             squeeze=False).flat
-    for panel, name in zip(panels, results):
+    columns = columns_of(results, True)
+    rows = math.ceil(len(results) / columns)
+    panels = figure.subplots(rows, columns, squeeze=False)
+    for k, (panel, name) in enumerate(zip(panels.flat, results)):
         values = [[math.nan] * len(xs) for _ in ys]
         for run in sweep.runs:
             values[ys.index(run[axes[1]])][xs.index(run[axes[0]])] = number(
@@ -140,14 +146,23 @@ def draw_maps(figure, sweep, results, axes):
                                        (panel.set_yticks, ys, False)):
             shown = range(0, len(words), 1 + len(words) // 20)
             ticks(shown, [words[i] for i in shown], rotation=90 * vertical)
-        panel.set_xlabel(entry_label(axes[0]))
-        panel.set_ylabel(entry_label(axes[1]))
-        bar = figure.colorbar(cells, ax=panel, label=in_unit(
-            RESULTS[name], sweep.units.get(name)))
+        if k + columns >= len(results):
+            panel.set_xlabel(entry_label(sweep, axes[0]))
+        if k % columns == 0:
+            panel.set_ylabel(entry_label(sweep, axes[1]))
+        panel.set_title(in_unit(RESULTS[name], sweep.units.get(name)), fontsize=11)
+        bar = figure.colorbar(cells, ax=panel)
         if name in WHOLE:
             bar.set_ticks(whole_numbers(sweep, name))
-    for panel in list(panels)[len(results):]:
-        panel.axis("off")
+    for panel in list(panels.flat)[len(results):]:
+        panel.remove()
+    figure.align_ylabels()
+
+
+def columns_of(results, is_map):
+    """Panels beside each other, so that the last row is full if that can be."""
+    n = len(results)
+    return n if n < 3 else 2 if n % 2 == 0 and (n % 3 or n == 4) and is_map else 3
 
 
 def draw(path, result):
@@ -159,14 +174,13 @@ def draw(path, result):
              "runs that are done", "vary one")
     if result and result not in sweep.results:
         fail(path, f"no run has a {result}", "draw another result")
-    differing = [name for name in sweep.results
-                 if len({run[name] for run in sweep.runs}) > 1]
+    differing = [name for name in sweep.results if differs(sweep, name)]
     results = [result] if result else differing or sweep.results
     count = {name: len({run[name] for run in sweep.runs}) for name in names}
     others = [name for name in sweep.varied if name not in names[:2]
               and len({run[name] for run in sweep.runs}) > 1]
     is_map = len(names) > 1 and count[names[1]] >= LEAST_MAP and not others
-    columns = min(2 if is_map else 3, len(results))
+    columns = columns_of(results, is_map)
     figure = new_figure(3.6 * columns + 0.8,
                         2.9 * math.ceil(len(results) / columns) + 0.8)
     left_out = sweep.n_runs - len(sweep.runs)

@@ -57,12 +57,11 @@ namespace ThermoContact
         {
           const double expansion = free_expansion(scene, drop);
           // where an obstacle and a body of stiffness 1 meet
-          state.contact_force =
-            scene.contact.law->local_pressure(expansion - scene.contact.gap,
-                                              1.);
+          NodeLaw law(*scene.contact.law);
           if (scene.contact.rear_gap)
-            state.contact_force -= scene.contact.law->local_pressure(
-              -expansion - *scene.contact.rear_gap, 1.);
+            law.play = scene.contact.gap + *scene.contact.rear_gap;
+          state.contact_force =
+            law.resolve(expansion - scene.contact.gap, 1.).pressure;
           state.in_contact       = state.contact_force != 0.;
           state.displacement_end = expansion - state.contact_force;
         }

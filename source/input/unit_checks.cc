@@ -17,6 +17,10 @@ namespace ThermoContact
 {
   namespace
   {
+    const ExpressionNames names_of_time{{"", "", "", "t"}, {}, "0.1*t"};
+
+
+
     /** Intervals of the run at whose ends expressions are looked at. */
     constexpr unsigned int n_checks = 97;
 
@@ -65,7 +69,8 @@ namespace ThermoContact
       look(number);
     else
       {
-        const TimeFunction function({path, expression});
+        const TimeFunction function(
+          Expression(path, expression, names_of_time));
         for (unsigned int i = 0; i <= n_checks; ++i)
           look(function.value(end_time * i / n_checks));
       }
@@ -106,7 +111,8 @@ namespace ThermoContact
   {
     if (gap_expression.empty())
       return;
-    const TimeFunction motion({"Obstacle/Gap", gap_expression});
+    const TimeFunction motion(
+      Expression("Obstacle/Gap", gap_expression, names_of_time));
     for (unsigned int i = 0; i <= n_checks; ++i)
       if (!std::isfinite(motion.value(end_time * i / n_checks)))
         throw InputError(text("Obstacle/Gap = ",
@@ -149,7 +155,8 @@ namespace ThermoContact
   {
     if (!has_moving_base())
       return;
-    const TimeFunction motion({"Loads/Base motion", base_motion});
+    const TimeFunction motion(
+      Expression("Loads/Base motion", base_motion, names_of_time));
     if (std::abs(motion.value(0.)) > 1e-12 * motion.largest_value(end_time))
       throw InputError(text("Loads/Base motion = ",
                             quote(base_motion),

@@ -113,7 +113,12 @@ namespace ThermoContact
   bool
   RodInUnits::has_moving_obstacle() const
   {
-    return depends_on(gap_expression, "t");
+    if (gap_expression.empty())
+      return false;
+    return Expression("Obstacle/Gap",
+                      gap_expression,
+                      {{"", "", "", "t"}, {}, "0.1*t"})
+      .depends_on("t");
   }
 
 

@@ -5,16 +5,17 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ThermoContact
 {
   double
-  ContactLaw::local_pressure(const double free_penetration,
-                             const double receptance) const
+  ContactLaw::mean_pressure(const double s_0, const double s_1) const
   {
-    return free_penetration > 0. ?
-             local_closed_pressure(free_penetration, receptance) :
-             0.;
+    if (s_0 > 0. && s_1 > 0.)
+      return mean_in_contact(s_0, s_1);
+    const double beyond = std::max({s_0, s_1, 0.});
+    return beyond > 0. ? energy(pressure(beyond)) / std::abs(s_1 - s_0) : 0.;
   }
 
 

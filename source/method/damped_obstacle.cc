@@ -71,11 +71,10 @@ namespace ThermoContact
         return elastic->penetration_of_energy(energy);
       }
 
-      double
-      local_closed_pressure(const double free_penetration,
-                            const double receptance) const override
+      NodalPressure
+      resolve(const double z, const double r) const override
       {
-        return elastic->local_closed_pressure(free_penetration, receptance);
+        return elastic->resolve(z, r);
       }
 
       double
@@ -88,6 +87,13 @@ namespace ThermoContact
                                               old_penetration,
                                               old_pressure,
                                               pressure);
+      }
+
+    protected:
+      double
+      mean_in_contact(const double s_0, const double s_1) const override
+      {
+        return elastic->mean_pressure(s_0, s_1);
       }
 
     private:

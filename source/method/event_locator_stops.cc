@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/method/event_locator.h>
-#include <thermocontact/method/two_stops.h>
 
 #include <vector>
 
@@ -28,12 +27,10 @@ namespace ThermoContact
   bool
   EventLocator::is_at_its_stop(const ContactValues &values) const
   {
+    // seen from the stop: the other one is nearer only behind it
     for (unsigned int i = 0; i < values.rear_penetration.size(); ++i)
-      if (side * nearer_stop(side > 0 ? values.penetration[i] :
-                                        values.rear_penetration[i],
-                             side > 0 ? values.rear_penetration[i] :
-                                        values.penetration[i]) <
-          0)
+      if (values.rear_penetration[i] > values.penetration[i] ||
+          (side < 0 && values.rear_penetration[i] == values.penetration[i]))
         return false;
     return true;
   }

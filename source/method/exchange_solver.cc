@@ -16,6 +16,11 @@ namespace ThermoContact
     using dealii::FullMatrix;
     using Values = ExchangeStage::Values;
 
+    constexpr unsigned int max_sweeps = 60;
+
+    /** Coefficients that a sweep changes by less are solved. */
+    constexpr double rounding_of_sweeps = 1e-14;
+
 
 
     [[noreturn]] void
@@ -122,76 +127,19 @@ namespace ThermoContact
 
 
 
-    /** Bisection of $k/(1+k)$ of all nodes at once; true if it converged. */
-    bool
-    bisect(ExchangeStage &end, Values &k)
-    {
-      const unsigned int n = end.n;
-      Values             low(n, 0.), high(n, 1.);
-      const auto         coefficients = [](Values parts) {
-        for (double &c : parts)
-          c = c < 1. ? c / (1. - c) : 1e300;
-        return parts;
-      };
-      for (unsigned int iteration = 0; iteration < 60; ++iteration)
-        {
-          Values middle(n);
-          for (unsigned int i = 0; i < n; ++i)
-            middle[i] = 0.5 * (low[i] + high[i]);
-          k                = coefficients(middle);
-          const Values law = end.law_at(k);
-          for (unsigned int i = 0; i < n; ++i)
-            (k[i] < law[i] ? low : high)[i] = middle[i];
-        }
-      // each node crosses the law there, whatever the others have done since
-      const Values below = coefficients(low), above = coefficients(high);
-      const Values law_below = end.law_at(below), law_above = end.law_at(above);
-      bool         is_solution = true;
-      for (unsigned int i = 0; i < n; ++i)
-        is_solution &= below[i] <= (1. + 1e-12) * law_below[i] &&
-                       above[i] >= (1. - 1e-12) * law_above[i];
-      return is_solution;
-    }
-
-
-
     /**
-     * Sweeps that go on as the last two did, each less than the one before by
-     * the same factor, end that much farther on (Aitken).
+     * Where Newton's method stalls, as where laws jump, one node after another
+     * meets its law, and Newton's method again; true if it converged.
      */
-    void
-    extrapolate(const Values &before_last, const Values &last, Values &k)
-    {
-      double product = 0., square = 0.;
-      for (unsigned int i = 0; i < k.size(); ++i)
-        {
-          product += (k[i] - last[i]) * (last[i] - before_last[i]);
-          square += std::pow(last[i] - before_last[i], 2);
-        }
-      if (!(product > 0. && product < square))
-        return;
-      const double factor = product / (square - product);
-      for (unsigned int i = 0; i < k.size(); ++i)
-        k[i] = std::max(0., k[i] + factor * (k[i] - last[i]));
-    }
-
-
-
-    /** Node by node, and all when they are near; true if it converged. */
     bool
-    relax(ExchangeStage &end, Values &k)
+    solve_by_sweeps(ExchangeStage &end, Values &k)
     {
-      constexpr unsigned int n_sweeps = 60, n_to_extrapolate = 5;
-      if (end.n > 32)
-        return false; // takes too long
-      Values before_last(k), last(k);
-      for (unsigned int sweep = 1; sweep <= n_sweeps; ++sweep)
+      for (unsigned int sweep = 1; sweep <= max_sweeps; ++sweep)
         {
-          before_last.swap(last);
-          last = k;
+          const Values last(k);
           for (unsigned int i = 0; i < end.n; ++i)
             k[i] = solve_node(end, k, i);
-          if (defect(k, last) <= 1e-14)
+          if (defect(k, last) <= rounding_of_sweeps)
             return true;
           Values trial(k);
           if (solve_smooth(end, trial))
@@ -199,43 +147,29 @@ namespace ThermoContact
               k = trial;
               return true;
             }
-          if (sweep % n_to_extrapolate == 0 && sweep < n_sweeps)
-            extrapolate(before_last, last, k);
         }
-      // pressures that are small differences leave no more digits, and those
-      // that are rounding none, between the sides of a jump
-      end.law_at(k);
-      for (unsigned int i = 0; i < end.n; ++i)
-        if (!(std::abs(k[i] - last[i]) <= 1e-9 * k[i] ||
-              end.has_rounded_pressure(i)))
-          return false;
-      return true;
+      return false;
     }
   } // namespace
 
 
 
-  ExchangeSolver::ExchangeSolver(const ContactLaw   &law,
-                                 const HeatExchange &exchange)
-    : law(law)
-    , exchange(exchange)
+  ExchangeSolver::ExchangeSolver(const HeatExchange &exchange)
+    : exchange(exchange)
   {}
 
 
 
   unsigned int
-  ExchangeSolver::solve(const EndResponse       &response,
-                        const ContactMode        mode,
-                        EndExchange             &end,
-                        const std::vector<bool> &is_held,
-                        const NodesInMotion     &motion) const
+  ExchangeSolver::solve(const EndResponse          &response,
+                        const std::vector<NodeLaw> &laws,
+                        EndExchange                &end) const
   {
-    ExchangeStage stage(
-      law, exchange, response, mode, is_held, end.pressure, motion);
+    ExchangeStage stage(exchange, response, laws, end.pressure);
     if (stage.n == 1)
       end.coefficient[0] = solve_node(stage, end.coefficient, 0);
     else if (!solve_smooth(stage, end.coefficient) &&
-             !bisect(stage, end.coefficient) && !relax(stage, end.coefficient))
+             !solve_by_sweeps(stage, end.coefficient))
       give_up(stage.n);
     stage.law_at(end.coefficient);
     end.pressure = stage.pressure;

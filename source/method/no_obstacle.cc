@@ -52,8 +52,15 @@ namespace ThermoContact
         return 0.;
       }
 
+      NodalPressure
+      resolve(const double, const double) const override
+      {
+        return {};
+      }
+
+    protected:
       double
-      local_closed_pressure(const double, const double) const override
+      mean_in_contact(const double, const double) const override
       {
         return 0.;
       }

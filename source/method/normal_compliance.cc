@@ -54,11 +54,12 @@ namespace ThermoContact
         return std::sqrt(2. * compliance * energy);
       }
 
-      double
-      local_closed_pressure(const double free_penetration,
-                            const double receptance) const override
+      NodalPressure
+      resolve(const double z, const double r) const override
       {
-        return free_penetration / (compliance + receptance);
+        return z > 0. ?
+                 NodalPressure{z / (compliance + r), 1. / (compliance + r)} :
+                 NodalPressure();
       }
 
       double
@@ -71,6 +72,13 @@ namespace ThermoContact
         return pressure * change -
                0.5 * compliance *
                  (pressure * pressure - old_pressure * old_pressure);
+      }
+
+    protected:
+      double
+      mean_in_contact(const double s_0, const double s_1) const override
+      {
+        return (s_0 + s_1) / (2. * compliance);
       }
 
     private:

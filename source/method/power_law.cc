@@ -74,16 +74,17 @@ namespace ThermoContact
       }
 
       /**
-       * Newton's method for $x+(\chi/\varepsilon)x^m=s_{free}/\varepsilon$,
+       * Newton's method for $x+(r/\varepsilon)x^m=z/\varepsilon$,
        * $x=s/\varepsilon$, convex and increasing: from a value that is too
        * large it comes down to the solution.
        */
-      double
-      local_closed_pressure(const double free_penetration,
-                            const double receptance) const override
+      NodalPressure
+      resolve(const double z, const double r) const override
       {
-        const double load = std::abs(free_penetration) / compliance;
-        const double chi  = receptance / compliance;
+        if (!(z > 0.))
+          return {};
+        const double load = z / compliance;
+        const double chi  = r / compliance;
         double       x    = load;
         if (chi > 0.)
           x = std::min(x, std::pow(load / chi, 1. / exponent));
@@ -96,7 +97,21 @@ namespace ThermoContact
               break;
             x = next;
           }
-        return std::copysign(std::pow(x, exponent), free_penetration);
+        const double p = std::pow(x, exponent);
+        return {p, p > 0. ? 1. / (tangent(p) + r) : 0.};
+      }
+
+    protected:
+      double
+      mean_in_contact(const double s_0, const double s_1) const override
+      {
+        // (s_1^n - s_0^n) / n (s_1 - s_0) eps^m, n = m + 1, from the smaller on
+        const double s      = std::min(s_0, s_1);
+        const double excess = std::abs(s_1 - s_0) / s;
+        const double n      = exponent + 1.;
+        return pressure(s) * (excess > 0. ? std::expm1(n * std::log1p(excess)) /
+                                              (n * excess) :
+                                            1.);
       }
 
     private:

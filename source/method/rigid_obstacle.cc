@@ -52,11 +52,10 @@ namespace ThermoContact
         return 0.;
       }
 
-      double
-      local_closed_pressure(const double free_penetration,
-                            const double receptance) const override
+      NodalPressure
+      resolve(const double z, const double r) const override
       {
-        return free_penetration / receptance;
+        return z > 0. ? NodalPressure{z / r, 1. / r} : NodalPressure();
       }
 
       double
@@ -67,6 +66,13 @@ namespace ThermoContact
       {
         // the way to the obstacle, which a node in contact has gone to its end
         return pressure * -old_penetration;
+      }
+
+    protected:
+      double
+      mean_in_contact(const double, const double) const override
+      {
+        return 0.;
       }
     };
   } // namespace

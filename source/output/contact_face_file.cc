@@ -2,7 +2,7 @@
 
 #include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/patch_units.h>
-#include <thermocontact/space/nearer_stop.h>
+#include <thermocontact/space/node_laws.h>
 
 #include <sstream>
 
@@ -32,12 +32,11 @@ namespace ThermoContact
     std::vector<NamedValues>
     values_of(const Body<dim> &body, const State &state)
     {
-      std::vector<double> temperature, in_contact;
-      NearerStops         stops;
-      look_at_stops(body, state, stops);
-      std::vector<double> &gap = stops.near;
-      for (double &value : gap)
-        value = 0. - value;
+      std::vector<double>  temperature, in_contact, gap;
+      std::vector<NodeLaw> laws;
+      get_node_laws(body, state, laws, gap);
+      for (unsigned int i = 0; i < gap.size(); ++i)
+        gap[i] = 0. - laws[i].penetration(gap[i]);
       for (const double pressure : state.contact_pressure)
         in_contact.push_back(pressure != 0. ? 1. : 0.);
       std::vector<NamedValues> values = {{"contact_pressure",

@@ -26,7 +26,7 @@ namespace ThermoContact
         (!scene.contact.has_uniform_gap() || scene.sources.has_moving_obstacle))
       {
         gap            = 0.;
-        gap_expression = scene.parameters.contact.gap_expression;
+        gap_expression = *scene.gap_expression;
       }
   }
 

@@ -91,17 +91,18 @@ namespace ThermoContact
 
   template <int dim>
   void
-  DrivenEnd<dim>::constrain(const EndMotion &motion,
-                            State           &known,
-                            Vector          &heat_load,
-                            Vector          &momentum_load) const
+  DrivenEnd<dim>::constrain(const PrescribedStage &temperature,
+                            const PrescribedStage &displacement,
+                            State                 &known,
+                            Vector                &heat_load,
+                            Vector                &momentum_load) const
   {
     const Material &material = scene.material;
-    set(Field::temperature, motion.temperature, known.temperature);
-    set(Field::displacement, motion.displacement, known.displacement);
+    set(Field::temperature, temperature.values, known.temperature);
+    set(Field::displacement, displacement.values, known.displacement);
     if (scene.sources.has_driven_temperature)
       {
-        set(Field::temperature, motion.temperature_rate, heat_lift);
+        set(Field::temperature, temperature.rates, heat_lift);
         equations.heat_mass().vmult(heat_product, heat_lift);
         heat_load -= heat_product;
       }
@@ -109,14 +110,14 @@ namespace ThermoContact
       return;
     if (material.has_inertia())
       {
-        set(Field::displacement, motion.acceleration, momentum_lift);
+        set(Field::displacement, displacement.accelerations, momentum_lift);
         equations.momentum_mass().vmult(momentum_product, momentum_lift);
         momentum_load.add(-material.inertia, momentum_product);
         // what the known velocity of the end says is in that term
         for (const unsigned int entry : entries_[Field::displacement])
           known.velocity.begin()[entry] = 0.;
       }
-    set(Field::displacement, motion.velocity, momentum_lift);
+    set(Field::displacement, displacement.rates, momentum_lift);
     if (material.has_viscosity())
       {
         equations.viscous_stiffness().vmult(momentum_product, momentum_lift);
@@ -181,27 +182,15 @@ namespace ThermoContact
                               const Vector &acceleration,
                               const Vector &momentum_load) const
   {
-    const std::vector<unsigned int> &end      = entries_[Field::displacement];
-    const Material                  &material = scene.material;
-    equations.stiffness().vmult(momentum_product, state.displacement);
-    double sum = dot(end, momentum_product, state.velocity);
-    if (material.has_inertia())
-      {
-        equations.momentum_mass().vmult(momentum_product, acceleration);
-        sum += material.inertia * dot(end, momentum_product, state.velocity);
-      }
-    if (material.has_viscosity())
-      {
-        equations.viscous_stiffness().vmult(momentum_product, state.velocity);
-        sum += material.viscosity * dot(end, momentum_product, state.velocity);
-      }
-    if (material.has_thermal_stress())
-      {
-        equations.thermal_stress().vmult(momentum_product, state.temperature);
-        sum -=
-          material.thermal_stress * dot(end, momentum_product, state.velocity);
-      }
-    return sum - dot(end, momentum_load, state.velocity);
+    equations.momentum_residual(state.temperature,
+                                state.displacement,
+                                &state.velocity,
+                                &acceleration,
+                                momentum_load,
+                                momentum_product);
+    return -dot(entries_[Field::displacement],
+                momentum_product,
+                state.velocity);
   }
 
 

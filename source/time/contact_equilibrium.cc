@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/method/contact_solver.h>
-#include <thermocontact/space/nearer_stop.h>
+#include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/contact_equilibrium.h>
 #include <thermocontact/time/contact_equilibrium_many.h>
 #include <thermocontact/time/contact_node_problem.h>
@@ -88,39 +87,29 @@ namespace ThermoContact
 
 
 
-  template <int dim>
-  double
-  displacement_of_law(const Body<dim>   &body,
-                      const State       &state,
-                      const unsigned int node)
-  {
-    const double p = state.contact_pressure[node];
-    return (p < 0. && body.scene.contact.rear_gap ?
-              -*body.scene.contact.rear_gap :
-              state.gap[node]) +
-           body.law().penetration(p);
-  }
-
-
-
   namespace
   {
     /**
-     * Forces on contact nodes that have neither mass nor viscous stress: a
-     * stage of length 1 has them on its right-hand side.
+     * Forces on the body without pressures, as contact nodes that have no mass
+     * feel them.
+     *
+     * @param velocity of their viscous stress; null: they have none
      */
     template <int dim>
     Vector
-    forces_on_nodes(Body<dim> &body, const State &state)
+    forces_on_nodes(Body<dim>    &body,
+                    const State  &state,
+                    const Vector *velocity = nullptr)
     {
       const Discretization<dim> &space = body.discretization;
       Vector heat_load                 = space.make_vector(Field::temperature);
-      Vector momentum_load             = space.make_vector(Field::displacement);
-      Vector heat_rhs(heat_load), force(momentum_load);
-      body.loads.assemble(state.time, heat_load, momentum_load);
-      body.equations.stage_rhs(
-        state, 1., heat_load, momentum_load, heat_rhs, force);
-      return force;
+      Vector load                      = space.make_vector(Field::displacement);
+      Vector forces(load);
+      body.loads.assemble(state.time, heat_load, load);
+      body.equations.momentum_residual(
+        state.temperature, state.displacement, velocity, nullptr, load, forces);
+      body.equations.zero_constrained(Field::displacement, forces);
+      return forces;
     }
   } // namespace
 
@@ -148,36 +137,22 @@ namespace ThermoContact
     const FullMatrix<double>  receptance = contact_receptance(end, flexibility);
     const std::vector<double> s =
       moved_by_force(end, flexibility, force, state.displacement);
-    NearerStops stops;
-    for (unsigned int i = 0; i < end.n_nodes(); ++i)
-      {
-        stops.near.push_back(s[i] - state.gap[i]);
-        if (body.scene.contact.rear_gap)
-          stops.far.push_back(-s[i] - *body.scene.contact.rear_gap);
-      }
-    stops.choose();
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position;
+    get_node_laws(body, state.gap, s, laws, position);
     std::vector<double>     &p      = state.contact_pressure;
     const FullMatrix<double> square = between_pressures(receptance);
-    const ContactSolver      solver(body.law());
-    stops.turn(p);
-    solver.solve(stops.turned(square), stops.near, p, {}, stops.far);
-    stops.turn(p);
+    InterfaceProblem         problem;
+    problem.solve(square, laws, position, p);
 
     body.equations.stiffness().vmult(force, state.velocity);
     force *= -1.;
     const std::vector<double> s_rate =
       moved_by_force(end, flexibility, force, state.velocity);
-    const std::vector<double> approach =
-      before_obstacle(state.gap_rate, s_rate);
-    std::vector<bool> has_pressure;
-    for (const double pressure : p)
-      has_pressure.push_back(pressure != 0.);
     const std::vector<double> p_rate =
-      solver.solve_linearized(square,
-                              p,
-                              has_pressure,
-                              std::vector<double>(approach.begin(),
-                                                  approach.begin() + p.size()));
+      change_of_pressure(square,
+                         problem.slopes(),
+                         before_obstacle(state.gap_rate, s_rate));
     for (const auto &[node, entry] : end.all_entries(Field::displacement))
       {
         double displacement = s[node], velocity = s_rate[node];
@@ -186,7 +161,7 @@ namespace ThermoContact
             displacement -= receptance(node, j) * p[j];
             velocity -= receptance(node, j) * p_rate[j];
           }
-        if (node < p.size() && has_pressure[node])
+        if (node < p.size() && p[node] != 0.)
           {
             displacement = displacement_of_law(body, state, node);
             velocity =
@@ -214,14 +189,12 @@ namespace ThermoContact
         end.get_all_values(Field::displacement,
                            state.displacement,
                            displacement);
-        std::vector<double>       pressure(state.contact_pressure);
-        ContactNodeProblem<dim>   problem(body, 1., true);
+        std::vector<double>     pressure(state.contact_pressure), position;
+        std::vector<NodeLaw>    laws;
+        ContactNodeProblem<dim> problem(body, 1., true);
+        get_node_laws(body, state.gap, displacement, laws, position);
         const std::vector<double> change =
-          problem.solve(load,
-                        all_penetrations(body, state, displacement),
-                        std::vector<bool>(pressure.size(),
-                                          body.law().is_active()),
-                        pressure);
+          problem.solve(load, laws, position, pressure);
         if (body.equations.is_coupled())
           state.temperature += problem.heating(change);
       }
@@ -239,17 +212,9 @@ namespace ThermoContact
                             const std::vector<bool>  &is_closed,
                             State                    &state)
   {
-    const ContactEnd<dim>     &end   = body.contact_end();
-    const Discretization<dim> &space = body.discretization;
-    const double               zeta  = body.scene.material.viscosity;
-    Vector heat_load                 = space.make_vector(Field::temperature);
-    Vector momentum_load             = space.make_vector(Field::displacement);
-    Vector heat_rhs(heat_load), force(momentum_load), viscous(momentum_load);
-    body.loads.assemble(state.time, heat_load, momentum_load);
-    body.equations.stage_rhs(
-      state, 1., heat_load, momentum_load, heat_rhs, force);
-    body.equations.stiffness().vmult(viscous, state.velocity);
-    force.add(-zeta, viscous);
+    const ContactEnd<dim> &end  = body.contact_end();
+    const double           zeta = body.scene.material.viscosity;
+    Vector force                = forces_on_nodes(body, state, &state.velocity);
     if constexpr (dim > 1)
       if (!body.scene.linear_solver.has_matrices())
         {
@@ -266,24 +231,13 @@ namespace ThermoContact
     const std::vector<double> free =
       moved_by_force(end, flexibility, force, state.velocity);
 
-    std::vector<unsigned int> nodes;
-    for (unsigned int i = 0; i < is_closed.size(); ++i)
-      if (is_closed[i])
-        nodes.push_back(i);
-    const unsigned int  n = nodes.size();
-    FullMatrix<double>  response(n, n);
-    std::vector<double> p(n, 0.);
-    response.extract_submatrix_from(receptance, nodes, nodes);
-    NearerStops stops;
-    look_at_stops(body, state, stops);
-    stops = stops.in_motion(nodes, before_obstacle(state.gap_rate, free));
-    ContactSolver(body.law())
-      .solve(stops.turned(response), stops.near, p, {}, stops.far);
-    stops.turn(p);
-
+    std::vector<NodeLaw> laws;
+    get_velocity_laws(body, state, is_closed, laws);
     std::fill(state.contact_pressure.begin(), state.contact_pressure.end(), 0.);
-    for (unsigned int i = 0; i < n; ++i)
-      state.contact_pressure[nodes[i]] = p[i];
+    InterfaceProblem().solve(between_pressures(receptance),
+                             laws,
+                             before_obstacle(state.gap_rate, free),
+                             state.contact_pressure);
     std::vector<double> velocity(free);
     for (unsigned int i = 0; i < velocity.size(); ++i)
       for (unsigned int j = 0; j < state.contact_pressure.size(); ++j)
@@ -297,9 +251,6 @@ namespace ThermoContact
   template FullMatrix<double> contact_stiffness<dim>(const Body<dim> &);     \
   template FullMatrix<double> contact_receptance<dim>(                       \
     const ContactEnd<dim> &, const FullMatrix<double> &);                    \
-  template double displacement_of_law<dim>(const Body<dim> &,                \
-                                           const State &,                    \
-                                           const unsigned int);              \
   template void   settle_contact_nodes<dim>(Body<dim> &, State &);           \
   template Vector move_contact_nodes<dim>(Body<dim> &, State &);             \
   template void   settle_contact_velocities<dim>(Body<dim> &,                \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/space/nearer_stop.h>
+#include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/contact_equilibrium_many.h>
 #include <thermocontact/time/contact_node_problem.h>
 
@@ -9,21 +9,6 @@
 
 namespace ThermoContact
 {
-  template <int dim>
-  EndPenetrations
-  all_penetrations(const Body<dim>           &body,
-                   const State               &state,
-                   const std::vector<double> &displacement)
-  {
-    EndPenetrations penetration{before_obstacle(state.gap, displacement), {}};
-    if (body.scene.contact.rear_gap)
-      for (const double u : displacement)
-        penetration.rear.push_back(-u - *body.scene.contact.rear_gap);
-    return penetration;
-  }
-
-
-
   template <int dim>
   void
   settle_many_nodes(const Body<dim>           &body,
@@ -37,14 +22,12 @@ namespace ThermoContact
     std::vector<double>     displacement, velocity;
     end.get_all_values(Field::displacement, state.displacement, displacement);
     end.get_all_values(Field::displacement, state.velocity, velocity);
-    const std::vector<double> change =
-      problem.solve(load,
-                    all_penetrations(body, state, displacement),
-                    std::vector<bool>(p.size(), body.law().is_active()),
-                    p);
-    const std::vector<double> acceleration =
-      problem.solve_for_same_set(rate_load,
-                                 before_obstacle(state.gap_rate, velocity));
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position;
+    get_node_laws(body, state.gap, displacement, laws, position);
+    const std::vector<double> change = problem.solve(load, laws, position, p);
+    const std::vector<double> acceleration = problem.solve_for_same_branches(
+      rate_load, before_obstacle(state.gap_rate, velocity));
     for (unsigned int i = 0; i < displacement.size(); ++i)
       {
         velocity[i] += acceleration[i];
@@ -70,24 +53,14 @@ namespace ThermoContact
     ContactNodeProblem<dim> problem(body, body.scene.material.viscosity);
     std::vector<double>    &p = state.contact_pressure;
     std::vector<double>     velocity;
-    NearerStops             stops;
-    look_at_stops(body, state, stops);
+    std::vector<NodeLaw>    laws;
+    get_velocity_laws(body, state, is_closed, laws);
     end.get_all_values(Field::displacement, state.velocity, velocity);
-    // towards the other stop nodes are free
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    EndPenetrations  into{before_obstacle(state.gap_rate, velocity), {}};
-    if (stops.are_two())
-      into.rear.assign(velocity.size(), -infinity);
     for (unsigned int i = 0; i < p.size(); ++i)
-      {
-        const double side = stops.side(i);
-        p[i]              = is_closed[i] && side * p[i] > 0. ? p[i] : 0.;
-        if (side > 0.)
-          continue;
-        into.front[i] = -infinity;
-        into.rear[i]  = -velocity[i];
-      }
-    const std::vector<double> change = problem.solve(load, into, is_closed, p);
+      if (!is_closed[i] || laws[i].side * p[i] <= 0.)
+        p[i] = 0.;
+    const std::vector<double> change =
+      problem.solve(load, laws, before_obstacle(state.gap_rate, velocity), p);
     for (unsigned int i = 0; i < velocity.size(); ++i)
       velocity[i] = i < p.size() && p[i] != 0. ? state.gap_rate[i] :
                                                  velocity[i] + change[i];
@@ -110,13 +83,4 @@ namespace ThermoContact
   INSTANTIATE(3);
 
 #undef INSTANTIATE
-
-  template EndPenetrations
-  all_penetrations<2>(const Body<2> &,
-                      const State &,
-                      const std::vector<double> &);
-  template EndPenetrations
-  all_penetrations<3>(const Body<3> &,
-                      const State &,
-                      const std::vector<double> &);
 } // namespace ThermoContact

@@ -12,13 +12,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    constexpr unsigned int max_sets_of_many_changes = 20;
-  } // namespace
-
-
-
   template <int dim>
   ContactNodeProblem<dim>::ContactNodeProblem(const Body<dim> &body,
                                               const double     factor,
@@ -26,8 +19,7 @@ namespace ThermoContact
     : body(body)
     , factor(factor)
     , takes_heat(takes_heat && body.equations.is_coupled())
-    , sets{std::vector<bool>(body.contact_end().n_all_nodes(), false),
-           std::vector<bool>(body.contact_end().n_all_nodes(), false)}
+    , branches(body.contact_end().n_all_nodes(), 0)
     , values(body.discretization.make_vector(Field::displacement))
     , forces(values)
   {
@@ -50,7 +42,7 @@ namespace ThermoContact
   double
   ContactNodeProblem<dim>::spring(const unsigned int node) const
   {
-    return sets.is_active[node] && !body.law().is_rigid() ?
+    return branches[node] != 0 && !body.law().is_rigid() ?
              body.contact_end().nodes()[node].weight / body.law().tangent(0.) :
              0.;
   }
@@ -134,7 +126,7 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<double>
-  ContactNodeProblem<dim>::solve_for_same_set(
+  ContactNodeProblem<dim>::solve_for_same_branches(
     const std::vector<double> &load,
     const std::vector<double> &penetration)
   {
@@ -170,56 +162,56 @@ namespace ThermoContact
 
 
   template <int dim>
-  std::vector<double>
-  ContactNodeProblem<dim>::solve(const std::vector<double> &load,
-                                 const EndPenetrations     &penetration,
-                                 const std::vector<bool>   &can_touch,
-                                 std::vector<double>       &pressure)
+  void
+  ContactNodeProblem<dim>::solve(const std::vector<int> &branch,
+                                 const bool,
+                                 std::vector<double> &new_position,
+                                 std::vector<double> &pressure)
   {
-    const ContactEnd<dim> &end      = body.contact_end();
-    const unsigned int     n        = pressure.size();
-    const unsigned int     max_sets = 200 + 2 * n;
-    const bool             are_two  = !penetration.rear.empty();
+    const unsigned int n = branch.size();
+    std::copy(branch.begin(), branch.end(), branches.begin());
+    std::vector<double> penetration(load->size(), 0.);
+    for (unsigned int i = 0; i < n; ++i)
+      if (branch[i] != 0)
+        penetration[i] = (*position)[i] - (*laws)[i].obstacle(branch[i]);
+    change = solve_for_same_branches(*load, penetration);
+    const std::vector<double> force = product(change);
+    new_position.resize(n);
+    pressure.resize(n);
     for (unsigned int i = 0; i < n; ++i)
       {
-        sets.is_rear[i] = are_two && can_touch[i] && pressure[i] < 0.;
-        sets.is_active[i] =
-          sets.is_rear[i] || (can_touch[i] && pressure[i] > 0.);
+        new_position[i] = is_held(i) ? (*laws)[i].obstacle(branch[i]) :
+                                       (*position)[i] + change[i];
+        pressure[i]     = branch[i] != 0 ? ((*load)[i] - force[i]) /
+                                         body.contact_end().nodes()[i].weight :
+                                           0.;
       }
-    for (unsigned int n_sets = 1; n_sets <= max_sets; ++n_sets)
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactNodeProblem<dim>::solve(const std::vector<double>  &load,
+                                 const std::vector<NodeLaw> &laws,
+                                 const std::vector<double>  &position,
+                                 std::vector<double>        &pressure)
+  {
+    this->load                 = &load;
+    this->laws                 = &laws;
+    this->position             = &position;
+    std::vector<int>    branch = branches_of(pressure);
+    std::vector<double> receptance;
+    for (unsigned int i = 0; i < laws.size(); ++i)
       {
-        std::vector<double> at_stop(penetration.front);
-        for (unsigned int i = 0; i < n; ++i)
-          if (sets.is_rear[i])
-            at_stop[i] = -penetration.rear[i];
-        const std::vector<double> change = solve_for_same_set(load, at_stop);
-        const std::vector<double> force  = product(change);
-        std::vector<double>       reach(n), rear_reach;
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            reach[i] = penetration.front[i] + change[i];
-            if (are_two)
-              rear_reach.push_back(penetration.rear[i] - change[i]);
-            pressure[i] = sets.is_active[i] ?
-                            (load[i] - force[i]) / end.nodes()[i].weight :
-                            0.;
-          }
-        if (!update_active_set(pressure,
-                               reach,
-                               rear_reach,
-                               can_touch,
-                               10. * tolerance(),
-                               n_sets > max_sets_of_many_changes,
-                               sets))
-          {
-            remove_pull(sets, std::vector<bool>(n, false), pressure);
-            return change;
-          }
+        receptance.push_back(body.contact_end().nodes()[i].weight /
+                             diagonal[i]);
+        if (laws[i].law == nullptr)
+          branch[i] = 0;
       }
-    throw ComputationError("the active set of " + std::to_string(n) +
-                           " contact nodes did not settle in equilibrium\n"
-                           "  remedy:  a larger Contact/Compliance or "
-                           "Solver/Linear solver = direct");
+    solve_by_branches(
+      *this, laws, receptance, 10. * tolerance(), branch, pressure);
+    return change;
   }
 
 

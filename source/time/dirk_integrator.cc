@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/space/direct_solver.h>
-#include <thermocontact/space/nearer_stop.h>
 #include <thermocontact/time/dirk_integrator.h>
 #include <thermocontact/time/make_stage_solver.h>
 #include <thermocontact/time/schemes.h>
@@ -46,9 +45,6 @@ namespace ThermoContact
     , driven(body.driven_end.is_active() ?
                std::make_unique<DrivenStep<dim>>(body) :
                nullptr)
-    , obstacle(body.obstacle.is_active() ?
-                 std::make_unique<ObstacleStep<dim>>(body) :
-                 nullptr)
     , stages(tableau.n_stages())
     , accelerations(tableau.n_stages(),
                     body.discretization.make_vector(Field::displacement))
@@ -126,7 +122,7 @@ namespace ThermoContact
   {
     StageRates &stage = stages[i];
     if (driven)
-      driven->constrain(i, tau, heat_load, momentum_load, known);
+      driven->constrain(i, heat_load, momentum_load, known);
     const Vector &heat   = driven ? driven->heat_load() : heat_load;
     const Vector &forces = driven ? driven->momentum_load() : momentum_load;
     do
@@ -151,7 +147,7 @@ namespace ThermoContact
     set_sum(known.displacement, known.displacement, tau, stage.velocity);
     // the known values of a driven end are those of its stage already
     if (driven)
-      driven->complete(stage, accelerations[i]);
+      driven->complete(i, stage, accelerations[i]);
     set_equal(known.velocity, stage.velocity);
     known.contact_pressure     = stage.pressure;
     known.exchange_coefficient = stage.exchange_coefficient;
@@ -192,7 +188,7 @@ namespace ThermoContact
       {
         StageRates &stage = stages[i];
         set_known_values(state, time_step.size, i);
-        if (obstacle)
+        if (body.obstacle.is_active())
           place_obstacle(i, tau, mode);
         if (holds)
           hold_closing_nodes(state, i);
@@ -263,12 +259,7 @@ namespace ThermoContact
     const std::vector<double> &pressure = result.state.contact_pressure;
     if (can_change_at_once(mode))
       solver->keep_contact(closed_at_end(mode), pressure, difference);
-    result.error =
-      !body.scene.contact.rear_gap ?
-        body.energy.difference_energy(difference, pressure) :
-        body.energy.difference_energy(difference,
-                                      pressures_of_nearer_stop(body,
-                                                               result.state));
+    result.error = body.energy.difference_energy(difference, pressure);
   }
 
 
@@ -285,7 +276,7 @@ namespace ThermoContact
     if (driven)
       {
         known = state;
-        driven->constrain(0, tau, heat_load, momentum_load, known);
+        driven->constrain(0, heat_load, momentum_load, known);
       }
     body.equations.stage_rhs(driven ? known : state,
                              tau,
@@ -297,7 +288,7 @@ namespace ThermoContact
     heat_solver.solve(rate, heat_rhs);
     ++counters_.solves;
     if (driven)
-      driven->complete(stages[0], accelerations[0]);
+      driven->complete(0, stages[0], accelerations[0]);
   }
 
 
@@ -312,7 +303,9 @@ namespace ThermoContact
     StageRates  &stage = stages[0];
     body.loads.assemble(time_step.last_loads, heat_load, momentum_load);
     if (driven)
-      driven->start(state, tau, {{time_step.last_loads}, tableau.b()});
+      driven->start(state,
+                    tau,
+                    {tableau.a, tableau.b(), {time_step.last_loads}});
     if (body.scene.fields.has_temperature)
       solve_heat_alone(state, tau, stage.temperature_rate);
 

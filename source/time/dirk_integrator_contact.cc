@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/space/nearer_stop.h>
+#include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/dirk_integrator.h>
 
 #include <algorithm>
@@ -12,15 +12,52 @@ namespace ThermoContact
   DirkIntegrator<dim>::start_drives(const State    &state,
                                     const TimeStep &time_step)
   {
-    if (!driven && !obstacle)
+    const bool obstacle_moves = body.obstacle.is_active();
+    if (!driven && !obstacle_moves)
       return;
-    StageTimes loads_at{{}, tableau.b()};
+    StageTimes loads_at{tableau.a, tableau.b(), {}};
     for (unsigned int i = 0; i < tableau.n_stages(); ++i)
       loads_at.times.push_back(load_time(state, time_step, i));
     if (driven)
       driven->start(state, time_step.size, loads_at);
-    if (obstacle)
-      obstacle->start(state, time_step.first_loads, time_step.size, loads_at);
+    if (obstacle_moves)
+      start_obstacle(state, time_step, loads_at);
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::start_obstacle(const State      &state,
+                                      const TimeStep   &time_step,
+                                      const StageTimes &loads_at)
+  {
+    const auto derivatives_at = [&](const double time) {
+      std::vector<TimeDerivatives> obstacle;
+      body.obstacle.get_derivatives(time, obstacle);
+      return obstacle;
+    };
+    const auto rates_of = [](const std::vector<TimeDerivatives> &functions) {
+      std::vector<double> rates;
+      for (const TimeDerivatives &function : functions)
+        rates.push_back(function.first);
+      return rates;
+    };
+    std::vector<std::vector<TimeDerivatives>> functions;
+    for (const double time : loads_at.times)
+      functions.push_back(derivatives_at(time));
+    gaps.start(loads_at, time_step.size, state.gap, functions);
+    if (tableau.n_stages() > 1)
+      {
+        gaps.set_accelerations(rates_of(derivatives_at(time_step.first_loads)),
+                               rates_of(functions.back()));
+        return;
+      }
+    std::vector<double> velocity;
+    body.contact_end().get_values(Field::displacement,
+                                  state.velocity,
+                                  velocity);
+    gaps.set_accelerations(velocity, gaps.stages().back().rates);
   }
 
 
@@ -31,9 +68,19 @@ namespace ThermoContact
                                       const double       tau,
                                       const ContactMode  mode)
   {
-    obstacle->place(tableau, i, known);
-    if (mode == ContactMode::closed && body.scene.contact.has_impacts())
-      obstacle->hold(i, tau, known);
+    const PrescribedStage &obstacle = gaps.stages()[i];
+    known.gap                       = obstacle.values;
+    known.gap_rate                  = obstacle.rates;
+    known.known_penetration.clear();
+    if (mode != ContactMode::closed || !body.scene.contact.has_impacts())
+      return;
+    for (const auto &[node, entry] :
+         body.contact_end().entries(Field::displacement))
+      known.velocity.begin()[entry] =
+        obstacle.rates[node] - tau * obstacle.accelerations[node];
+    known.known_penetration = obstacle.rates;
+    for (double &penetration : known.known_penetration) // 0 at the end
+      penetration *= -tau;
   }
 
 
@@ -44,7 +91,7 @@ namespace ThermoContact
   {
     const SceneContact &contact = body.scene.contact;
     return contact.law->is_active() && !contact.has_mass() &&
-           (mode == ContactMode::unilateral || contact.is_in_equilibrium);
+           (mode == ContactMode::unilateral || contact.is_in_equilibrium());
   }
 
 
@@ -54,7 +101,8 @@ namespace ThermoContact
   DirkIntegrator<dim>::holds_closing_nodes(const ContactMode mode) const
   {
     return solver->can_hold_nodes() && mode == ContactMode::unilateral &&
-           can_change_at_once(mode) && !body.scene.contact.is_in_equilibrium &&
+           can_change_at_once(mode) &&
+           !body.scene.contact.is_in_equilibrium() &&
            !std::is_sorted(tableau.c.begin(), tableau.c.end());
   }
 
@@ -68,10 +116,12 @@ namespace ThermoContact
       stage.held_at.clear();
     if (mode != ContactMode::closed || !body.scene.contact.rear_gap)
       return;
-    look_at_stops(body, state, stops);
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position;
+    get_node_laws(body, state, laws, position);
     for (StageRates &stage : stages)
-      for (unsigned int node = 0; node < stops.near.size(); ++node)
-        stage.held_at.push_back(stops.side(node) < 0. ? -1 : 1);
+      for (const NodeLaw &law : laws)
+        stage.held_at.push_back(law.side);
   }
 
 
@@ -108,8 +158,9 @@ namespace ThermoContact
         std::find(stage.is_held.begin(), stage.is_held.end(), true) ==
           stage.is_held.end())
       return false;
-    std::vector<double> velocity;
-    look_at_stops(body, known, stops);
+    std::vector<double>  velocity, position;
+    std::vector<NodeLaw> laws;
+    get_node_laws(body, known, laws, position);
     body.contact_end().get_values(Field::displacement,
                                   stage.velocity,
                                   velocity);
@@ -117,9 +168,10 @@ namespace ThermoContact
     for (unsigned int node = 0; node < velocity.size(); ++node)
       if (stage.is_held[node])
         {
-          stops.see_from(node, -stage.held_at[node]);
-          if (stops.near[node] - stage.held_at[node] * tau * velocity[node] <=
-              0.)
+          const double end = position[node] + tau * velocity[node];
+          if ((stage.held_at[node] > 0 ?
+                 laws[node].rear_penetration(end) :
+                 laws[node].front_penetration(end)) <= 0.)
             continue;
           stage.is_held[node] = false;
           stage.held_at[node] = 0;
@@ -168,6 +220,9 @@ namespace ThermoContact
 #define INSTANTIATE(dim)                                                     \
   template void DirkIntegrator<dim>::start_drives(const State &,             \
                                                   const TimeStep &);         \
+  template void DirkIntegrator<dim>::start_obstacle(const State &,           \
+                                                    const TimeStep &,        \
+                                                    const StageTimes &);     \
   template void DirkIntegrator<dim>::place_obstacle(const unsigned int,      \
                                                     const double,            \
                                                     const ContactMode);      \

@@ -3,13 +3,12 @@
 // Contact in the midpoint rule: what the pressures of a step are.
 
 #include <thermocontact/space/direct_solver.h>
-#include <thermocontact/space/nearer_stop.h>
+#include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/contact_equilibrium.h>
 #include <thermocontact/time/energy_conserving_integrator.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace ThermoContact
 {
@@ -28,20 +27,6 @@ namespace ThermoContact
 
 
 
-    /** Penetrations of contact nodes at these positions. */
-    NodesBeforeStops
-    penetrations(const std::vector<double>   &position,
-                 const std::vector<double>   &gap,
-                 const std::optional<double> &rear_gap)
-    {
-      NodesBeforeStops nodes{position, {}};
-      for (unsigned int i = 0; i < position.size(); ++i)
-        nodes.front[i] -= gap[i];
-      if (rear_gap)
-        for (const double u : position)
-          nodes.rear.push_back(-u - *rear_gap);
-      return nodes;
-    }
   } // namespace
 
 
@@ -109,8 +94,7 @@ namespace ThermoContact
   EnergyConservingIntegrator<dim>::apply_contact(const State    &state,
                                                  const TimeStep &time_step)
   {
-    const unsigned int  n        = body.contact_end().n_nodes();
-    const auto         &rear_gap = body.scene.contact.rear_gap;
+    const unsigned int  n = body.contact_end().n_nodes();
     std::vector<double> old_displacement, velocity;
     body.contact_end().get_values(Field::displacement,
                                   state.displacement,
@@ -120,30 +104,30 @@ namespace ThermoContact
                                   velocity);
     old_free_position = product(receptance, state.contact_pressure);
     free_position.resize(n);
-    look_at_stops(body, state, stops);
-    const auto distance_of_stop = [&](const unsigned int i) {
-      return stops.side(i) < 0. ? *rear_gap : std::abs(state.gap[i]);
-    };
     double displacement_scale = 0.;
     for (unsigned int i = 0; i < n; ++i)
       {
         old_free_position[i] += old_displacement[i];
-        displacement_scale =
-          std::max(displacement_scale,
-                   distance_of_stop(i) + std::abs(old_free_position[i]));
         free_position[i] =
           2. * (old_displacement[i] + 0.5 * time_step.size * velocity[i]) -
           old_free_position[i];
+      }
+    get_node_laws(body, state.gap, old_free_position, laws, start);
+    std::vector<double> free_end(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double obstacle_at = // the local one, at the end
+          laws[i].side > 0 ? obstacle.gap[i] : -*body.scene.contact.rear_gap;
+        free_end[i] = free_position[i] - obstacle_at;
+        displacement_scale =
+          std::max(displacement_scale,
+                   std::abs(obstacle_at) + std::abs(old_free_position[i]));
       }
     FullMatrix<double> difference(solver->response());
     difference.add(-1., receptance);
     rates.pressure     = state.contact_pressure;
     rates.n_iterations = contact->step_pressure(
-      penetrations(old_free_position, state.gap, rear_gap),
-      penetrations(free_position, obstacle.gap, rear_gap),
-      difference,
-      displacement_scale,
-      rates.pressure);
+      laws, start, free_end, difference, displacement_scale, rates.pressure);
     solver->apply_pressure(rates);
     const std::vector<double> loss = product(difference, rates.pressure);
     for (unsigned int i = 0; i < n; ++i)
@@ -160,9 +144,8 @@ namespace ThermoContact
   {
     std::vector<double> &pressure = new_state.contact_pressure;
     pressure                      = rates.pressure;
-    const auto &rear_gap          = body.scene.contact.rear_gap;
-    contact->equilibrium(penetrations(free_position, new_state.gap, rear_gap),
-                         pressure);
+    get_node_laws(body, new_state.gap, free_position, laws, start);
+    contact->equilibrium(laws, start, pressure);
 
     std::vector<double> old_displacement, displacement;
     body.contact_end().get_all_values(Field::displacement,
@@ -181,13 +164,10 @@ namespace ThermoContact
     std::vector<double> position = product(all_receptance, change);
     for (unsigned int i = 0; i < position.size(); ++i)
       {
-        position[i] = i >= pressure.size() ?
-                        displacement[i] + position[i] :
-                      pressure[i] > 0. ?
-                        new_state.gap[i] + body.law().penetration(pressure[i]) :
-                      pressure[i] < 0. ?
-                        body.law().penetration(pressure[i]) - *rear_gap :
-                        free_position[i] - loss[i];
+        position[i] =
+          i >= pressure.size() ? displacement[i] + position[i] :
+          pressure[i] != 0.    ? displacement_of_law(body, new_state, i) :
+                                 free_position[i] - loss[i];
         if (!temperature_responses.empty())
           new_state.temperature.add(position[i] - displacement[i],
                                     temperature_responses[i]);
@@ -210,25 +190,21 @@ namespace ThermoContact
   {
     const ContactEnd<dim> &end = body.contact_end();
     AssertDimension(end.n_nodes(), 1);
-    look_at_stops(body, state, stops);
+    get_node_laws(body, state, laws, start);
     // the velocity first, then where it leads
-    end.get_values(Field::displacement, rates.velocity, free_penetration);
-    stops.turn(free_penetration);
-    const double way =
-      time_step.size * free_penetration[0] - (obstacle.gap[0] - state.gap[0]);
-    const double start = stops.near[0], free_end = start + way;
-    const double far      = stops.are_two() ? stops.far[0] : -1.,
-                 free_far = stops.are_two() ? far - way : -1.;
+    std::vector<double> end_position;
+    end.get_values(Field::displacement, rates.velocity, end_position);
+    end_position[0] =
+      start[0] + (time_step.size * end_position[0] -
+                  (laws[0].side > 0 ? obstacle.gap[0] - state.gap[0] : 0.));
     rates.pressure.assign(1, 0.);
     rates.n_iterations = 0;
-    if (std::max({start, free_end, far, free_far}) <= 0.)
+    if (laws[0].is_open(start[0]) && laws[0].is_open(end_position[0]))
       return;
-    const double receptance = 2. * solver->response()(0, 0);
+    if (has_mean_pressure)
+      laws[0].mean_from = start[0];
     rates.pressure[0] =
-      stops.are_two() ?
-        step_contact->pressure(start, free_end, receptance, far, free_far) :
-        step_contact->pressure(start, free_end, receptance);
-    stops.turn(rates.pressure);
+      laws[0].resolve(end_position[0], 2. * solver->response()(0, 0)).pressure;
     rates.n_iterations = 1;
     solver->apply_pressure(rates);
   }
@@ -240,11 +216,8 @@ namespace ThermoContact
   EnergyConservingIntegrator<dim>::finish_step_contact(State &new_state)
   {
     new_state.contact_pressure = rates.pressure;
-    if (!step_contact->conserves_energy())
-      return;
-    look_at_stops(body, new_state, stops);
-    new_state.contact_pressure[0] = body.law().pressure(stops.near[0]);
-    stops.turn(new_state.contact_pressure);
+    if (has_mean_pressure)
+      body.set_pressures_of_law(new_state);
   }
 
 

@@ -80,9 +80,11 @@ namespace ThermoContact
     acceleration           = momentum_load;
     if (!body.law().is_active())
       return;
-    if (body.scene.has_midpoint_mass)
-      step_contact = std::make_unique<const StepContact>(
-        body.law(), body.scene.parameters.mesh.contact_spacing());
+    has_contact_mass = body.scene.has_midpoint_mass;
+    if (has_contact_mass)
+      has_mean_pressure = !body.law().is_rigid() &&
+                          body.law().tangent(1.) >=
+                            0.5 * body.scene.parameters.mesh.contact_spacing();
     else
       set_up_contact();
   }
@@ -143,10 +145,13 @@ namespace ThermoContact
           state, tau, heat_load, momentum_load, rates);
         return;
       }
-    static const std::vector<double> one_stage = {1.};
-    driven->start(state, time_step.size, {{time_step.last_loads}, one_stage});
+    static const std::vector<std::vector<double>> half   = {{0.5}};
+    static const std::vector<double>              weight = {1.};
+    driven->start(state,
+                  time_step.size,
+                  {half, weight, {time_step.last_loads}});
     State known(state);
-    driven->constrain(0, tau, heat_load, momentum_load, known);
+    driven->constrain(0, heat_load, momentum_load, known);
     solver->solve_without_contact(
       known, tau, driven->heat_load(), driven->momentum_load(), rates);
   }
@@ -176,13 +181,13 @@ namespace ThermoContact
     move_obstacle(state, time_step);
     assemble_loads(time_step.first_loads, time_step.last_loads);
     solve_without_contact(state, time_step);
-    if (step_contact)
+    if (has_contact_mass)
       apply_step_contact(state, time_step);
     else if (contact)
       apply_contact(state, time_step);
 
     if (driven)
-      driven->complete(rates, acceleration);
+      driven->complete(0, rates, acceleration);
     set_equal(midpoint.velocity, rates.velocity);
     set_sum(midpoint.temperature,
             state.temperature,
@@ -196,7 +201,7 @@ namespace ThermoContact
     result.state.temperature.add(size, rates.temperature_rate);
     result.state.displacement.add(size, rates.velocity);
     result.state.velocity.sadd(-1., 2., rates.velocity);
-    if (step_contact)
+    if (has_contact_mass)
       finish_step_contact(result.state);
     else if (contact)
       finish_contact(state, time_step, result.state);

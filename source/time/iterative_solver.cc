@@ -2,7 +2,6 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/stop_watch.h>
-#include <thermocontact/method/active_set.h>
 #include <thermocontact/time/iterative_solver.h>
 
 #include <algorithm>
@@ -23,9 +22,6 @@ namespace ThermoContact
 
     /** Of pressures and reaches, as a part of the largest. */
     constexpr double sign_rounding = 1e-13;
-
-    constexpr unsigned int max_block_sets  = 20;
-    constexpr unsigned int max_single_sets = 200;
   } // namespace
 
 
@@ -111,27 +107,26 @@ namespace ThermoContact
                                        const ContactMode mode,
                                        StageRates       &rates)
   {
-    const unsigned int n = body.contact_end().n_nodes();
     rates.start(known);
-    SetsBetweenStops  sets = stage.empty_sets();
-    std::vector<bool> is_held(rates.is_held);
-    is_held.resize(n, false);
+    std::vector<NodeLaw> laws(stage.contact_laws());
+    std::vector<int>     branch(laws.size(), 0);
     if (body.law().is_active() && mode != ContactMode::open)
-      for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int i = 0; i < laws.size(); ++i)
         {
-          const bool   is_fixed = mode == ContactMode::closed || is_held[i];
-          const double p        = known.contact_pressure[i];
-          sets.is_rear[i]       = is_fixed ?
-                                    !rates.held_at.empty() && rates.held_at[i] < 0 :
-                                    body.scene.contact.rear_gap && p < 0.;
-          sets.is_active[i]     = is_fixed || sets.is_rear[i] || p > 0.;
+          laws[i].is_held = mode == ContactMode::closed ||
+                            (!rates.is_held.empty() && rates.is_held[i]);
+          const double p = known.contact_pressure[i];
+          branch[i]      = !laws[i].is_held ? (p > 0.) - (p < 0.) :
+                           !rates.held_at.empty() && rates.held_at[i] < 0 ? -1 :
+                                                                            1;
         }
+    stage.set_laws(laws);
     if (body.law().is_active() && mode == ContactMode::unilateral)
       {
-        solve_by_sets(sets, is_held, rates);
+        solve_contact(branch, rates);
         return;
       }
-    stage.set_active(sets);
+    stage.set_branches(branch);
     solve_linear(body.scene.linear_solver.tolerance, rates.pressure);
   }
 
@@ -139,46 +134,32 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeSolver<dim>::solve_by_sets(SetsBetweenStops        &sets,
-                                      const std::vector<bool> &is_fixed,
-                                      StageRates              &rates)
+  IterativeSolver<dim>::solve(const std::vector<int> &branch,
+                              const bool              is_last,
+                              std::vector<double>    &position,
+                              std::vector<double>    &pressure)
   {
-    const double      tolerance         = body.scene.linear_solver.tolerance;
-    unsigned int      n_sets            = 0;
-    double            present_tolerance = std::max(tolerance, loose_tolerance);
-    std::vector<bool> may_change(is_fixed);
-    std::vector<double> reach, rear_reach;
-    may_change.flip();
-    stage.set_active(sets);
-    while (true)
-      {
-        ++n_sets;
-        solve_linear(present_tolerance, rates.pressure);
-        stage.get_reach(reach, rear_reach);
-        if (update_active_set(rates.pressure,
-                              reach,
-                              rear_reach,
-                              may_change,
-                              sign_rounding,
-                              n_sets > max_block_sets,
-                              sets))
-          stage.set_active(sets);
-        else if (present_tolerance <= tolerance)
-          break;
-        else
-          {
-            --n_sets; // the same set again
-            present_tolerance = tolerance;
-          }
-        if (n_sets > max_block_sets + max_single_sets)
-          throw ComputationError(
-            "the active set of " + std::to_string(is_fixed.size()) +
-            " contact nodes did not settle\n  remedy:  a larger "
-            "Contact/Compliance or a smaller Time/Step size");
-      }
-    remove_pull(sets, is_fixed, rates.pressure);
-    rates.n_iterations = n_sets;
-    counters_.active_set_iterations += n_sets;
+    const double tolerance = body.scene.linear_solver.tolerance;
+    stage.set_branches(branch);
+    solve_linear(is_last ? tolerance : std::max(tolerance, loose_tolerance),
+                 pressure);
+    stage.get_positions(position);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeSolver<dim>::solve_contact(std::vector<int> &branch,
+                                      StageRates       &rates)
+  {
+    rates.n_iterations = solve_by_branches(*this,
+                                           stage.contact_laws(),
+                                           stage.receptances(),
+                                           sign_rounding,
+                                           branch,
+                                           rates.pressure);
+    counters_.active_set_iterations += rates.n_iterations;
   }
 
 
@@ -269,7 +250,7 @@ namespace ThermoContact
     const StopWatch    watch(counters_.solve_seconds);
     const unsigned int n_made = stage.preconditioners().n_made();
     stage.prepare_displacement(displacement);
-    stage.set_active({is_closed, std::vector<bool>(is_closed.size(), false)});
+    stage.set_branches(std::vector<int>(is_closed.begin(), is_closed.end()));
     counters_.factorizations += stage.preconditioners().n_made() - n_made;
     count(
       stage.solve(estimate_tolerance, IterativeStage<dim>::Measure::of_start));

@@ -25,28 +25,23 @@ namespace ThermoContact
     solve_momentum(
       known, tau, heat_load, momentum_load, ContactMode::unilateral, rates);
     move();
-    SetsBetweenStops sets = stage.empty_sets();
-    for (unsigned int i = 0; i < known.contact_pressure.size(); ++i)
-      {
-        sets.is_rear[i]   = known.contact_pressure[i] < 0.;
-        sets.is_active[i] = known.contact_pressure[i] != 0.;
-      }
+    const std::vector<int> branch = branches_of(known.contact_pressure);
 
     // What is left of the forces would move the body in the first stage,
     // however short that is: once more, relative to what is left.
     const StopWatch watch(counters_.solve_seconds);
     stage.prepare(
       known, tau, heat_load, momentum_load, known.contact_pressure, false);
-    stage.set_active(sets);
+    stage.set_branches(branch);
     count(stage.solve(body.scene.linear_solver.tolerance,
                       IterativeStage<dim>::Measure::of_start));
     stage.get_pressures(rates.pressure);
     rates.velocity.copy_locally_owned_data_from(
       stage.unknowns(Field::displacement));
     move();
-    remove_pull(sets,
-                std::vector<bool>(known.contact_pressure.size(), false),
-                known.contact_pressure);
+    for (unsigned int i = 0; i < branch.size(); ++i)
+      if (branch[i] * known.contact_pressure[i] <= 0.)
+        known.contact_pressure[i] = 0.;
   }
 
 
@@ -54,31 +49,24 @@ namespace ThermoContact
   template <int dim>
   void
   IterativeSolver<dim>::solve_quasi_static_velocity(
-    const State             &known,
-    const Vector            &heat_load,
-    const Vector            &momentum_load,
-    const std::vector<bool> &is_closed,
-    const NearerStops       &stops,
-    StageRates              &rates)
+    const State                &known,
+    const Vector               &heat_load,
+    const Vector               &momentum_load,
+    const std::vector<NodeLaw> &laws,
+    StageRates                 &rates)
   {
     const StopWatch watch(counters_.solve_seconds);
     const double    tau      = 1.; // its matrix is (zeta + 1) S
     const Material &material = body.scene.material;
     stage.prepare(
       known, tau, heat_load, momentum_load, known.contact_pressure, false);
-    // of the velocity; towards the other stop nodes are free
-    constexpr double    infinity = std::numeric_limits<double>::infinity();
-    std::vector<double> front(known.gap_rate), rear(stops.far.size(), 0.);
-    for (double &value : front)
-      value *= -material.viscosity / (material.viscosity + 1.);
-    for (unsigned int i = 0; i < rear.size(); ++i)
-      (stops.side(i) > 0. ? rear : front)[i] = -infinity;
-    stage.set_penetrations(front, rear);
-    SetsBetweenStops  sets = stage.empty_sets();
-    std::vector<bool> is_away(is_closed);
-    is_away.flip();
-    rates.pressure.assign(is_closed.size(), 0.);
-    solve_by_sets(sets, is_away, rates);
+    std::vector<double> velocity(laws.size(), 0.);
+    for (unsigned int i = 0; i < known.gap_rate.size(); ++i)
+      velocity[i] -=
+        material.viscosity / (material.viscosity + 1.) * known.gap_rate[i];
+    stage.set_laws(laws, velocity);
+    std::vector<int> branch(laws.size(), 0);
+    solve_contact(branch, rates);
     ++counters_.solves;
     rates.velocity.copy_locally_owned_data_from(
       stage.unknowns(Field::displacement));
@@ -98,14 +86,12 @@ namespace ThermoContact
   IterativeSolver<2>::solve_quasi_static_velocity(const State &,
                                                   const Vector &,
                                                   const Vector &,
-                                                  const std::vector<bool> &,
-                                                  const NearerStops &,
+                                                  const std::vector<NodeLaw> &,
                                                   StageRates &);
   template void
   IterativeSolver<3>::solve_quasi_static_velocity(const State &,
                                                   const Vector &,
                                                   const Vector &,
-                                                  const std::vector<bool> &,
-                                                  const NearerStops &,
+                                                  const std::vector<NodeLaw> &,
                                                   StageRates &);
 } // namespace ThermoContact

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/iterative_stage.h>
 
 #include <deal.II/base/mpi.h>
@@ -109,15 +110,11 @@ namespace ThermoContact
     hierarchies.provide(stage_length);
     tau      = stage_length;
     has_heat = with_heat && body.scene.fields.has_temperature;
-    body.contact_end().get_penetrations(known, front_penetration);
-    rear_penetration.clear();
-    if (body.scene.contact.rear_gap)
-      body.contact_end().get_rear_penetrations(known.displacement,
-                                               *body.scene.contact.rear_gap,
-                                               rear_penetration);
-    known_penetration = front_penetration;
-    Vector &heat      = rhs.block(Field::temperature);
-    Vector &momentum  = rhs.block(Field::displacement);
+    get_node_laws(body, known, laws, start);
+    known_penetration = start;
+    branch.assign(laws.size(), 0);
+    Vector &heat     = rhs.block(Field::temperature);
+    Vector &momentum = rhs.block(Field::displacement);
     body.equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat, momentum);
     heat *= tau;
@@ -147,9 +144,27 @@ namespace ThermoContact
     solution         = 0.;
     has_residual     = false;
     largest_residual = 0.;
+    laws.assign(displacement.size(), NodeLaw(body.law()));
+    start.assign(displacement.size(), 0.);
     for (unsigned int i = 0; i < displacement.size(); ++i)
-      front_penetration[i] = -displacement[i];
-    rear_penetration.clear();
+      start[i] -= displacement[i];
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  IterativeStage<dim>::receptances() const
+  {
+    std::vector<double> receptance;
+    body.contact_end().get_values(
+      Field::displacement,
+      hierarchies.current().diagonals[Field::displacement],
+      receptance);
+    for (unsigned int i = 0; i < receptance.size(); ++i)
+      receptance[i] =
+        tau * tau * body.contact_end().nodes()[i].weight / receptance[i];
+    return receptance;
   }
 
 
@@ -180,20 +195,24 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeStage<dim>::set_active(const SetsBetweenStops &sets)
+  IterativeStage<dim>::set_branches(const std::vector<int> &branch)
   {
-    known_penetration = front_penetration;
-    for (unsigned int i = 0; i < known_penetration.size(); ++i)
-      if (sets.is_rear[i]) // it stops where u - g is this less
-        known_penetration[i] = -rear_penetration[i];
-    set_rows(sets.is_active);
+    this->branch = branch;
+    std::vector<bool> is_active;
+    for (unsigned int i = 0; i < branch.size(); ++i)
+      {
+        is_active.push_back(branch[i] != 0);
+        known_penetration[i] =
+          start[i] - (branch[i] != 0 ? laws[i].obstacle(branch[i]) : 0.);
+      }
+    set_rows(is_active);
     if (contact.held.size() == 0)
       return;
     has_residual = false;
     Vector &v    = solution.block(Field::displacement);
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
-      if (sets.is_active[node])
+      if (branch[node] != 0)
         v.local_element(entry) = -known_penetration[node] / tau;
   }
 
@@ -314,21 +333,15 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeStage<dim>::get_reach(std::vector<double> &reach,
-                                 std::vector<double> &rear_reach) const
+  IterativeStage<dim>::get_positions(std::vector<double> &position) const
   {
     body.contact_end().get_values(Field::displacement,
                                   solution.block(Field::displacement),
-                                  reach);
-    rear_reach = rear_penetration;
-    for (unsigned int i = 0; i < reach.size(); ++i)
-      {
-        const bool   is_held = is_active[i] && body.law().is_rigid();
-        const double way     = tau * reach[i];
-        reach[i]             = is_held ? 0. : front_penetration[i] + way;
-        if (!rear_reach.empty())
-          rear_reach[i] = is_held ? 0. : rear_reach[i] - way;
-      }
+                                  position);
+    for (unsigned int i = 0; i < position.size(); ++i)
+      position[i] = branch[i] != 0 && body.law().is_rigid() ?
+                      laws[i].obstacle(branch[i]) :
+                      start[i] + tau * position[i];
   }
 
 

@@ -23,9 +23,7 @@ namespace ThermoContact
   MonolithicSolver<dim>::MonolithicSolver(const Body<dim> &body)
     : body(body)
     , exchange(*body.scene.heat.exchange)
-    , contact_solver(body.law())
-    , damped_contact(body.law())
-    , exchange_solver(body.law(), exchange)
+    , exchange_solver(exchange)
     , max_factorizations(
         n_kept_factorizations(dim, body.discretization.dof_handler().n_dofs()))
     , heat_rhs(body.discretization.make_vector(Field::temperature))
@@ -143,6 +141,8 @@ namespace ThermoContact
     compute_unit_responses(pressure, factorization);
     end.penetration_by_pressure =
       loss_at_end(Field::displacement, pressure, factorization);
+    end.velocity_by_pressure = end.penetration_by_pressure;
+    end.velocity_by_pressure /= factorization.matrix.tau();
     if (exchange.is_constant())
       return;
     compute_unit_responses(flux, factorization);
@@ -235,36 +235,26 @@ namespace ThermoContact
 
   template <int dim>
   void
-  MonolithicSolver<dim>::solve_contact(const State      &known,
-                                       const ContactMode mode,
-                                       StageRates       &rates)
+  MonolithicSolver<dim>::solve_contact(const State &known, StageRates &rates)
   {
     const StopWatch watch(counters_.contact_seconds);
-    get_free_penetration(known, rates);
-    const bool holds_some =
-      mode == ContactMode::closed ||
-      std::find(rates.is_held.begin(), rates.is_held.end(), true) !=
-        rates.is_held.end();
-    if (!holds_some && !reaches_a_stop())
-      return; // no node is pushed back: zero pressures solve (M.18)
+    bool            is_open = true;
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      is_open &= laws[i].is_open(free[i]);
+    if (is_open)
+      return; // zero pressures solve (M.18)
 
     std::copy(known.contact_pressure.begin(),
               known.contact_pressure.end(),
               rates.pressure.begin());
-    stops.turn(rates.pressure);
-    if (body.law().damping() > 0.)
-      solve_damped_contact(known, mode, rates);
-    else if (mode == ContactMode::closed)
-      contact_solver.solve_closed(seen_response(),
-                                  free_penetration,
-                                  rates.pressure);
-    else
-      rates.n_iterations = contact_solver.solve(seen_response(),
-                                                free_penetration,
-                                                rates.pressure,
-                                                rates.is_held,
-                                                far_penetration);
-    stops.turn(rates.pressure);
+    const FullMatrix<double> &displacement_response = response();
+    rates.n_iterations =
+      problem.solve(body.law().damping() > 0. ?
+                      factorizations.front().end.velocity_by_pressure :
+                      displacement_response,
+                    laws,
+                    free,
+                    rates.pressure);
     apply_pressure(rates);
   }
 
@@ -272,20 +262,15 @@ namespace ThermoContact
 
   template <int dim>
   void
-  MonolithicSolver<dim>::solve_exchange(const State      &known,
-                                        const ContactMode mode,
-                                        StageRates       &rates)
+  MonolithicSolver<dim>::solve_exchange(const State &known, StageRates &rates)
   {
     const StopWatch watch(counters_.contact_seconds);
-    get_free_penetration(known, rates);
     response();
     EndResponse           &response = factorizations.front().end;
     const double           tau      = factorizations.front().matrix.tau();
     const ContactEnd<dim> &end      = body.contact_end();
-    response.free_penetration       = free_penetration;
-    response.far_penetration        = far_penetration;
-    if (body.law().damping() > 0.)
-      get_nodes_in_motion(known, mode, rates);
+    response.free                   = free;
+    response.x_per_displacement     = body.law().damping() > 0. ? 1. / tau : 1.;
     end.get_values(Field::temperature, known.temperature, known_values);
     end.get_values(Field::temperature,
                    rates.temperature_rate,
@@ -297,16 +282,8 @@ namespace ThermoContact
 
     end_exchange.pressure    = known.contact_pressure;
     end_exchange.coefficient = known.exchange_coefficient;
-    stops.turn(end_exchange.pressure);
-    rates.n_iterations =
-      exchange_solver.solve(stops.are_two() ? seen_from_stops(response, stops) :
-                                              response,
-                            mode,
-                            end_exchange,
-                            rates.is_held,
-                            nodes_in_motion);
-    stops.turn(end_exchange.pressure);
-    rates.pressure             = end_exchange.pressure;
+    rates.n_iterations = exchange_solver.solve(response, laws, end_exchange);
+    rates.pressure     = end_exchange.pressure;
     rates.exchange_coefficient = end_exchange.coefficient;
     apply_pressure(rates);
     subtract_responses(Field::temperature, end_exchange.flux, rates);
@@ -349,15 +326,17 @@ namespace ThermoContact
     const bool has_flux = !exchange.is_constant();
     const bool has_contact =
       body.law().is_active() && mode != ContactMode::open;
+    if (!has_flux && !has_contact)
+      return;
+    set_interface(known, mode, rates);
     if (has_flux)
-      solve_exchange(known, mode, rates);
-    else if (has_contact)
-      solve_contact(known, mode, rates);
+      solve_exchange(known, rates);
+    else
+      solve_contact(known, rates);
     if (has_contact && has_lost_digits(known, rates))
       refine(known,
              heat_load,
              momentum_load,
-             mode,
              has_flux ? end_exchange.flux : std::vector<double>(),
              rates);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/stop_watch.h>
-#include <thermocontact/space/nearer_stop.h>
+#include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/monolithic_solver.h>
 
 #include <algorithm>
@@ -18,67 +18,43 @@ namespace ThermoContact
 
     /** Relative change at which velocities are refined no further. */
     constexpr double small_change = 1e-8;
-
-    double
-    largest_difference(const std::vector<double> &x,
-                       const std::vector<double> &y)
-    {
-      double largest = 0.;
-      for (unsigned int i = 0; i < x.size(); ++i)
-        largest = std::max(largest, std::abs(x[i] - y[i]));
-      return largest;
-    }
   } // namespace
 
 
 
   template <int dim>
   void
-  MonolithicSolver<dim>::get_free_penetration(const State      &known,
-                                              const StageRates &rates)
+  MonolithicSolver<dim>::set_interface(const State      &known,
+                                       const ContactMode mode,
+                                       const StageRates &rates)
   {
-    const double           tau = factorizations.front().matrix.tau();
-    const ContactEnd<dim> &end = body.contact_end();
-    // from the obstacle on: in contact the first term is small or zero, and
-    // the sum keeps the digits of the second in short stages
-    look_at_stops(body, known, stops);
-    for (unsigned int i = 0; i < rates.held_at.size(); ++i)
-      if (rates.held_at[i] != 0)
-        stops.see_from(i, rates.held_at[i]);
-    end.get_values(Field::displacement, rates.velocity, free_penetration);
-    stops.turn(free_penetration);
-    far_penetration = stops.far;
-    for (unsigned int i = 0; i < far_penetration.size(); ++i)
-      far_penetration[i] -= tau * free_penetration[i];
-    for (unsigned int i = 0; i < free_penetration.size(); ++i)
-      free_penetration[i] = stops.near[i] + tau * free_penetration[i];
-  }
-
-
-
-  template <int dim>
-  bool
-  MonolithicSolver<dim>::reaches_a_stop() const
-  {
-    const auto is_beyond = [](const double s) { return s > 0.; };
-    return std::any_of(free_penetration.begin(),
-                       free_penetration.end(),
-                       is_beyond) ||
-           std::any_of(far_penetration.begin(),
-                       far_penetration.end(),
-                       is_beyond);
-  }
-
-
-
-  template <int dim>
-  const FullMatrix<double> &
-  MonolithicSolver<dim>::seen_response()
-  {
-    if (!stops.are_two())
-      return response();
-    turned_response = stops.turned(response());
-    return turned_response;
+    const double tau = factorizations.front().matrix.tau();
+    get_node_laws(body, known, laws, start);
+    body.contact_end().get_values(Field::displacement, rates.velocity, free);
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      {
+        NodeLaw   &law    = laws[i];
+        const bool has_to = !rates.held_at.empty() && rates.held_at[i] != 0;
+        if (has_to && rates.held_at[i] != law.side)
+          start[i] = law.change_side(start[i]);
+        law.is_held = mode == ContactMode::closed ||
+                      (!rates.is_held.empty() && rates.is_held[i]);
+        if (mode == ContactMode::open)
+          law.law = nullptr;
+        if (body.law().damping() == 0.)
+          {
+            // from the obstacle on: in contact the first term is small or zero,
+            // and the sum keeps the digits of the second in short stages
+            free[i] = start[i] + tau * free[i];
+            continue;
+          }
+        // as the obstacle sees it, which has moved to the end of the stage
+        const double gap_rate = known.gap_rate.empty() ? 0. : known.gap_rate[i];
+        law.is_in_velocity    = true;
+        law.start             = start[i] + tau * gap_rate;
+        law.tau               = tau;
+        free[i] -= gap_rate;
+      }
   }
 
 
@@ -95,8 +71,14 @@ namespace ThermoContact
     body.contact_end().get_values(Field::displacement,
                                   difference.displacement,
                                   displacement);
-    const std::vector<double> change = contact_solver.solve_linearized(
-      response(), pressure, is_closed, displacement);
+    const FullMatrix<double> &receptance = response();
+    std::vector<double>       slope(is_closed.size(), 0.);
+    for (unsigned int i = 0; i < slope.size(); ++i)
+      if (is_closed[i])
+        slope[i] =
+          NodeLaw(body.law()).slope_of_pressure(pressure[i], receptance(i, i));
+    const std::vector<double> change =
+      change_of_pressure(receptance, slope, displacement);
 
     // Viscous stress alone has carried the displacement of the nodes into the
     // velocity of the others: elastic stress does so with higher order.
@@ -120,56 +102,16 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  MonolithicSolver<dim>::get_nodes_in_motion(const State      &known,
-                                             const ContactMode mode,
-                                             const StageRates &rates)
-  {
-    const ContactEnd<dim> &end = body.contact_end();
-    nodes_in_motion.tau        = factorizations.front().matrix.tau();
-    nodes_in_motion.is_held    = rates.is_held;
-    if (mode == ContactMode::closed)
-      nodes_in_motion.is_held.assign(end.n_nodes(), true);
-    nodes_in_motion.start     = stops.near;
-    nodes_in_motion.far_start = stops.far;
-    end.get_values(Field::displacement,
-                   rates.velocity,
-                   nodes_in_motion.free_velocity);
-    // as the obstacle sees them, which has moved to the end of the stage
-    for (unsigned int i = 0; i < known.gap_rate.size(); ++i)
-      {
-        nodes_in_motion.start[i] += nodes_in_motion.tau * known.gap_rate[i];
-        nodes_in_motion.free_velocity[i] -= known.gap_rate[i];
-      }
-    stops.turn(nodes_in_motion.free_velocity);
-  }
-
-
-
-  template <int dim>
-  void
-  MonolithicSolver<dim>::solve_damped_contact(const State      &known,
-                                              const ContactMode mode,
-                                              StageRates       &rates)
-  {
-    get_nodes_in_motion(known, mode, rates);
-    FullMatrix<double> velocity_response(seen_response());
-    velocity_response /= nodes_in_motion.tau;
-    rates.n_iterations =
-      damped_contact.solve(velocity_response, nodes_in_motion, rates.pressure);
-  }
-
-
-
-  template <int dim>
   bool
   MonolithicSolver<dim>::has_lost_digits(const State      &known,
                                          const StageRates &rates)
   {
     if (body.law().damping() > 0.)
       return false; // not a body in equilibrium with its obstacle
-    const double tau  = factorizations.front().matrix.tau();
-    const double free = largest_difference(free_penetration, stops.near);
+    const double tau        = factorizations.front().matrix.tau();
+    double       free_moved = 0.;
+    for (unsigned int i = 0; i < free.size(); ++i)
+      free_moved = std::max(free_moved, std::abs(free[i] - start[i]));
     body.contact_end().get_values(Field::displacement,
                                   rates.velocity,
                                   end_values);
@@ -179,8 +121,8 @@ namespace ThermoContact
     const double moved = tau * fastest;
     // velocities of a body at rest need no digits: what moves it by its
     // displacement in a unit of time is small
-    return free > largest_loss * moved &&
-           free > largest_loss * tau * known.displacement.linfty_norm();
+    return free_moved > largest_loss * moved &&
+           free_moved > largest_loss * tau * known.displacement.linfty_norm();
   }
 
 
@@ -242,47 +184,23 @@ namespace ThermoContact
 
 
   template <int dim>
-  std::vector<double>
-  MonolithicSolver<dim>::misfit_of_law(const std::vector<bool>   &is_far,
-                                       const std::vector<double> &pressure,
-                                       const Vector &velocity) const
-  {
-    const double        tau = factorizations.front().matrix.tau();
-    std::vector<double> misfit;
-    body.contact_end().get_values(Field::displacement, velocity, misfit);
-    stops.turn(misfit);
-    for (unsigned int i = 0; i < misfit.size(); ++i)
-      {
-        const double way = tau * misfit[i];
-        misfit[i] = (is_far[i] ? way - stops.far[i] : stops.near[i] + way) -
-                    body.law().penetration(pressure[i]);
-      }
-    return misfit;
-  }
-
-
-
-  template <int dim>
   void
   MonolithicSolver<dim>::refine(const State               &known,
                                 const Vector              &heat_load,
                                 const Vector              &momentum_load,
-                                const ContactMode          mode,
                                 const std::vector<double> &flux,
                                 StageRates                &rates)
   {
-    const StopWatch     watch(counters_.contact_seconds);
-    const unsigned int  n = rates.pressure.size();
-    StageRates          change(rates);
-    std::vector<double> pressure(rates.pressure); // seen from the stops
-    std::vector<bool>   is_fixed(rates.is_held), is_active(n), is_far(n);
-    is_fixed.resize(n, mode == ContactMode::closed);
-    stops.turn(pressure);
+    const StopWatch           watch(counters_.contact_seconds);
+    const double              tau        = factorizations.front().matrix.tau();
+    const unsigned int        n          = rates.pressure.size();
+    const FullMatrix<double> &receptance = response();
+    StageRates                change(rates);
+    std::vector<double>       slope(n, 0.), misfit;
     for (unsigned int i = 0; i < n; ++i)
-      {
-        is_far[i]    = !is_fixed[i] && pressure[i] < 0.;
-        is_active[i] = is_fixed[i] || pressure[i] != 0.;
-      }
+      if (laws[i].is_held || rates.pressure[i] != 0.)
+        slope[i] =
+          laws[i].slope_of_pressure(rates.pressure[i], receptance(i, i));
 
     for (unsigned int k = 0; k < max_refinements; ++k)
       {
@@ -292,28 +210,25 @@ namespace ThermoContact
                                             change.temperature_rate,
                                             change.velocity);
         change.velocity += rates.velocity;
-        const std::vector<double> misfit =
-          misfit_of_law(is_far, pressure, change.velocity);
+        body.contact_end().get_values(Field::displacement,
+                                      change.velocity,
+                                      misfit);
+        for (unsigned int i = 0; i < n; ++i)
+          misfit[i] = start[i] + tau * misfit[i] -
+                      laws[i].position_of_pressure(rates.pressure[i]);
         change.velocity -= rates.velocity;
-        change.pressure = contact_solver.solve_linearized(seen_response(),
-                                                          pressure,
-                                                          is_active,
-                                                          misfit);
+        change.pressure = change_of_pressure(receptance, slope, misfit);
         for (unsigned int i = 0; i < n; ++i)
           {
-            if (!is_fixed[i]) // no stop pulls
-              change.pressure[i] =
-                is_far[i] ? std::min(change.pressure[i], -pressure[i]) :
-                            std::max(change.pressure[i], -pressure[i]);
-            pressure[i] += change.pressure[i];
+            double &p = rates.pressure[i];
+            if (!laws[i].is_held) // no obstacle pulls
+              change.pressure[i] = p < 0. ? std::min(change.pressure[i], -p) :
+                                            std::max(change.pressure[i], -p);
+            p += change.pressure[i];
           }
-        stops.turn(change.pressure);
         apply_pressure(change);
-
         rates.temperature_rate += change.temperature_rate;
         rates.velocity += change.velocity;
-        for (unsigned int i = 0; i < n; ++i)
-          rates.pressure[i] += change.pressure[i];
         if (change.velocity.linfty_norm() <=
             small_change * std::max(rates.velocity.linfty_norm(),
                                     known.displacement.linfty_norm()))
@@ -323,29 +238,19 @@ namespace ThermoContact
 
 
 
-#define INSTANTIATE(dim)                                                       \
-  template void MonolithicSolver<dim>::get_free_penetration(                   \
-    const State &, const StageRates &);                                        \
-  template bool MonolithicSolver<dim>::reaches_a_stop() const;                 \
-  template void MonolithicSolver<dim>::keep_contact(                           \
-    const std::vector<bool> &, const std::vector<double> &, State &);          \
-  template void MonolithicSolver<dim>::get_nodes_in_motion(                    \
-    const State &, const ContactMode, const StageRates &);                     \
-  template void MonolithicSolver<dim>::solve_damped_contact(const State &,     \
-                                                            const ContactMode, \
-                                                            StageRates &);     \
-  template std::vector<double> MonolithicSolver<dim>::misfit_of_law(           \
-    const std::vector<bool> &, const std::vector<double> &, const Vector &)    \
-    const;                                                                     \
-  template bool MonolithicSolver<dim>::has_lost_digits(const State &,          \
-                                                       const StageRates &);    \
-  template void MonolithicSolver<dim>::refine(const State &,                   \
-                                              const Vector &,                  \
-                                              const Vector &,                  \
-                                              const ContactMode,               \
-                                              const std::vector<double> &,     \
-                                              StageRates &);                   \
-  template const FullMatrix<double> &MonolithicSolver<dim>::seen_response()
+#define INSTANTIATE(dim)                                                    \
+  template void MonolithicSolver<dim>::set_interface(const State &,         \
+                                                     const ContactMode,     \
+                                                     const StageRates &);   \
+  template void MonolithicSolver<dim>::keep_contact(                        \
+    const std::vector<bool> &, const std::vector<double> &, State &);       \
+  template bool MonolithicSolver<dim>::has_lost_digits(const State &,       \
+                                                       const StageRates &); \
+  template void MonolithicSolver<dim>::refine(const State &,                \
+                                              const Vector &,               \
+                                              const Vector &,               \
+                                              const std::vector<double> &,  \
+                                              StageRates &)
 
   INSTANTIATE(1);
   INSTANTIATE(2);

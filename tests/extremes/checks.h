@@ -4,7 +4,7 @@
 #define thermocontact_extremes_checks_h
 
 #include <thermocontact/simulation/simulation.h>
-#include <thermocontact/space/nearer_stop.h>
+#include <thermocontact/space/node_laws.h>
 
 #include <algorithm>
 #include <cmath>
@@ -144,9 +144,10 @@ namespace ThermoContact
       const ContactLaw &law = simulation.body().law();
       if (!law.is_active())
         return;
-      const State &state = simulation.state();
-      NearerStops  stops;
-      look_at_stops(simulation.body(), state, stops);
+      const State         &state = simulation.state();
+      std::vector<NodeLaw> laws;
+      std::vector<double>  position;
+      get_node_laws(simulation.body(), state, laws, position);
       const double rear_gap = simulation.scene().contact.rear_gap.value_or(0.);
       const TimeParameters &time = simulation.parameters().time;
       // one of several nodes may end an event of a rigid obstacle beyond it
@@ -154,18 +155,19 @@ namespace ThermoContact
         dim > 1 && law.is_rigid() && time.locates_contact_events() ?
           0.01 * event_tolerance(time) * scales.displacement :
           0.;
-      for (unsigned int i = 0; i < stops.near.size(); ++i)
+      for (unsigned int i = 0; i < laws.size(); ++i)
         {
-          const double p = stops.side(i) * state.contact_pressure[i];
+          const double p    = laws[i].side * state.contact_pressure[i];
+          const double near = laws[i].penetration(position[i]);
           require_below("pressure < 0", -p, 0.);
           const bool is_underflow =
-            stops.near[i] > 0. && !law.is_rigid() &&
-            law.pressure(stops.near[i]) < std::numeric_limits<double>::min();
+            near > 0. && !law.is_rigid() &&
+            law.pressure(near) < std::numeric_limits<double>::min();
           has_underflow |=
             is_underflow || (p > 0. && p < smallest_to_be_scaled);
           if (is_underflow || law.damping() > 0.)
             continue; // misses_of_laws()
-          const double s = law.penetration(p) - stops.near[i];
+          const double s = law.penetration(p) - near;
           // the static displacement without contact exceeds the gap by p;
           // within the step the node may have gone some way and back
           const double way   = scales.velocity * simulation.record().step_size;

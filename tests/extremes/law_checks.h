@@ -102,18 +102,19 @@ namespace ThermoContact
                         !scene.heat.exchange->is_constant();
     if (!is_damped && !varies)
       return misses;
-    const auto         &end = simulation.body().contact_end();
-    std::vector<double> velocity;
-    NearerStops         stops;
-    look_at_stops(simulation.body(), state, stops);
+    const auto          &end = simulation.body().contact_end();
+    std::vector<double>  velocity;
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position;
+    get_node_laws(simulation.body(), state, laws, position);
     end.get_approach(state, velocity);
-    stops.turn(velocity);
     const bool is_moved =
       scene.material.is_static() && state.was_moved_at_once();
     const double dt = simulation.record().step_size;
-    for (unsigned int i = 0; i < stops.near.size(); ++i)
+    for (unsigned int i = 0; i < laws.size(); ++i)
       {
-        const double p = stops.side(i) * state.contact_pressure[i];
+        const double p    = laws[i].side * state.contact_pressure[i];
+        const double near = laws[i].penetration(position[i]);
         const double ds =
           1e-12 * std::max({scales.displacement, std::abs(state.gap[i]), p});
         const double forces =
@@ -127,7 +128,7 @@ namespace ThermoContact
         double dv = 1e-12 * scales.velocity;
         if (dt > 0.)
           dv +=
-            scene.contact.is_in_equilibrium || !scene.material.has_inertia() ?
+            scene.contact.is_in_equilibrium() || !scene.material.has_inertia() ?
               ds / dt :
               std::min(ds / dt, 1e-9 * scales.velocity);
         // without inertia it is what is left of velocities of all forces
@@ -136,9 +137,9 @@ namespace ThermoContact
         if (is_damped && !is_moved)
           raise(misses["pressure of the damped law"],
                 miss_of_range(p,
-                              stops.near[i],
+                              near,
                               ds,
-                              velocity[i],
+                              laws[i].side * velocity[i],
                               dv,
                               [&](const double s, const double v) {
                                 return law.damped_pressure(s, v);
@@ -146,7 +147,7 @@ namespace ThermoContact
         if (varies)
           raise(misses["coefficient of the heat exchange"],
                 miss_of_range(state.exchange_coefficient[i],
-                              stops.near[i],
+                              near,
                               ds,
                               p,
                               1e-12 * std::max(forces, scales.force),

@@ -262,12 +262,11 @@ namespace ThermoContact
                                          0.,
                                        std::abs(last.contact_force)));
     const double free_end = a * rest.mean;
-    double       pressure =
-      scene.contact.law->local_pressure(free_end - parameters.contact.gap, 1.);
+    NodeLaw      law(*scene.contact.law);
     if (scene.contact.rear_gap)
-      pressure -=
-        scene.contact.law->local_pressure(-free_end - *scene.contact.rear_gap,
-                                          1.);
+      law.play = parameters.contact.gap + *scene.contact.rear_gap;
+    const double pressure =
+      law.resolve(free_end - parameters.contact.gap, 1.).pressure;
     const double length =
       std::max({run.scales.displacement,
                 std::abs(a) * run.scales.temperature,

@@ -66,7 +66,7 @@ namespace
     const auto          law = make_law(compliance);
     ConservingContact(*law, scalar(static_receptance))
       .step_pressure(
-        {{start}, {}}, {{free_end}, {}}, scalar(receptance), 0., pressure);
+        {NodeLaw(*law)}, {start}, {free_end}, scalar(receptance), 0., pressure);
     return pressure[0];
   }
 
@@ -208,14 +208,16 @@ namespace
 
   /** V(s) and its pressures. */
   double
-  potential(const Problem          &problem,
-            const ContactLaw       &law,
-            const NodesBeforeStops &s,
-            std::vector<double>    &pressure)
+  potential(const Problem              &problem,
+            const ContactLaw           &law,
+            const std::vector<NodeLaw> &laws,
+            const std::vector<double>  &s,
+            std::vector<double>        &pressure)
   {
-    const unsigned int n = s.front.size();
+    const unsigned int n = s.size();
     pressure.assign(n, 0.);
-    ConservingContact(law, problem.static_receptance).equilibrium(s, pressure);
+    ConservingContact(law, problem.static_receptance)
+      .equilibrium(laws, s, pressure);
     double value = 0.;
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -242,38 +244,30 @@ namespace
   {
     std::uniform_real_distribution<double> uniform(-1., 1.);
     const unsigned int                     n = problem.weights.size();
-    NodesBeforeStops                       start, free_end, end;
-    std::vector<double>                    p(n, 0.);
+    std::vector<double>                    start, free_end, end, p(n, 0.);
+    std::vector<NodeLaw>                   laws(n, NodeLaw(law));
     for (unsigned int i = 0; i < n; ++i)
       {
-        start.front.push_back(amplitude * uniform(generator));
-        free_end.front.push_back(amplitude * uniform(generator));
-        if (!has_rear_stop)
-          continue;
-        const double width = amplitude * (0.5 + 0.4 * uniform(generator));
-        start.rear.push_back(-start.front[i] - width);
-        free_end.rear.push_back(-free_end.front[i] - width);
+        start.push_back(amplitude * uniform(generator));
+        free_end.push_back(amplitude * uniform(generator));
+        if (has_rear_stop)
+          laws[i].play = amplitude * (0.5 + 0.4 * uniform(generator));
       }
-    const ConservingContact contact(law, problem.static_receptance);
-    contact.step_pressure(start, free_end, problem.receptance, 0., p);
+    ConservingContact contact(law, problem.static_receptance);
+    contact.step_pressure(laws, start, free_end, problem.receptance, 0., p);
     end         = free_end;
     double work = 0., scale = 0.;
     for (unsigned int i = 0; i < n; ++i)
       {
-        double way = 0.;
         for (unsigned int j = 0; j < n; ++j)
-          way += 2. * problem.receptance(i, j) * p[j];
-        end.front[i] -= way;
-        if (has_rear_stop)
-          end.rear[i] += way;
-        const double term =
-          problem.weights[i] * p[i] * (end.front[i] - start.front[i]);
+          end[i] -= 2. * problem.receptance(i, j) * p[j];
+        const double term = problem.weights[i] * p[i] * (end[i] - start[i]);
         work += term;
         scale += std::abs(term);
       }
     std::vector<double> p_start, p_end;
-    const double        V_start = potential(problem, law, start, p_start);
-    const double        V_end   = potential(problem, law, end, p_end);
+    const double        V_start = potential(problem, law, laws, start, p_start);
+    const double        V_end   = potential(problem, law, laws, end, p_end);
     for (unsigned int i = 0; i < n; ++i)
       n_changes += has_rear_stop ? p_start[i] * p_end[i] < 0. :
                                    (p_start[i] > 0.) != (p_end[i] > 0.);
@@ -356,7 +350,12 @@ namespace
                 n_iterations =
                   std::max(n_iterations,
                            ConservingContact(*law, X).step_pressure(
-                             {starts, {}}, {free_ends, {}}, B, 0., p));
+                             std::vector<NodeLaw>(n, NodeLaw(*law)),
+                             starts,
+                             free_ends,
+                             B,
+                             0.,
+                             p));
                 for (const double value : p)
                   raise(largest, std::abs(value - exact));
               }
@@ -375,15 +374,16 @@ namespace
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
         X(i, j) = i == j ? 1. : 0.25;
-    const auto              law = make_law(0.);
-    const ConservingContact contact(*law, X);
+    const auto                 law = make_law(0.);
+    ConservingContact          contact(*law, X);
+    const std::vector<NodeLaw> laws(3, NodeLaw(*law));
     for (const double motion : {3e-16, 1e-14, 1e-12, 1e-8})
       {
         // without feedback: the ends are the free ends
         const FullMatrix<double>  no_receptance(3, 3);
         const std::vector<double> start(3, 0.), end(3, (1. + motion) - 1.);
         std::vector<double>       p(3, 0.);
-        contact.step_pressure({start, {}}, {end, {}}, no_receptance, 1., p);
+        contact.step_pressure(laws, start, end, no_receptance, 1., p);
         double largest = 0.;
         for (const double value : p)
           raise(largest, std::abs(value - 0.5 * motion / 1.5));

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Contact laws, and the contact solver with those that are not linear; no mesh.
+// Contact laws, and contact of nodes with those that are not linear; no mesh.
 //
 // 1. Every law of the program, at p between 0.1 and 3: d energy = p ds
 //    and ds = tangent dp (central differences of step 1e-4 p, so to 1e-7),
 //    pressure(s(p)) = p and penetration_of_energy(energy(p)) = s(p) unless it
-//    is rigid, local_pressure solves s_free - chi p = s(p), odd penetrations.
-// 2. A law that is not linear, s = p^3, W = [2 1; 1 2]. By hand:
-//      free (4, 4): 1 + 2 + 1 = 4, p = (1, 1); closed, free (-4, -4): (-1, -1)
-//      free (3, 0.5): 1 + 2 = 3, node 2 at 0.5 - 1 < 0: p = (1, 0)
-// 3. Power laws with m = 1.2, 1.5, 2, 3, 6, eps = 0.01 to 10: the responses of
+//    is rigid, the resolvent solves z - chi p = s(p), odd where it is held,
+//    odd penetrations; the mean pressure between two penetrations times their
+//    difference is the difference of the energies.
+// 2. Power laws with m = 1.2, 1.5, 2, 3, 6, eps = 0.01 to 10: the responses of
 //    6 random nodes, W = A^T A + 0.01 I, times 1e-6 to 1e6 for short and long
 //    stages, and penetrations s of both signs that are drawn make the free
 //    penetrations s + W p(s). The solver has to find p(s), to 1e-9 of the
@@ -17,7 +16,7 @@
 //    (p odd): 600 problems. One node alone: s_free = s + chi p(s) likewise, to
 //    1e-12.
 
-#include <thermocontact/method/contact_solver.h>
+#include <thermocontact/method/interface_problem.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +24,6 @@
 
 #include "../tests.h"
 
-#include "../cubic_law.h"
 
 using namespace ThermoContact;
 using dealii::FullMatrix;
@@ -50,45 +48,26 @@ namespace
             raise(worst, std::abs(ds / (2. * h) - law->tangent(p)));
             raise(worst, std::abs(s + law->penetration(-p)));
             raise(worst, std::abs(law->pressure(-1.)));
-            raise(worst, std::abs(law->local_pressure(-1., chi)));
+            raise(worst, law->resolve(-1., chi).pressure);
             if (!law->is_active())
               continue;
-            raise(worst, std::abs(law->local_pressure(s + chi * p, chi) - p));
+            raise(worst, std::abs(law->resolve(s + chi * p, chi).pressure - p));
             raise(worst,
-                  std::abs(law->local_closed_pressure(-s - chi * p, chi) + p));
+                  std::abs(Held(*law).resolve(-s - chi * p, chi).pressure + p));
             if (law->is_rigid())
               continue;
             raise(worst, std::abs(law->pressure(s) - p));
             raise(worst,
                   std::abs(law->penetration_of_energy(law->energy(p)) - s));
+            for (const double other : {-0.7 * s, 0.3 * s, 2. * s})
+              raise(worst,
+                    std::abs(law->mean_pressure(s, other) * (other - s) -
+                             law->energy(law->pressure(other)) +
+                             law->energy(p)));
           }
         deallog << kind.name << ": consistent " << within(worst, 1e-7)
                 << ", linear " << law->is_linear() << std::endl;
       }
-  }
-
-
-
-  void
-  test_nonlinear_law()
-  {
-    FullMatrix<double> response(2, 2);
-    response(0, 0) = response(1, 1) = 2.;
-    response(0, 1) = response(1, 0) = 1.;
-    const CubicLaw      law;
-    const ContactSolver solver(law);
-    for (const std::vector<double> &free :
-         {std::vector<double>{4., 4.}, std::vector<double>{3., 0.5}})
-      {
-        std::vector<double> pressure(2, 0.5);
-        solver.solve(response, free, pressure);
-        deallog << "cubic law, free " << free[0] << ' ' << free[1] << ": p "
-                << pressure[0] << ' ' << pressure[1] << std::endl;
-      }
-    std::vector<double> pressure(2, -0.5);
-    solver.solve_closed(response, {-4., -4.}, pressure);
-    deallog << "cubic law, closed: p " << pressure[0] << ' ' << pressure[1]
-            << std::endl;
   }
 
 
@@ -113,10 +92,10 @@ namespace
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
         free_penetration[i] += response(i, j) * exact[j];
-    if (is_closed)
-      ContactSolver(law).solve_closed(response, free_penetration, p);
-    else
-      ContactSolver(law).solve(response, free_penetration, p);
+    std::vector<NodeLaw> laws(n, NodeLaw(law));
+    for (NodeLaw &node : laws)
+      node.is_held = is_closed;
+    InterfaceProblem().solve(response, laws, free_penetration, p);
     double error = 0.;
     for (unsigned int i = 0; i < n; ++i)
       raise(error, std::abs(p[i] - exact[i]));
@@ -179,6 +158,5 @@ main()
 {
   initlog();
   test_laws();
-  test_nonlinear_law();
   test_power_laws();
 }

@@ -88,7 +88,7 @@ namespace
   separate_nodes(const unsigned int n, const double s, const double theta)
   {
     EndResponse response;
-    response.free_penetration.assign(n, s);
+    response.free.assign(n, s);
     response.free_temperature.assign(n, theta);
     response.temperature_by_pressure.reinit(n, n);
     response.penetration_by_pressure = dealii::IdentityMatrix(n);
@@ -109,6 +109,21 @@ namespace
 
 
 
+  /** Nodes with one law. */
+  std::vector<NodeLaw>
+  laws_of(const ContactLaw  &law,
+          const unsigned int n,
+          const ContactMode  mode = ContactMode::unilateral)
+  {
+    NodeLaw node(law);
+    node.is_held = mode == ContactMode::closed;
+    if (mode == ContactMode::open)
+      node.law = nullptr;
+    return std::vector<NodeLaw>(n, node);
+  }
+
+
+
   void
   test_one_node()
   {
@@ -116,26 +131,30 @@ namespace
     const Exchange       exchange([](const double gap, const double p) {
       return p > 0. ? 1. + p : 1. / (1. + gap);
     });
-    const ExchangeSolver solver(*law, exchange);
+    const ExchangeSolver solver(exchange);
     const double         y = 0.5 * (std::sqrt(14.25) - 2.5);
     const double         q = 0.5 * (10.5 - std::sqrt(44.25));
     for (const double k : {0., 0.3, 20.})
       {
         EndExchange end = start(1, k);
-        solver.solve(separate_nodes(1, 0.5, 3.), ContactMode::unilateral, end);
+        solver.solve(separate_nodes(1, 0.5, 3.), laws_of(*law, 1), end);
         deallog << "from k = " << k << ": open, flux "
                 << end.flux[0] / (y + 0.5) << ", pressure " << end.pressure[0]
                 << ", k " << end.coefficient[0] * (1. + y);
         end = start(1, k);
-        solver.solve(separate_nodes(1, 3.5, 3.), ContactMode::unilateral, end);
+        solver.solve(separate_nodes(1, 3.5, 3.), laws_of(*law, 1), end);
         deallog << "; closed, flux " << end.flux[0] / q << ", pressure "
                 << end.pressure[0] / (0.5 * (3.5 - q)) << std::endl;
       }
     EndExchange end = start(1, 0.3);
-    solver.solve(separate_nodes(1, 3.5, 3.), ContactMode::open, end);
+    solver.solve(separate_nodes(1, 3.5, 3.),
+                 laws_of(*law, 1, ContactMode::open),
+                 end);
     deallog << "held open: flux " << end.flux[0] << ", pressure "
             << end.pressure[0];
-    solver.solve(separate_nodes(1, 0.5, 3.), ContactMode::closed, end);
+    solver.solve(separate_nodes(1, 0.5, 3.),
+                 laws_of(*law, 1, ContactMode::closed),
+                 end);
     deallog << "; held closed: flux " << end.flux[0] << ", pressure "
             << end.pressure[0] << std::endl;
   }
@@ -149,8 +168,9 @@ namespace
     const Exchange exchange(
       [](const double, const double p) { return p > 0. ? 10. : 0.; });
     EndExchange end = start(n, 0.);
-    ExchangeSolver(*law, exchange)
-      .solve(separate_nodes(n, 0.1, 1.), ContactMode::unilateral, end);
+    ExchangeSolver(exchange).solve(separate_nodes(n, 0.1, 1.),
+                                   laws_of(*law, n),
+                                   end);
     double largest_pressure = 0.;
     deallog << "jump, " << n << " nodes: k, flux";
     for (unsigned int i = 0; i < n; ++i)
@@ -177,12 +197,11 @@ namespace
       for (unsigned int i = 0; i < 2; ++i)
         for (unsigned int j = 0; j < 2; ++j)
           (*matrix)(i, j) = i == j ? 2. : 1.;
-    response.free_penetration[1] = 0.4;
+    response.free[1] = 0.4;
     for (const double k : {0., 1.})
       {
         EndExchange end = start(2, k);
-        ExchangeSolver(*law, exchange)
-          .solve(response, ContactMode::unilateral, end);
+        ExchangeSolver(exchange).solve(response, laws_of(*law, 2), end);
         deallog << "jump of two coupled nodes from k = " << k << ": k "
                 << end.coefficient[0] * 21. / 2. << ' '
                 << end.coefficient[1] * 18. / 5. << ", flux "
@@ -237,7 +256,7 @@ namespace
               &response.penetration_by_pressure})
           for (unsigned int i = 0; i < n; ++i)
             (*matrix)(i, j) *= weight;
-        response.free_penetration[j] = number(random);
+        response.free[j]             = number(random);
         response.free_temperature[j] = 2. * number(random);
       }
     return response;
@@ -261,7 +280,7 @@ namespace
     const double n = end.flux.size();
     for (unsigned int i = 0; i < n; ++i)
       {
-        double s = r.free_penetration[i], theta = r.free_temperature[i];
+        double s = r.free[i], theta = r.free_temperature[i];
         for (unsigned int j = 0; j < n; ++j)
           {
             s -= r.penetration_by_pressure(i, j) * end.pressure[j] +
@@ -308,12 +327,11 @@ namespace
             const EndResponse response = random_response(n, random);
             for (const double k : {0., 1.})
               {
-                EndExchange end = start(n, k);
-                ExchangeSolver(*law, exchange)
-                  .solve(response,
-                         mode,
-                         end,
-                         holds_second_nodes ? is_held : std::vector<bool>());
+                EndExchange          end  = start(n, k);
+                std::vector<NodeLaw> laws = laws_of(*law, n);
+                for (unsigned int j = 0; j < n; ++j)
+                  laws[j].is_held = is_held[j];
+                ExchangeSolver(exchange).solve(response, laws, end);
                 raise(largest,
                       violation(response, end, *law, exchange, is_held));
                 for (const double p : end.pressure)
@@ -338,8 +356,9 @@ namespace
     EndExchange end = start(1, 1.);
     try
       {
-        ExchangeSolver(*law, exchange)
-          .solve(separate_nodes(1, -2., 1.), ContactMode::open, end);
+        ExchangeSolver(exchange).solve(separate_nodes(1, -2., 1.),
+                                       laws_of(*law, 1, ContactMode::open),
+                                       end);
         deallog << "accepted" << std::endl;
       }
     catch (const ComputationError &error)
@@ -354,17 +373,20 @@ namespace
   void
   test_short_stage()
   {
-    const auto          law = with_damping(make_law(1e-20), 1.);
-    const Exchange      exchange([](const double, const double) { return 2.; });
-    const double        tau = 1e-9;
-    const NodesInMotion motion{tau, {1.}, {3.}, {}};
-    EndResponse         response = separate_nodes(1, 1. + 3. * tau, 1.);
+    const auto     law = with_damping(make_law(1e-20), 1.);
+    const Exchange exchange([](const double, const double) { return 2.; });
+    const double   tau = 1e-9;
+    NodeLaw        node(*law);
+    node.is_in_velocity                    = true;
+    node.start                             = 1.;
+    node.tau                               = tau;
+    EndResponse response                   = separate_nodes(1, 3., 1.);
+    response.x_per_displacement            = 1. / tau;
     response.penetration_by_pressure(0, 0) = tau;
     response.penetration_by_flux(0, 0)     = tau;
     response.temperature_by_flux(0, 0)     = 0.;
     EndExchange end                        = start(1, 1.);
-    ExchangeSolver(*law, exchange)
-      .solve(response, ContactMode::unilateral, end, {}, motion);
+    ExchangeSolver(exchange).solve(response, {node}, end);
     deallog << "damped, short stage: flux " << end.flux[0]
             << ", pressure to 1e-13 "
             << (std::abs(end.pressure[0] - 2.) < 1e-13) << std::endl;

@@ -3,6 +3,8 @@
 #ifndef thermocontact_method_contact_law_h
 #define thermocontact_method_contact_law_h
 
+#include <thermocontact/method/interface_law.h>
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -20,12 +22,15 @@ namespace ThermoContact
 
 
 
-  /** How contact nodes move. */
-  enum class ContactNodes
+  /**
+   * The order in time of the equation of motion, of a body or at its contact
+   * nodes: what an event leaves as it is, and what it changes at once.
+   */
+  enum class NodeOrder
   {
-    with_mass,
-    massless,      ///< they follow the pressure at once
-    of_static_body ///< so does the whole body, and velocities say nothing
+    inertial, ///< mass: displacement and temperature go on, the velocity jumps
+    viscous,  ///< no mass: displacement and temperature go on
+    quasi_static ///< neither: they are in equilibrium at every time
   };
 
 
@@ -36,14 +41,14 @@ namespace ThermoContact
    *
    * In contact $s=s(p)$ with $s(0)=0$, else $p=0$ and $s\le0$, doc/model.md
    * (M.4), (M.5). The relation is asked for as $s(p)$ since that exists for all
-   * obstacles: it is zero for a rigid one. Nondimensional; pressures are
-   * positive if they push the body back.
+   * obstacles: it is zero for a rigid one. Its resolvent is the local problem
+   * of one node, (M.17): the pressure that leaves the penetration $z-rp=s(p)$,
+   * or 0 if $z\le0$. Nondimensional; pressures are positive if they push the
+   * body back.
    */
-  class ContactLaw
+  class ContactLaw : public InterfaceLaw
   {
   public:
-    virtual ~ContactLaw() = default;
-
     /** The obstacle with its numbers, for the screen. */
     virtual std::string
     description() const = 0;
@@ -113,21 +118,12 @@ namespace ThermoContact
     penetration_of_energy(const double energy) const = 0;
 
     /**
-     * The local problem of one node, doc/model.md (M.17): the pressure that
-     * leaves the penetration $s_{free}-\chi p=s(p)$, or 0 if $s_{free}\le0$.
-     *
-     * @param free_penetration $s_{free}$, without contact
-     * @param receptance $\chi\ge0$, loss of displacement per unit pressure;
-     *   positive with a rigid obstacle
+     * Mean pressure on the way between two penetrations,
+     * $\int p\,ds/(s_1-s_0)$, to rounding also where they are close. 0 where
+     * the law does not say, as for a rigid obstacle.
      */
     double
-    local_pressure(const double free_penetration,
-                   const double receptance) const;
-
-    /** The same for contact that cannot open: a pressure of either sign. */
-    virtual double
-    local_closed_pressure(const double free_penetration,
-                          const double receptance) const = 0;
+    mean_pressure(const double s_0, const double s_1) const;
 
     /**
      * What a backward Euler step dissipates at the node, per area, (M.24): the
@@ -143,6 +139,11 @@ namespace ThermoContact
                           const double old_penetration,
                           const double old_pressure,
                           const double pressure) const;
+
+  protected:
+    /** mean_pressure() between two positive penetrations. */
+    virtual double
+    mean_in_contact(const double s_0, const double s_1) const = 0;
   };
 
 

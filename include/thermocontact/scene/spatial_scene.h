@@ -5,7 +5,7 @@
 
 #include <thermocontact/scene/scene.h>
 
-#include <string>
+#include <optional>
 
 namespace ThermoContact
 {
@@ -33,7 +33,7 @@ namespace ThermoContact
     double      exchange_coefficient; ///< $k$ of the contact end, if constant
     double      lateral_exchange;     ///< $m$, (M.101)
     double      gap;                  ///< $g$ of all nodes; 0 with a shape
-    std::string gap_expression;       ///< of a shape or a motion; else empty
+    std::optional<Expression> gap_expression; ///< of a shape or a motion
 
     bool
     operator==(const SpatialScene &other) const;

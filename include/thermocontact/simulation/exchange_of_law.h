@@ -3,7 +3,7 @@
 #ifndef thermocontact_simulation_exchange_of_law_h
 #define thermocontact_simulation_exchange_of_law_h
 
-#include <thermocontact/space/nearer_stop.h>
+#include <thermocontact/space/node_laws.h>
 #include <thermocontact/space/state.h>
 
 #include <algorithm>
@@ -20,11 +20,13 @@ namespace ThermoContact
   void
   set_exchange_coefficients(const Body<dim> &body, State &state)
   {
-    NearerStops stops;
-    look_at_stops(body, state, stops);
-    for (unsigned int i = 0; i < stops.near.size(); ++i)
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position;
+    get_node_laws(body, state, laws, position);
+    for (unsigned int i = 0; i < laws.size(); ++i)
       state.exchange_coefficient[i] = body.scene.heat.exchange->coefficient(
-        stops.near[i], std::max(stops.side(i) * state.contact_pressure[i], 0.));
+        laws[i].penetration(position[i]),
+        std::max(laws[i].side * state.contact_pressure[i], 0.));
   }
 
 

@@ -10,17 +10,14 @@
 namespace ThermoContact
 {
   /**
-   * What a fixed end that is heated or moved does at the end of a stage, at
-   * each of its nodes; doc/model.md (M.90). Vectors of what is not driven are
-   * empty.
+   * Scalars that are functions of time at the end of a stage, doc/model.md
+   * (M.90), (M.109); empty: there are none.
    */
-  struct EndMotion
+  struct PrescribedStage
   {
-    std::vector<double> temperature;      ///< $\theta_D$
-    std::vector<double> temperature_rate; ///< $\theta'_D$
-    std::vector<double> displacement;     ///< $u_D$, along the axis
-    std::vector<double> velocity;         ///< $v_D=u'_D$
-    std::vector<double> acceleration;     ///< $v'_D$
+    std::vector<double> values;        ///< $\theta_D$, $u_D$, $g$
+    std::vector<double> rates;         ///< $\theta'_D$, $v_D$, $g'$
+    std::vector<double> accelerations; ///< $v'_D$, $g''$
   };
 
 
@@ -61,15 +58,16 @@ namespace ThermoContact
     }
 
     /**
-     * Puts a motion into the equations of a stage: its values into the known
-     * ones, its rates into the loads, so that a solver, for which rates vanish
-     * at the fixed end, finds the others; (M.91).
+     * Puts a motion of the entries() into the equations of a stage: its values
+     * into the known ones, its rates into the loads, so that a solver, for
+     * which rates vanish at the fixed end, finds the others; (M.91).
      */
     void
-    constrain(const EndMotion &motion,
-              State           &known,
-              Vector          &heat_load,
-              Vector          &momentum_load) const;
+    constrain(const PrescribedStage &temperature,
+              const PrescribedStage &displacement,
+              State                 &known,
+              Vector                &heat_load,
+              Vector                &momentum_load) const;
 
     /** Sets entries() of a field; does nothing if @p values is empty. */
     void

@@ -19,20 +19,6 @@ namespace ThermoContact
   before_obstacle(const std::vector<double> &gap,
                   const std::vector<double> &displacement);
 
-  /** The same with a stop behind, if there is one. */
-  template <int dim>
-  EndPenetrations
-  all_penetrations(const Body<dim>           &body,
-                   const State               &state,
-                   const std::vector<double> &displacement);
-
-  /** Where a node with pressure is, exact to the rounding of u. */
-  template <int dim>
-  double
-  displacement_of_law(const Body<dim>   &body,
-                      const State       &state,
-                      const unsigned int node);
-
   /**
    * As settle_contact_nodes(), for as many nodes as there may be.
    *

@@ -3,7 +3,7 @@
 #ifndef thermocontact_time_contact_node_problem_h
 #define thermocontact_time_contact_node_problem_h
 
-#include <thermocontact/method/active_set.h>
+#include <thermocontact/method/interface_problem.h>
 #include <thermocontact/space/body.h>
 
 #include <deal.II/lac/vector.h>
@@ -12,15 +12,6 @@
 
 namespace ThermoContact
 {
-  /** Penetrations of all nodes of the end. */
-  struct EndPenetrations
-  {
-    std::vector<double> front;
-    std::vector<double> rear; ///< at a stop behind; empty: there is none
-  };
-
-
-
   /**
    * Values of the nodes of the contact end, all others being given, with
    * pressures of unilateral contact there: $Kx=f-wp$ with a multiple $K$ of the
@@ -31,7 +22,7 @@ namespace ThermoContact
    * for each node that can meet the obstacle. All of it is collective.
    */
   template <int dim>
-  class ContactNodeProblem
+  class ContactNodeProblem : private InterfaceOperator
   {
   public:
     /**
@@ -48,26 +39,26 @@ namespace ThermoContact
      * Changes @p x by which the nodes come into equilibrium.
      *
      * @param load $f$ before the change
-     * @param penetration before the change
-     * @param can_touch nodes that may have a pressure
+     * @param laws of the nodes that can meet the obstacle, rigid or linear
+     * @param position of these before the change, as the laws have it
      * @param pressure in: a guess; out: the solution
-     * @throw ComputationError if the active set does not settle
+     * @throw ComputationError if the branches do not settle
      */
     std::vector<double>
-    solve(const std::vector<double> &load,
-          const EndPenetrations     &penetration,
-          const std::vector<bool>   &can_touch,
-          std::vector<double>       &pressure);
+    solve(const std::vector<double>  &load,
+          const std::vector<NodeLaw> &laws,
+          const std::vector<double>  &position,
+          std::vector<double>        &pressure);
 
     /**
-     * The same for the active set that was found, whatever the pressures.
+     * The same for the branches that were found, whatever the pressures.
      *
-     * @param penetration at the stops where the nodes of the set are, seen from
-     *   the front one; or a rate
+     * @param penetration of the obstacles where the nodes are, in the direction
+     *   of the displacement; or a rate
      */
     std::vector<double>
-    solve_for_same_set(const std::vector<double> &load,
-                       const std::vector<double> &penetration);
+    solve_for_same_branches(const std::vector<double> &load,
+                            const std::vector<double> &penetration);
 
     /** $-aM^{-1}D\,\delta u$, (M.67), of a change of the nodes. */
     Vector
@@ -81,11 +72,23 @@ namespace ThermoContact
     const Body<dim>    &body;
     const double        factor;
     const bool          takes_heat;
-    SetsBetweenStops    sets;
+    std::vector<int>    branches;
     std::vector<double> diagonal;          ///< of K
     Vector              inverse_heat_mass; ///< of its diagonal
     mutable Vector      values;
     mutable Vector      forces;
+
+    // of the problem that is solved
+    const std::vector<double>  *load     = nullptr;
+    const std::vector<NodeLaw> *laws     = nullptr;
+    const std::vector<double>  *position = nullptr;
+    std::vector<double>         change;
+
+    void
+    solve(const std::vector<int> &branch,
+          const bool              is_last,
+          std::vector<double>    &new_position,
+          std::vector<double>    &pressure) override;
 
     /** Relative residual of the conjugate gradients. */
     double
@@ -97,7 +100,7 @@ namespace ThermoContact
     bool
     is_held(const unsigned int node) const
     {
-      return sets.is_active[node] && body.law().is_rigid();
+      return branches[node] != 0 && body.law().is_rigid();
     }
 
     /** Of the obstacle, per displacement of the node. */

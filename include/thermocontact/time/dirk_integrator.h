@@ -5,9 +5,7 @@
 
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/method/butcher_tableau.h>
-#include <thermocontact/method/two_stops.h>
 #include <thermocontact/time/driven_step.h>
-#include <thermocontact/time/obstacle_step.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <array>
@@ -69,12 +67,10 @@ namespace ThermoContact
     /** Of a fixed end that is heated or moved; else null. */
     const std::unique_ptr<DrivenStep<dim>> driven;
 
-    /** Of an obstacle that moves; else null. */
-    const std::unique_ptr<ObstacleStep<dim>> obstacle;
+    PrescribedMotion gaps; ///< of an obstacle that moves
 
     std::vector<StageRates> stages;
     std::vector<Vector>     accelerations; ///< $v'$ of a stage
-    NearerStops             stops;         ///< where a closed step begins
     State                   known;
     State                   difference;
     Vector                  heat_load;
@@ -87,7 +83,17 @@ namespace ThermoContact
     void
     start_drives(const State &state, const TimeStep &time_step);
 
-    /** The obstacle of stage @p i, and the nodes that it holds. */
+    /** The gaps of a step before an obstacle that moves, (M.109), (M.110). */
+    void
+    start_obstacle(const State      &state,
+                   const TimeStep   &time_step,
+                   const StageTimes &loads_at);
+
+    /**
+     * The obstacle of stage @p i where it is at the end of the stage. Nodes
+     * with mass that a rigid one holds move with it: their known velocities are
+     * those from which they reach its velocity with its acceleration.
+     */
     void
     place_obstacle(const unsigned int i,
                    const double       tau,

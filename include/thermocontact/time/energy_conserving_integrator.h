@@ -4,8 +4,6 @@
 #define thermocontact_time_energy_conserving_integrator_h
 
 #include <thermocontact/method/conserving_contact.h>
-#include <thermocontact/method/step_contact.h>
-#include <thermocontact/method/two_stops.h>
 #include <thermocontact/time/driven_step.h>
 #include <thermocontact/time/time_integrator.h>
 
@@ -77,9 +75,18 @@ namespace ThermoContact
 
     /** Of a node that keeps its mass; one of the two, if there is an obstacle.
      */
-    std::unique_ptr<const StepContact> step_contact;
-    std::vector<double>                free_penetration; ///< at the end
-    NearerStops                        stops;
+    /** A node that keeps its mass, (M.81). */
+    bool has_contact_mass = false;
+
+    /**
+     * Its pressure is the mean that conserves energy, $\varepsilon\ge h/2$,
+     * from where on the mesh follows the obstacle without overshooting. Else it
+     * is that of the law at the end of the step, which takes energy.
+     */
+    bool has_mean_pressure = false;
+
+    std::vector<NodeLaw> laws;  ///< of the contact nodes in the step
+    std::vector<double>  start; ///< their positions at the beginning
 
     std::vector<double> old_free_position; ///< $s$ at the beginning
     std::vector<double> free_position;     ///< $s$ at the end

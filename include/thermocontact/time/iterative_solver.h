@@ -12,14 +12,14 @@
 namespace ThermoContact
 {
   /**
-   * A stage of a large body: both fields at once and contact by primal-dual
-   * active sets, without a matrix and without a response for each node.
+   * A stage of a large body: both fields at once and contact by
+   * solve_by_branches(), without a matrix and without a response for each node.
    *
    * For a set of nodes in contact the stage is linear, and IterativeStage
    * solves it, loosely until the set repeats itself.
    */
   template <int dim>
-  class IterativeSolver : public StageSolver
+  class IterativeSolver : public StageSolver, private InterfaceOperator
   {
   public:
     /** @param body borrowed; it has no matrices */
@@ -66,15 +66,14 @@ namespace ThermoContact
      * contact into a rigid obstacle, times $\zeta/(\zeta+1)$, and pressures
      * there, (M.34).
      *
-     * @param stops where the nodes are
+     * @param laws of velocities: nodes in contact cannot move into an obstacle
      */
     void
-    solve_quasi_static_velocity(const State             &known,
-                                const Vector            &heat_load,
-                                const Vector            &momentum_load,
-                                const std::vector<bool> &is_closed,
-                                const NearerStops       &stops,
-                                StageRates              &rates);
+    solve_quasi_static_velocity(const State                &known,
+                                const Vector               &heat_load,
+                                const Vector               &momentum_load,
+                                const std::vector<NodeLaw> &laws,
+                                StageRates                 &rates);
 
     bool
     can_hold_nodes() const override
@@ -127,11 +126,15 @@ namespace ThermoContact
                  const bool        with_heat,
                  StageRates       &rates);
 
-    /** The same by active sets, from @p sets on. */
+    /** The same from these branches on. */
     void
-    solve_by_sets(SetsBetweenStops        &sets,
-                  const std::vector<bool> &is_fixed,
-                  StageRates              &rates);
+    solve_contact(std::vector<int> &branch, StageRates &rates);
+
+    void
+    solve(const std::vector<int> &branch,
+          const bool              is_last,
+          std::vector<double>    &position,
+          std::vector<double>    &pressure) override;
 
     void
     count(const unsigned int n_iterations);

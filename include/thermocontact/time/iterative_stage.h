@@ -3,7 +3,7 @@
 #ifndef thermocontact_time_iterative_stage_h
 #define thermocontact_time_iterative_stage_h
 
-#include <thermocontact/method/active_set.h>
+#include <thermocontact/method/interface_problem.h>
 #include <thermocontact/multigrid/stage_hierarchies.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/flexible_gmres.h>
@@ -66,30 +66,34 @@ namespace ThermoContact
     void
     prepare_displacement(const std::vector<double> &displacement);
 
-    /**
-     * Takes the place of the penetrations at the beginning of the stage.
-     *
-     * @param rear at a stop behind; empty: there is none
-     */
+    /** Takes the place of what contact nodes meet, and of where they start. */
     void
-    set_penetrations(const std::vector<double> &front,
-                     const std::vector<double> &rear)
+    set_laws(const std::vector<NodeLaw> &new_laws,
+             const std::vector<double>  &new_start)
     {
-      front_penetration = front;
-      rear_penetration  = rear;
+      laws  = new_laws;
+      start = new_start;
     }
 
-    /** No node in contact. */
-    SetsBetweenStops
-    empty_sets() const
+    void
+    set_laws(const std::vector<NodeLaw> &new_laws)
     {
-      const std::vector<bool> none(front_penetration.size(), false);
-      return {none, none};
+      laws = new_laws;
     }
 
-    /** Puts springs and held nodes of the active set in place. */
+    const std::vector<NodeLaw> &
+    contact_laws() const
+    {
+      return laws;
+    }
+
+    /** Receptances of the contact nodes alone, by the diagonal of (M.15). */
+    std::vector<double>
+    receptances() const;
+
+    /** Puts springs and held nodes of the branches in place. */
     void
-    set_active(const SetsBetweenStops &sets);
+    set_branches(const std::vector<int> &branch);
 
     /** What residuals are compared to: terms of the stage, or the first one. */
     enum class Measure
@@ -121,14 +125,9 @@ namespace ThermoContact
     void
     get_pressures(std::vector<double> &pressure);
 
-    /**
-     * Penetrations at the end of the stage.
-     *
-     * @param rear_reach at a stop behind; empty: there is none
-     */
+    /** Positions of the contact nodes at the end of the stage. */
     void
-    get_reach(std::vector<double> &reach,
-              std::vector<double> &rear_reach) const;
+    get_positions(std::vector<double> &position) const;
 
     /** $\tau\theta'$ or $v$. */
     const Vector &
@@ -163,21 +162,22 @@ namespace ThermoContact
 
     StageHierarchies<dim> hierarchies;
 
-    double              tau      = 0.;
-    bool                has_heat = true;   ///< its temperature is unknown
-    std::vector<double> front_penetration; ///< at the beginning
-    std::vector<double> rear_penetration;  ///< empty: there is one stop
-    std::vector<double> known_penetration; ///< that of the set, (M.115)
-    std::vector<bool>   is_active;
-    ContactRows         contact;
-    BlockVector         rhs;                  ///< without contact
-    BlockVector         solution;             ///< $(\tau\theta',v)$
-    BlockVector         residual;             ///< without contact
-    bool                has_residual = false; ///< it is that of the solution
-    BlockVector         weights;              ///< of the residuals
-    BlockVector         inverse_weights;
-    BlockVector         correction;
-    BlockVector         scaled_residual;
+    double               tau      = 0.;
+    bool                 has_heat = true; ///< its temperature is unknown
+    std::vector<NodeLaw> laws;
+    std::vector<double>  start;             ///< positions at the beginning
+    std::vector<int>     branch;            ///< at the end
+    std::vector<double>  known_penetration; ///< of its obstacle, (M.115)
+    std::vector<bool>    is_active;
+    ContactRows          contact;
+    BlockVector          rhs;                  ///< without contact
+    BlockVector          solution;             ///< $(\tau\theta',v)$
+    BlockVector          residual;             ///< without contact
+    bool                 has_residual = false; ///< it is that of the solution
+    BlockVector          weights;              ///< of the residuals
+    BlockVector          inverse_weights;
+    BlockVector          correction;
+    BlockVector          scaled_residual;
 
     FlexibleGmres krylov;
 

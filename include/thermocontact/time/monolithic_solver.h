@@ -3,10 +3,8 @@
 #ifndef thermocontact_time_monolithic_solver_h
 #define thermocontact_time_monolithic_solver_h
 
-#include <thermocontact/method/contact_solver.h>
-#include <thermocontact/method/damped_contact.h>
 #include <thermocontact/method/exchange_solver.h>
-#include <thermocontact/method/two_stops.h>
+#include <thermocontact/method/interface_problem.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/stage_factorization.h>
 #include <thermocontact/time/stage_solver.h>
@@ -87,9 +85,8 @@ namespace ThermoContact
   private:
     const Body<dim>     &body;
     const HeatExchange  &exchange;
-    const ContactSolver  contact_solver;
-    const DampedContact  damped_contact;
     const ExchangeSolver exchange_solver;
+    InterfaceProblem     problem;
 
     /** Rates per unit pressure, or heat flux, with the sign reversed. */
     struct UnitResponse
@@ -123,14 +120,13 @@ namespace ThermoContact
     Vector              momentum_rhs;
     std::vector<double> end_values; ///< of the contact nodes, scratch
     std::vector<double> known_values;
-    NearerStops         stops; ///< where a stage starts from
 
-    // seen from the nearer stop
-    std::vector<double> free_penetration;
-    std::vector<double> far_penetration; ///< at the other; empty: there is none
-    FullMatrix<double>  turned_response;
-    EndExchange         end_exchange;
-    NodesInMotion       nodes_in_motion; ///< with a damped obstacle
+    // the contact nodes of a stage: penetrations, or velocities where the law
+    // has damping, as the laws measure them
+    std::vector<NodeLaw> laws;
+    std::vector<double>  start; ///< local positions at the known values
+    std::vector<double>  free;  ///< without pressure
+    EndExchange          end_exchange;
 
     /** Puts the factorisation for @p tau in front. */
     void
@@ -157,35 +153,15 @@ namespace ThermoContact
                        const std::vector<double> &densities,
                        StageRates                &rates) const;
 
-    /** Whether a node without contact is beyond a stop. */
-    bool
-    reaches_a_stop() const;
-
-    /** response(), as the nodes see it from their stops. */
-    const FullMatrix<double> &
-    seen_response();
-
-    /** Of the rates without contact. */
+    /** The laws of a stage, and the nodes at its end without pressure. */
     void
-    get_free_penetration(const State &known, const StageRates &rates);
-
-    /** The same with the velocities, for a damped obstacle. */
-    void
-    get_nodes_in_motion(const State      &known,
-                        const ContactMode mode,
-                        const StageRates &rates);
-
-    /** Pressures of a damped obstacle from the velocities without contact. */
-    void
-    solve_damped_contact(const State      &known,
-                         const ContactMode mode,
-                         StageRates       &rates);
-
-    /** Pressures from the penetrations without contact. */
-    void
-    solve_contact(const State      &known,
+    set_interface(const State      &known,
                   const ContactMode mode,
-                  StageRates       &rates);
+                  const StageRates &rates);
+
+    /** Pressures from the penetrations or velocities without contact. */
+    void
+    solve_contact(const State &known, StageRates &rates);
 
     /**
      * Whether the pressures of a stage have taken away so much of the
@@ -195,18 +171,6 @@ namespace ThermoContact
      */
     bool
     has_lost_digits(const State &known, const StageRates &rates);
-
-    /**
-     * What nodes in contact miss the law by at some velocities, seen from their
-     * stops.
-     *
-     * @param is_far nodes that are at the other stop
-     * @param pressure seen from the stops
-     */
-    std::vector<double>
-    misfit_of_law(const std::vector<bool>   &is_far,
-                  const std::vector<double> &pressure,
-                  const Vector              &velocity) const;
 
     /**
      * Iterative refinement of a stage and its pressures, (M.15) and (M.61),
@@ -219,7 +183,6 @@ namespace ThermoContact
     refine(const State               &known,
            const Vector              &heat_load,
            const Vector              &momentum_load,
-           const ContactMode          mode,
            const std::vector<double> &flux,
            StageRates                &rates);
 
@@ -233,9 +196,7 @@ namespace ThermoContact
 
     /** Pressures and heat fluxes from the end of the stage without them. */
     void
-    solve_exchange(const State      &known,
-                   const ContactMode mode,
-                   StageRates       &rates);
+    solve_exchange(const State &known, StageRates &rates);
   };
 } // namespace ThermoContact
 

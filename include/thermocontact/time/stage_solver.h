@@ -169,9 +169,8 @@ namespace ThermoContact
      * with the obstacle, by pressures in the stage that was solved last. A
      * solver without responses to pressures leaves the difference as it is.
      *
-     * @param is_closed nodes in contact at the end of the step
-     * @param pressure there
-     * @param difference in, out: $e_\theta$, $e_u$, $e_v$
+     * Arguments: the nodes in contact at the end of the step, their pressures,
+     * and, in and out, the difference $e_\theta$, $e_u$, $e_v$.
      */
     virtual void
     keep_contact(const std::vector<bool> & /*is_closed*/,

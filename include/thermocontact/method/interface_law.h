@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_method_interface_law_h
+#define thermocontact_method_interface_law_h
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace ThermoContact
+{
+  class ContactLaw;
+
+
+
+  /** The pressure of a node and how it grows with the load $z$. */
+  struct NodalPressure
+  {
+    double pressure = 0.;
+    double slope    = 0.; ///< $P'(z)$, with $0\le rP'\le1$
+  };
+
+
+
+  /**
+   * What a contact node meets: a monotone graph $p\in G(x)$ in the plane of one
+   * number x of the node, its penetration or its velocity, and its pressure p.
+   * Known by its resolvent, doc/model.md (M.17): $p=P(z;r)$ is the pressure of
+   * a node alone, $p\in G(z-rp)$, which exists once for all $z$ and $r>0$
+   * (Minty 1962), however steep the graph is. No mesh, no communication.
+   */
+  class InterfaceLaw
+  {
+  public:
+    virtual ~InterfaceLaw() = default;
+
+    /**
+     * @param z x of the node without pressure
+     * @param r loss of x per unit pressure, the receptance of the node; not
+     *   negative, and positive for a graph with vertical parts
+     */
+    virtual NodalPressure
+    resolve(const double z, const double r) const = 0;
+  };
+
+
+
+  /**
+   * A law that cannot open: its odd continuation, so that the node may be
+   * pulled. The law is borrowed.
+   */
+  class Held : public InterfaceLaw
+  {
+  public:
+    explicit Held(const InterfaceLaw &law)
+      : law(law)
+    {}
+
+    NodalPressure
+    resolve(const double z, const double r) const override;
+
+  private:
+    const InterfaceLaw &law;
+  };
+
+
+
+  /**
+   * One law in front of the node, and one behind it that pushes back with
+   * negative pressures: $G(x)=G_f(x-x_f)-G_r(-x-x_r)$. Both are borrowed, open
+   * for negative arguments, and never closed at the same x.
+   */
+  class TwoSided : public InterfaceLaw
+  {
+  public:
+    /** @param front_shift,rear_shift $x_f$, $x_r$ */
+    TwoSided(const InterfaceLaw &front,
+             const InterfaceLaw &rear,
+             const double        front_shift,
+             const double        rear_shift)
+      : front(front)
+      , rear(rear)
+      , front_shift(front_shift)
+      , rear_shift(rear_shift)
+    {}
+
+    NodalPressure
+    resolve(const double z, const double r) const override;
+
+  private:
+    const InterfaceLaw &front;
+    const InterfaceLaw &rear;
+    const double        front_shift;
+    const double        rear_shift;
+  };
+
+
+
+  /**
+   * A damped obstacle in a stage of length $\tau$, in the plane of velocity and
+   * pressure: $p=\varphi(s)[1+cv]_+$ at $s=\tilde s+\tau v$, doc/model.md
+   * (M.83). The velocity is the unknown, since a difference of penetrations has
+   * lost its digits in short stages. Held closed it goes on with
+   * $-\varphi(-s)[1+cv_0]_+$, where $v_0$ leads to $s=0$.
+   */
+  class Damped : public InterfaceLaw
+  {
+  public:
+    /**
+     * @param law borrowed
+     * @param start $\tilde s$
+     * @param tau not negative; 0: the penetration is $\tilde s$ whatever v
+     */
+    Damped(const ContactLaw &law,
+           const double      start,
+           const double      tau,
+           const bool        is_held)
+      : law(law)
+      , start(start)
+      , tau(tau)
+      , is_held(is_held)
+    {}
+
+    NodalPressure
+    resolve(const double z, const double r) const override;
+
+    double
+    pressure(const double v) const;
+
+  private:
+    const ContactLaw &law;
+    const double      start;
+    const double      tau;
+    const bool        is_held;
+
+    double
+    penetration(const double v) const
+    {
+      return start + tau * v;
+    }
+
+    /** $v_0$. */
+    double
+    velocity_at_touch() const;
+
+    double
+    factor_at_touch() const;
+
+    /** $dp/dv$. */
+    double
+    stiffness(const double v) const;
+
+    double
+    local_pressure(const double z, const double r) const;
+  };
+
+
+
+  /**
+   * The mean of an elastic law over a step from $s_0$ to s, which does the work
+   * of its potential V: $p=(V(s)-V(s_0))/(s-s_0)$, doc/model.md (M.81), in
+   * front of the node and behind it.
+   */
+  class Mean : public InterfaceLaw
+  {
+  public:
+    /**
+     * @param law elastic; borrowed
+     * @param start,rear_start $s_0$ at both sides
+     */
+    Mean(const ContactLaw &law, const double start, const double rear_start)
+      : law(law)
+      , start(start)
+      , rear_start(rear_start)
+    {}
+
+    /** @p z is the penetration in front at the end of the step. */
+    NodalPressure
+    resolve(const double z, const double r) const override;
+
+  private:
+    const ContactLaw &law;
+    const double      start;
+    const double      rear_start;
+
+    double
+    pressure(const double s) const;
+  };
+
+
+
+  /**
+   * The law of one contact node in one problem, made of the above: which
+   * obstacle it meets, on one side or on two, held or not, damped or not.
+   * Nobody else knows sides and branches. Positions are measured from the
+   * obstacle that is local to the node, in the direction of the displacement in
+   * front of it and behind it alike.
+   */
+  struct NodeLaw : public InterfaceLaw
+  {
+    /** Nothing to meet. */
+    NodeLaw() = default;
+
+    /** In front of the node alone. */
+    explicit NodeLaw(const ContactLaw &law)
+      : law(&law)
+    {}
+
+    const ContactLaw *law = nullptr; ///< borrowed
+
+    /** 1: the local obstacle is the one in front; -1: the one behind. */
+    int side = 1;
+
+    /** Distance between the two; infinite: there is one. */
+    double play = std::numeric_limits<double>::infinity();
+
+    bool is_held = false; ///< at the local one
+
+    /** x is a velocity, and the position is $\tilde s+\tau x$. */
+    bool   is_in_velocity = false;
+    double start          = 0.; ///< $\tilde s$
+    double tau            = 0.;
+
+    /** The pressure is the mean over a step that begins at this position. */
+    std::optional<double> mean_from;
+
+    NodalPressure
+    resolve(const double z, const double r) const override;
+
+    /** Position at @p x, seen from the local obstacle. */
+    double
+    position(const double x) const
+    {
+      return is_in_velocity ? start + tau * x : x;
+    }
+
+    /** Penetration of the obstacle in front, and behind, at a position. */
+    double
+    front_penetration(const double position) const
+    {
+      return side > 0 ? position : position - play;
+    }
+
+    double
+    rear_penetration(const double position) const
+    {
+      return side > 0 ? -position - play : -position;
+    }
+
+    /** Position of the obstacle that pushes with this sign. */
+    double
+    obstacle(const int sign) const
+    {
+      return sign == side ? 0. : sign > 0 ? play : -play;
+    }
+
+    /** The position of a node at @p position, measured from the other side. */
+    double
+    change_side(const double position);
+
+    /** True if the node has no pressure at @p x. */
+    bool
+    is_open(const double x) const;
+
+    /** 1: the obstacle in front is the nearer one at a position; -1: not. */
+    int
+    nearer_side(const double position) const
+    {
+      return rear_penetration(position) > front_penetration(position) ? -1 : 1;
+    }
+
+    /** Penetration of the nearer one; negative: minus the gap. */
+    double
+    penetration(const double position) const
+    {
+      return nearer_side(position) > 0 ? front_penetration(position) :
+                                         rear_penetration(position);
+    }
+
+    /** What pushes the node back, without a pull of what holds it. */
+    double
+    push(const double pressure) const
+    {
+      return is_held ? std::max(side * pressure, 0.) : std::abs(pressure);
+    }
+
+    /** The local position of a node that has this pressure at rest. */
+    double
+    position_of_pressure(const double pressure) const;
+
+    /**
+     * Slope of resolve() of an elastic law in contact under this pressure; 0
+     * where contact begins without stiffness.
+     */
+    double
+    slope_of_pressure(const double pressure, const double r) const;
+  };
+} // namespace ThermoContact
+
+#endif

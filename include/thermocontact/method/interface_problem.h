@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_method_interface_problem_h
+#define thermocontact_method_interface_problem_h
+
+#include <thermocontact/method/interface_law.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * Contact of nodes that influence each other, whatever their laws,
+   * doc/model.md (M.18): $x=x^{free}-Wp$ with $p_i\in G_i(x_i)$. With
+   * $r_i=W_{ii}$, $R=\mathrm{diag}(r)$ and Minty's $z=x+Rp$ it is one equation,
+   * @f[
+   *   z + (W-R)\,P(z) = x^{free},
+   * @f]
+   * well conditioned from rigid obstacles to none at all. Newton's method
+   * (semismooth), its steps halved while the defect does not fall; for
+   * obstacles that are linear it is the primal-dual active set method. Where it
+   * stalls, one sweep in which each node meets its law alone, which always
+   * lowers the convex energy $\frac12p^TWp-p^Tx^{free}+\sum\Phi_i^*(p_i)$. One
+   * node: $p=P(x^{free})$, at once. No mesh, no communication.
+   */
+  class InterfaceProblem
+  {
+  public:
+    /**
+     * @param receptance $W_{ij}$, loss of x of node i per unit pressure at node
+     *   j; symmetric up to a positive scaling of its columns, positive definite
+     * @param laws one for each node
+     * @param free $x^{free}$, without pressure
+     * @param pressure in: of a nearby problem, from which the search starts;
+     *   out: the solution
+     * @return number of linear systems; 1 for one node
+     * @throw ComputationError if there is no solution to rounding, as after a
+     *   NaN
+     */
+    unsigned int
+    solve(const dealii::FullMatrix<double> &receptance,
+          const std::vector<NodeLaw>       &laws,
+          const std::vector<double>        &free,
+          std::vector<double>              &pressure);
+
+    /** $P'$ of the nodes at the solution; 0 where they are open. */
+    const std::vector<double> &
+    slopes() const
+    {
+      return present.slope;
+    }
+
+  private:
+    /** The nodes at some $z$. */
+    struct Iterate
+    {
+      std::vector<double> z, pressure, slope;
+      std::vector<double> defect;    ///< of the equation
+      double              norm = 0.; ///< of the defect, its square
+      double              miss = 0.; ///< largest defect relative to its terms
+    };
+
+    Iterate             present, trial;
+    std::vector<double> direction;
+
+    static void
+    evaluate(const dealii::FullMatrix<double> &receptance,
+             const std::vector<NodeLaw>       &laws,
+             const std::vector<double>        &free,
+             Iterate                          &nodes);
+
+    static void
+    measure(const dealii::FullMatrix<double> &receptance,
+            const std::vector<double>        &free,
+            Iterate                          &nodes);
+
+    static void
+    sweep(const dealii::FullMatrix<double> &receptance,
+          const std::vector<NodeLaw>       &laws,
+          const std::vector<double>        &free,
+          Iterate                          &nodes);
+  };
+
+
+
+  /**
+   * How $z$ answers a small change of $x^{free}$ about a solution:
+   * $(I+(W-R)D)\,\delta z=\delta x^{free}$ with the slopes $D$ of the laws; the
+   * change of the pressures is $D\,\delta z$.
+   *
+   * @param change in: $\delta x^{free}$, a column for each of several; out:
+   *   $\delta z$
+   */
+  void
+  respond_to_change(const dealii::FullMatrix<double> &receptance,
+                    const std::vector<double>        &slope,
+                    dealii::FullMatrix<double>       &change);
+
+  /** The changes of the pressures for one change of $x^{free}$. */
+  std::vector<double>
+  change_of_pressure(const dealii::FullMatrix<double> &receptance,
+                     const std::vector<double>        &slope,
+                     const std::vector<double>        &free_change);
+
+
+
+  /**
+   * A body so large that W is not known column by column: linear systems for
+   * given branches of the laws, which are those of an obstacle with a constant
+   * compliance.
+   */
+  class InterfaceOperator
+  {
+  public:
+    virtual ~InterfaceOperator() = default;
+
+    /**
+     * @param branch of each node: 0 open, 1 at the obstacle in front, -1 behind
+     * @param is_last solve to the tolerance, not loosely
+     * @param position,pressure out: of the nodes
+     */
+    virtual void
+    solve(const std::vector<int> &branch,
+          const bool              is_last,
+          std::vector<double>    &position,
+          std::vector<double>    &pressure) = 0;
+  };
+
+
+
+  /**
+   * InterfaceProblem for such a body: Newton's method, whose step is the linear
+   * system of the branches on which $z=x+rp$ is; a node within rounding of
+   * a branch point stays where it is. After many steps one node at a time
+   * changes (Murty 1974), which cannot cycle.
+   *
+   * @param receptance $r$ of the nodes, an estimate: it does not change the
+   *   solution
+   * @param rounding of $z$, as a part of the largest
+   * @param branch in: of a nearby problem; nodes that are held have their own.
+   *   out: of the solution
+   * @param pressure out; no obstacle pulls but for nodes that are held
+   * @return number of different sets of branches
+   * @throw ComputationError if they do not settle
+   */
+  unsigned int
+  solve_by_branches(InterfaceOperator          &body,
+                    const std::vector<NodeLaw> &laws,
+                    const std::vector<double>  &receptance,
+                    const double                rounding,
+                    std::vector<int>           &branch,
+                    std::vector<double>        &pressure);
+
+  /** 1, 0 or -1: the sign of each pressure. */
+  std::vector<int>
+  branches_of(const std::vector<double> &pressure);
+} // namespace ThermoContact
+
+#endif

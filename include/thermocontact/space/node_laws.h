@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_node_laws_h
+#define thermocontact_space_node_laws_h
+
+#include <thermocontact/method/interface_law.h>
+#include <thermocontact/space/body.h>
+
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * What the contact nodes of a state meet, and where they are: which of two
+   * obstacles is local to each, the nearer one. Collective.
+   *
+   * @param laws out: one for each node; none is held or in velocity
+   * @param position out: $u_n-g$ of a node whose local obstacle is in front,
+   *   $u_n+g_2$ else, with the digits that the state has of it
+   */
+  template <int dim>
+  void
+  get_node_laws(const Body<dim>      &body,
+                const State          &state,
+                std::vector<NodeLaw> &laws,
+                std::vector<double>  &position);
+
+  /** The same for nodes with these displacements before obstacles at @p gap. */
+  template <int dim>
+  void
+  get_node_laws(const Body<dim>           &body,
+                const std::vector<double> &gap,
+                const std::vector<double> &displacement,
+                std::vector<NodeLaw>      &laws,
+                std::vector<double>       &position);
+
+  /**
+   * The same for laws whose x is the velocity at one instant, of nodes on rigid
+   * obstacles: those of @p is_closed cannot move into their local obstacle, and
+   * the others meet nothing.
+   */
+  template <int dim>
+  void
+  get_velocity_laws(const Body<dim>         &body,
+                    const State             &state,
+                    const std::vector<bool> &is_closed,
+                    std::vector<NodeLaw>    &laws);
+
+  /** The displacement of a node whose pressure is that of its law at rest. */
+  template <int dim>
+  double
+  displacement_of_law(const Body<dim>   &body,
+                      const State       &state,
+                      const unsigned int node);
+} // namespace ThermoContact
+
+#endif

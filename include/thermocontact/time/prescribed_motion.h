@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_time_prescribed_motion_h
+#define thermocontact_time_prescribed_motion_h
+
+#include <thermocontact/input/time_function.h>
+#include <thermocontact/space/driven_end.h>
+
+#include <vector>
+
+namespace ThermoContact
+{
+  /** The stages of a Runge-Kutta step. */
+  struct StageTimes
+  {
+    const std::vector<std::vector<double>> &a; ///< lower triangle
+    const std::vector<double>              &weights;
+    std::vector<double> times; ///< at which loads are taken; last: of the end
+  };
+
+
+
+  /**
+   * Scalars that are functions of time, in the stages of a Runge-Kutta step:
+   * temperatures and displacements of the fixed end, gaps of an obstacle that
+   * moves; doc/model.md (M.90), (M.109). Their rates are those of the
+   * functions, all of them shifted by what lets the step end at the value
+   * there, and their values follow them as all other unknowns do: so schemes
+   * keep their orders. Where a function has no derivative, jumps, or starts
+   * from another value, the rates still lead to its value.
+   */
+  class PrescribedMotion
+  {
+  public:
+    /**
+     * Begins a step.
+     *
+     * @param old_values at its beginning
+     * @param functions of each stage: those of each scalar
+     */
+    void
+    start(const StageTimes                                &stages,
+          const double                                     size,
+          const std::vector<double>                       &old_values,
+          const std::vector<std::vector<TimeDerivatives>> &functions);
+
+    /**
+     * Shifts second derivatives likewise, such that they lead from rates at the
+     * beginning of the step to those at its end; to be called after start().
+     */
+    void
+    set_accelerations(const std::vector<double> &old_rates,
+                      const std::vector<double> &new_rates);
+
+    const std::vector<PrescribedStage> &
+    stages() const
+    {
+      return stages_;
+    }
+
+  private:
+    double                       size = 0.;
+    std::vector<double>          weights;
+    std::vector<PrescribedStage> stages_;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/method/interface_problem.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  using dealii::FullMatrix;
+
+  namespace
+  {
+    /** Defects of that part of their terms are rounding of a few products. */
+    constexpr double smallest_miss = 1e-15;
+
+    /** What rounding of steep laws may leave where no step lowers it. */
+    constexpr double largest_miss = 1e-13;
+
+    /** A step of Newton's method that has to be shorter has stalled. */
+    constexpr double smallest_part = 1e-3;
+
+    /** Shortened steps in a row after which the nodes take a sweep. */
+    constexpr unsigned int max_short_steps = 3;
+
+    /** Sets of branches that Newton's method may take at once. */
+    constexpr unsigned int max_sets_of_many_changes = 20;
+
+    /** Of each node, and of all. */
+    constexpr unsigned int max_iterations = 100;
+
+
+
+    /** What node @p i loses by the pressures of the others. */
+    double
+    loss_by_others(const FullMatrix<double>  &receptance,
+                   const std::vector<double> &pressure,
+                   const unsigned int         i)
+    {
+      double sum = 0.;
+      for (unsigned int j = 0; j < pressure.size(); ++j)
+        if (j != i)
+          sum += receptance(i, j) * pressure[j];
+      return sum;
+    }
+  } // namespace
+
+
+
+  void
+  InterfaceProblem::measure(const FullMatrix<double>  &receptance,
+                            const std::vector<double> &free,
+                            Iterate                   &nodes)
+  {
+    const unsigned int n = nodes.z.size();
+    nodes.defect.resize(n);
+    nodes.norm   = 0.;
+    double scale = 0., largest = 0.;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double loss = loss_by_others(receptance, nodes.pressure, i);
+        nodes.defect[i]   = nodes.z[i] + loss - free[i];
+        nodes.norm += nodes.defect[i] * nodes.defect[i];
+        // a NaN is no small defect
+        largest = std::abs(nodes.defect[i]) <= largest ?
+                    largest :
+                    std::abs(nodes.defect[i]);
+        scale =
+          std::max({scale,
+                    std::abs(free[i]),
+                    std::abs(nodes.z[i]),
+                    std::abs(loss + receptance(i, i) * nodes.pressure[i])});
+      }
+    nodes.miss = largest == 0. ? 0. : largest / scale;
+  }
+
+
+
+  void
+  InterfaceProblem::evaluate(const FullMatrix<double>   &receptance,
+                             const std::vector<NodeLaw> &laws,
+                             const std::vector<double>  &free,
+                             Iterate                    &nodes)
+  {
+    nodes.pressure.resize(laws.size());
+    nodes.slope.resize(laws.size());
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      {
+        const NodalPressure p = laws[i].resolve(nodes.z[i], receptance(i, i));
+        nodes.pressure[i]     = p.pressure;
+        nodes.slope[i]        = p.slope;
+      }
+    measure(receptance, free, nodes);
+  }
+
+
+
+  void
+  InterfaceProblem::sweep(const FullMatrix<double>   &receptance,
+                          const std::vector<NodeLaw> &laws,
+                          const std::vector<double>  &free,
+                          Iterate                    &nodes)
+  {
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      {
+        nodes.z[i] = free[i] - loss_by_others(receptance, nodes.pressure, i);
+        const NodalPressure p = laws[i].resolve(nodes.z[i], receptance(i, i));
+        nodes.pressure[i]     = p.pressure;
+        nodes.slope[i]        = p.slope;
+      }
+    measure(receptance, free, nodes);
+  }
+
+
+
+  void
+  respond_to_change(const FullMatrix<double>  &receptance,
+                    const std::vector<double> &slope,
+                    FullMatrix<double>        &change)
+  {
+    // nodes without slope follow from the others
+    std::vector<unsigned int> closed, all_columns;
+    for (unsigned int i = 0; i < slope.size(); ++i)
+      if (slope[i] > 0.)
+        closed.push_back(i);
+    for (unsigned int j = 0; j < change.n(); ++j)
+      all_columns.push_back(j);
+    const unsigned int m = closed.size();
+    if (m == 0)
+      return;
+    FullMatrix<double> matrix(m, m), rhs(m, change.n()), z(m, change.n());
+    for (unsigned int i = 0; i < m; ++i)
+      for (unsigned int j = 0; j < m; ++j)
+        matrix(i, j) =
+          i == j ? 1. : receptance(closed[i], closed[j]) * slope[closed[j]];
+    rhs.extract_submatrix_from(change, closed, all_columns);
+    matrix.gauss_jordan();
+    matrix.mmult(z, rhs);
+    for (unsigned int i = 0; i < slope.size(); ++i)
+      if (!(slope[i] > 0.))
+        for (unsigned int j = 0; j < m; ++j)
+          {
+            const double factor = receptance(i, closed[j]) * slope[closed[j]];
+            for (unsigned int k = 0; k < change.n(); ++k)
+              change(i, k) -= factor * z(j, k);
+          }
+    z.scatter_matrix_to(closed, all_columns, change);
+  }
+
+
+
+  std::vector<double>
+  change_of_pressure(const FullMatrix<double>  &receptance,
+                     const std::vector<double> &slope,
+                     const std::vector<double> &free_change)
+  {
+    const unsigned int n = slope.size();
+    FullMatrix<double> change(n, 1);
+    for (unsigned int i = 0; i < n; ++i)
+      change(i, 0) = free_change[i];
+    respond_to_change(receptance, slope, change);
+    std::vector<double> pressure(n);
+    for (unsigned int i = 0; i < n; ++i)
+      pressure[i] = slope[i] * change(i, 0);
+    return pressure;
+  }
+
+
+
+  unsigned int
+  InterfaceProblem::solve(const FullMatrix<double>   &receptance,
+                          const std::vector<NodeLaw> &laws,
+                          const std::vector<double>  &free,
+                          std::vector<double>        &pressure)
+  {
+    const unsigned int n = laws.size();
+    pressure.resize(n, 0.);
+    present.z.resize(n);
+    if (n == 1)
+      {
+        const NodalPressure p = laws[0].resolve(free[0], receptance(0, 0));
+        pressure[0]           = p.pressure;
+        present.slope.assign(1, p.slope);
+        return 1;
+      }
+
+    for (unsigned int i = 0; i < n; ++i)
+      present.z[i] = free[i] - loss_by_others(receptance, pressure, i);
+    evaluate(receptance, laws, free, present);
+    unsigned int n_short_steps = 0;
+    for (unsigned int k = 1; k <= max_iterations * (n + 1); ++k)
+      {
+        FullMatrix<double> step(n, 1);
+        for (unsigned int i = 0; i < n; ++i)
+          step(i, 0) = -present.defect[i];
+        respond_to_change(receptance, present.slope, step);
+        double part    = 1.;
+        bool   is_less = false;
+        trial.z.resize(n);
+        while (!is_less && part > smallest_part)
+          {
+            for (unsigned int i = 0; i < n; ++i)
+              trial.z[i] = present.z[i] + part * step(i, 0);
+            evaluate(receptance, laws, free, trial);
+            // piecewise linear laws have been solved if no node has changed
+            if (part == 1. && trial.slope == present.slope &&
+                trial.miss <= largest_miss)
+              {
+                std::swap(present, trial);
+                pressure = present.pressure;
+                return k;
+              }
+            is_less = trial.norm < (1. - 0.2 * part) * present.norm;
+            if (!is_less)
+              part *= 0.5;
+          }
+        n_short_steps = part == 1. ? 0 : n_short_steps + 1;
+        if (is_less && n_short_steps <= max_short_steps)
+          {
+            std::swap(present, trial);
+            if (present.miss > smallest_miss)
+              continue;
+          }
+        if (present.miss <= largest_miss)
+          {
+            pressure = present.pressure;
+            return k;
+          }
+        sweep(receptance, laws, free, present);
+        n_short_steps = 0;
+      }
+    throw ComputationError("the pressures of " + std::to_string(n) +
+                           " contact nodes were not found\n  remedy:  a "
+                           "smaller Time/Step size");
+  }
+
+
+
+  std::vector<int>
+  branches_of(const std::vector<double> &pressure)
+  {
+    std::vector<int> branch;
+    for (const double p : pressure)
+      branch.push_back(p > 0. ? 1 : p < 0. ? -1 : 0);
+    return branch;
+  }
+
+
+
+  unsigned int
+  solve_by_branches(InterfaceOperator          &body,
+                    const std::vector<NodeLaw> &laws,
+                    const std::vector<double>  &receptance,
+                    const double                rounding,
+                    std::vector<int>           &branch,
+                    std::vector<double>        &pressure)
+  {
+    const unsigned int  n        = laws.size();
+    const unsigned int  max_sets = max_sets_of_many_changes + 200 + 2 * n;
+    unsigned int        n_sets   = 1;
+    bool                is_last  = false;
+    std::vector<double> position, z(n);
+    while (n_sets <= max_sets)
+      {
+        body.solve(branch, is_last, position, pressure);
+        double largest = 0.;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            z[i]    = position[i] + receptance[i] * pressure[i];
+            largest = std::max(largest, std::abs(z[i]));
+          }
+        bool has_changed = false;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            if (laws[i].is_held || laws[i].law == nullptr ||
+                (has_changed && n_sets > max_sets_of_many_changes))
+              continue;
+            const double p    = laws[i].resolve(z[i], receptance[i]).pressure;
+            const int    next = p > 0. ? 1 : p < 0. ? -1 : 0;
+            const int    left = next == 0 ? branch[i] : next;
+            if (next == branch[i] ||
+                std::abs(z[i] - laws[i].obstacle(left)) <= rounding * largest)
+              continue;
+            branch[i]   = next;
+            has_changed = true;
+          }
+        if (has_changed)
+          ++n_sets;
+        else if (is_last)
+          {
+            for (unsigned int i = 0; i < n; ++i)
+              if (!laws[i].is_held && branch[i] * pressure[i] <= 0.)
+                pressure[i] = 0.;
+            return n_sets;
+          }
+        else
+          is_last = true;
+      }
+    throw ComputationError("the branches of " + std::to_string(n) +
+                           " contact nodes did not settle\n  remedy:  a larger "
+                           "Contact/Compliance or a smaller Time/Step size");
+  }
+} // namespace ThermoContact

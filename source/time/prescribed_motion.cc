@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/time/prescribed_motion.h>
+
+#include <cmath>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Parts of a value by which a step may end beside it: a few digits. */
+    constexpr double rounding_of_change = 1e-15;
+
+
+
+    /**
+     * Shifts rates of scalar @p k in all stages such that their mean leads from
+     * @p old_value to @p new_value, unless they do but for @p rounding.
+     */
+    void
+    shift(std::vector<PrescribedStage> &stages,
+          std::vector<double> PrescribedStage::*rates,
+          const std::vector<double>            &weights,
+          const unsigned int                    k,
+          const double                          size,
+          const double                          change,
+          const double                          rounding)
+    {
+      double mean = 0.;
+      for (unsigned int i = 0; i < stages.size(); ++i)
+        mean += weights[i] * (stages[i].*rates)[k];
+      if (std::abs(change - size * mean) > rounding)
+        for (PrescribedStage &stage : stages)
+          (stage.*rates)[k] += change / size - mean;
+    }
+  } // namespace
+
+
+
+  void
+  PrescribedMotion::start(
+    const StageTimes                                &times,
+    const double                                     step_size,
+    const std::vector<double>                       &old_values,
+    const std::vector<std::vector<TimeDerivatives>> &functions)
+  {
+    const unsigned int n = old_values.size(), n_stages = functions.size();
+    size    = step_size;
+    weights = times.weights;
+    stages_.resize(n_stages);
+    for (unsigned int i = 0; i < n_stages; ++i)
+      {
+        PrescribedStage &stage = stages_[i];
+        stage.values           = old_values;
+        stage.rates.resize(n);
+        stage.accelerations.resize(n);
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            stage.rates[k]         = functions[i][k].first;
+            stage.accelerations[k] = functions[i][k].second;
+          }
+      }
+    const bool ends_with_last_stage = times.a.back() == weights;
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const double value = functions.back()[k].value;
+        shift(stages_,
+              &PrescribedStage::rates,
+              weights,
+              k,
+              size,
+              value - old_values[k],
+              rounding_of_change * (std::abs(value) + std::abs(old_values[k])));
+        for (unsigned int i = 0; i < n_stages; ++i)
+          for (unsigned int j = 0; j <= i; ++j)
+            stages_[i].values[k] += size * times.a[i][j] * stages_[j].rates[k];
+        if (ends_with_last_stage)
+          stages_.back().values[k] = value;
+      }
+  }
+
+
+
+  void
+  PrescribedMotion::set_accelerations(const std::vector<double> &old_rates,
+                                      const std::vector<double> &new_rates)
+  {
+    for (unsigned int k = 0; k < old_rates.size(); ++k)
+      shift(stages_,
+            &PrescribedStage::accelerations,
+            weights,
+            k,
+            size,
+            new_rates[k] - old_rates[k],
+            0.);
+  }
+} // namespace ThermoContact
