@@ -362,6 +362,7 @@ namespace ThermoContact
     solver.add_parameters(prm);
     output.add_parameters(prm);
     scales.add_parameters(prm);
+    rod.add_parameters(prm);
     study.add_parameters(prm);
   }
 } // namespace ThermoContact

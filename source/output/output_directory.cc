@@ -5,6 +5,7 @@
 #include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/parameter_file.h>
+#include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/output/output_tables.h>
 
@@ -236,23 +237,35 @@ namespace ThermoContact
 
 
   void
-  write_used_parameters(const std::string           &directory,
-                        const std::set<std::string> &omit,
-                        const ParameterHandler      &prm,
-                        const MPI_Comm               communicator)
+  write_used_parameters(const std::string             &directory,
+                        const std::set<std::string>   &omit,
+                        const ParameterHandler        &prm,
+                        const std::vector<Assignment> &assignments,
+                        const MPI_Comm                 communicator)
   {
     std::string fault;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        std::vector<DeclaredEntry> entries = declared_entries(prm);
+        std::vector<DeclaredEntry> entries  = declared_entries(prm);
+        std::set<std::string>      left_out = omit;
+        if (is_in_si(assignments, entries))
+          add_units(assignments, entries);
+        else
+          for (const DeclaredEntry &entry : entries)
+            if (entry.path.rfind("Rod/", 0) == 0 ||
+                entry.path == "Contact/Stiffness")
+              left_out.insert(entry.path);
         for (DeclaredEntry &entry : entries)
           if (entry.path == "Output/Directory")
-            entry.value = directory;
+            {
+              entry.value = directory;
+              entry.remark.clear();
+            }
 
         const std::string  path = directory + "/used.prm";
         std::ostringstream text;
         text << "# thermocontact " << version() << ": every entry as used\n";
-        write_entries(entries, omit, text);
+        write_entries(entries, left_out, text);
         fault = write_atomically(path, text.str());
       }
     throw_everywhere<ComputationError>(fault, communicator);

@@ -123,6 +123,7 @@ namespace ThermoContact
             write_used_parameters(directory,
                                   foreign_entries(scene, reader.prm()),
                                   reader.prm(),
+                                  reader.assignments(),
                                   MPI_COMM_SELF);
           }
         for (unsigned int i = 0; i < n_repetitions; ++i)

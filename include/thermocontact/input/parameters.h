@@ -65,7 +65,8 @@ namespace ThermoContact
     std::string           condition = contact_laws().front().name;
     double                gap       = 0.1; ///< $g$ if it is a number,
     std::string           gap_expression;  ///< or else in y, z, t
-    std::optional<double> rear_gap; ///< $g_2$; none: there is no rear stop
+    std::optional<double> rear_gap;  ///< $g_2$; none: there is no rear stop
+    std::optional<double> stiffness; ///< N/m^m, in SI units; in compliance
     std::string           massless_nodes = "automatic";
 
     void
@@ -254,6 +255,32 @@ namespace ThermoContact
 
 
 
+  /**
+   * Section Rod: the body in SI units, doc/units.md. A file that has it is read
+   * in SI units; without_units() makes a scene of it. Numbers are 0 if they are
+   * not given.
+   */
+  struct RodParameters
+  {
+    double      length                = 0.; ///< m
+    double      area                  = 0.; ///< m^2
+    double      density               = 0.; ///< kg/m^3
+    double      youngs_modulus        = 0.; ///< Pa
+    double      poisson_ratio         = 0.; ///< 1
+    std::string lateral_sides         = "free";
+    double      viscosity             = 0.; ///< Pa s
+    double      linear_expansion      = 0.; ///< 1/K
+    double      conductivity          = 0.; ///< W/(m K)
+    double      heat_capacity         = 0.; ///< J/(kg K)
+    double      reference_temperature = 0.; ///< K
+    std::string small_terms           = "automatic";
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
   /** Section Study: runs the scene many times. */
   struct StudyParameters
   {
@@ -295,6 +322,7 @@ namespace ThermoContact
     SolverParameters        solver;
     OutputParameters        output;
     ScalesParameters        scales;
+    RodParameters           rod;
     StudyParameters         study;
 
     /**
