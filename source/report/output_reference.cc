@@ -12,7 +12,7 @@ namespace ThermoContact
       R"(# What a run writes
 
 Every file of an output directory and every name in it, as `thermocontact --print-output` prints them. Numbers are nondimensional, or in SI units if the scene has section
-`Scales`, which `--units` writes, unless `Output/SI = false`: then a comment line `# units:` above the names of a CSV file has the unit of each column, `units` of summary.json that of each key, and a VTU file those of its arrays. Times are in `Scales/Time unit`. Extensive quantities of a strip or a block are per unit cross-section, so that they are those of the rod. `nan` (in JSON `null`) is what the scene does not have. Steps end where contact changes: a row can be one.
+`Rod` or `Scales`, unless `Output/SI = false`: then a comment line `# units:` above the names of a CSV file has the unit of each column, `units` of summary.json that of each key, and a VTU file those of its arrays. Times are in `Scales/Time unit`, that of `Time/End time`. Extensive quantities of a strip or a block are per unit cross-section, so that they are those of the rod. `nan` (in JSON `null`) is what the scene does not have. Steps end where contact changes: a row can be one.
 
 All CSV files have the same head, comment lines that begin with `#` (title, versions, units, places of probes) and a line of names:
 
