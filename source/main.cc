@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/first_rank_alone.h>
+#include <thermocontact/base/interruption.h>
 #include <thermocontact/base/log.h>
 #include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/text.h>
@@ -10,7 +11,7 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameter_reference.h>
 #include <thermocontact/input/parameters.h>
-#include <thermocontact/input/units.h>
+#include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/report/output_reference.h>
 #include <thermocontact/scene/scene_checks.h>
@@ -21,7 +22,6 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
-#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -34,9 +34,32 @@ namespace ThermoContact
 {
   namespace
   {
+    /** Prints entries as a parameter file. */
     void
-    print_parameters(ParameterHandler &prm, const std::string &format)
+    print_entries(const std::vector<DeclaredEntry> &entries)
     {
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        write_entries(entries, {}, std::cout);
+    }
+
+
+
+    void
+    print_parameters(const std::vector<Assignment> &assignments,
+                     ParameterHandler              &prm,
+                     const std::string             &format)
+    {
+      std::vector<DeclaredEntry> entries = declared_entries(prm);
+      if (is_in_si(assignments, entries))
+        {
+          if (format != "prm")
+            throw InputError("--print-parameters=" + format +
+                             ": the file has section Rod\n  allowed: prm");
+          add_units(assignments, entries);
+          return print_entries(entries);
+        }
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+        return;
       if (format == "markdown")
         return write_parameter_reference(prm, std::cout);
       const auto style = format == "json" ? ParameterHandler::JSON :
@@ -45,47 +68,6 @@ namespace ThermoContact
                                                ParameterHandler::PRM);
       prm.print_parameters(std::cout,
                            style | ParameterHandler::KeepDeclarationOrder);
-    }
-
-
-
-    /** The entries of a file with a rod in units. */
-    void
-    print_unit_parameters(const std::vector<Assignment> &assignments,
-                          const std::string             &format)
-    {
-      ParameterHandler prm;
-      RodInUnits       rod;
-      rod.add_parameters(prm);
-      assign_entries(assignments, prm);
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        print_parameters(prm, format);
-    }
-
-
-
-    /** Prints the scene of a rod in units, unless it cannot be run. */
-    void
-    print_unit_scene(const UnitScene &scene)
-    {
-      check_assignments(scene.assignments);
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        std::cout << scene.text;
-    }
-
-
-
-    /** True if --units stands alone, without anything to do with the scene. */
-    bool
-    prints_units(const CommandLine &command)
-    {
-      return command.reads_units && !command.check_only &&
-             !command.is_resumed &&
-             std::none_of(command.overrides.begin(),
-                          command.overrides.end(),
-                          [](const Assignment &assignment) {
-                            return assignment.path == "Output/Directory";
-                          });
     }
 
 
@@ -123,25 +105,45 @@ namespace ThermoContact
 
 
 
+    /** Prints the scene of a file in SI units without them. */
     void
-    run_dimension(const Parameters  &parameters,
-                  ParameterHandler  &prm,
-                  const CommandLine &command,
-                  const Timer       &since_start,
-                  Log               &log)
+    print_scene(const std::vector<Assignment> &assignments,
+                const ParameterHandler        &prm)
+    {
+      std::vector<DeclaredEntry> entries = declared_entries(prm);
+      if (!is_in_si(assignments, entries))
+        throw InputError(std::string(command_line_place) +
+                         ": --units: the file has no section Rod, and no units"
+                         "\n  remedy:  run it without --units");
+      remove_units(assignments, entries);
+      print_entries(entries);
+    }
+
+
+
+    void
+    run_dimension(const Parameters              &parameters,
+                  ParameterHandler              &prm,
+                  const std::vector<Assignment> &assignments,
+                  const CommandLine             &command,
+                  const Timer                   &since_start,
+                  Log                           &log)
     {
       switch (parameters.dimension)
         {
           case 1:
             return on_first_rank_alone(
               [&]() {
-                run_scene<1>(parameters, prm, command, since_start, log);
+                run_scene<1>(
+                  parameters, prm, assignments, command, since_start, log);
               },
               MPI_COMM_WORLD);
           case 2:
-            return run_scene<2>(parameters, prm, command, since_start, log);
+            return run_scene<2>(
+              parameters, prm, assignments, command, since_start, log);
           default:
-            return run_scene<3>(parameters, prm, command, since_start, log);
+            return run_scene<3>(
+              parameters, prm, assignments, command, since_start, log);
         }
     }
 
@@ -244,36 +246,24 @@ namespace ThermoContact
         throw InputError("no parameter file is given\n  remedy:  thermocontact "
                          "FILE.prm, e.g. prm/paper/experiment-1.prm");
 
-      std::vector<Assignment> assignments = all_assignments(command);
-      if (command.reads_units || is_rod_in_units(assignments))
-        {
-          if (!command.print_parameters.empty())
-            return print_unit_parameters(assignments, command.print_parameters);
-          const UnitScene scene =
-            scene_from_units(command.file_name, assignments);
-          if (prints_units(command))
-            return print_unit_scene(scene);
-          assignments = scene.assignments;
-        }
-
-      Parameters       parameters;
-      ParameterHandler prm;
+      const std::vector<Assignment> assignments = all_assignments(command);
+      Parameters                    parameters;
+      ParameterHandler              prm;
       parameters.add_parameters(prm);
       assign_entries(assignments, prm);
       if (!command.print_parameters.empty())
-        {
-          if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-            print_parameters(prm, command.print_parameters);
-          return;
-        }
+        return print_parameters(assignments, prm, command.print_parameters);
 
       try
         {
-          if (parameters.study.is_active())
+          if (parameters.study.is_active() && !command.prints_scene)
             return run_sweep(parameters, prm, assignments, command, log);
           check_unused_entries(parameters, prm);
           check_scene(parameters);
-          run_dimension(parameters, prm, command, since_start, log);
+          if (command.prints_scene)
+            return print_scene(assignments, prm);
+          run_dimension(
+            parameters, prm, assignments, command, since_start, log);
         }
       catch (const InputError &error)
         {
@@ -297,8 +287,9 @@ main(int argc, char **argv)
   std::signal(SIGXFSZ, SIG_IGN); // a file at its limit is an error like others
   std::signal(SIGPIPE, SIG_IGN); // nor does a run end with who looks at it
 
-  const Timer        since_start;
-  EnvironmentOfStart environment;
+  const Timer          since_start;
+  const IgnoredSignals ignored_signals;
+  EnvironmentOfStart   environment;
   tell_mpi_of_single_process(environment);
   // The arguments are ours alone: PETSc, which deal.II starts too, obeys those
   // that it knows and, in Debian 13, prints those that it does not.
@@ -307,6 +298,7 @@ main(int argc, char **argv)
   char                           **arguments      = program_name;
   Utilities::MPI::MPI_InitFinalize mpi(n_arguments, arguments, 1);
   environment.restore();
+  ignored_signals.restore();
   const bool is_first_rank =
     Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   const auto print_error = [is_first_rank](const std::string &message) {

@@ -259,11 +259,12 @@ namespace ThermoContact
 
   template <int dim>
   void
-  run_scene(const Parameters  &parameters,
-            ParameterHandler  &prm,
-            const CommandLine &command,
-            const Timer       &since_start,
-            Log               &log)
+  run_scene(const Parameters              &parameters,
+            ParameterHandler              &prm,
+            const std::vector<Assignment> &assignments,
+            const CommandLine             &command,
+            const Timer                   &since_start,
+            Log                           &log)
   {
     const MPI_Comm communicator =
       DimensionTraits<dim>::communicator(MPI_COMM_WORLD);
@@ -305,10 +306,8 @@ namespace ThermoContact
       }
     else if (Utilities::MPI::this_mpi_process(communicator) == 0)
       keep_as_newest(directory, *checkpoint);
-    write_used_parameters(directory,
-                          unused_paths(parameters),
-                          prm,
-                          communicator);
+    write_used_parameters(
+      directory, unused_paths(parameters), prm, assignments, communicator);
     throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",
                                                      checkpoint.has_value()),
                                        communicator);
@@ -335,11 +334,12 @@ namespace ThermoContact
 
 
 
-#define INSTANTIATE(dim)                            \
-  template void run_scene<dim>(const Parameters &,  \
-                               ParameterHandler &,  \
-                               const CommandLine &, \
-                               const Timer &,       \
+#define INSTANTIATE(dim)                                        \
+  template void run_scene<dim>(const Parameters &,              \
+                               ParameterHandler &,              \
+                               const std::vector<Assignment> &, \
+                               const CommandLine &,             \
+                               const Timer &,                   \
                                Log &)
 
   INSTANTIATE(1);

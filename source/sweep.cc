@@ -75,10 +75,11 @@ namespace ThermoContact
 
     /** Makes the directory and study.csv ready, anew or to go on. */
     void
-    prepare(ParameterHandler  &prm,
-            const CommandLine &command,
-            const std::string &directory,
-            StudyTable        &table)
+    prepare(ParameterHandler              &prm,
+            const std::vector<Assignment> &assignments,
+            const CommandLine             &command,
+            const std::string             &directory,
+            StudyTable                    &table)
     {
       const MPI_Comm communicator = MPI_COMM_WORLD;
       const bool is_first = Utilities::MPI::this_mpi_process(communicator) == 0;
@@ -96,7 +97,7 @@ namespace ThermoContact
           }
       throw_everywhere<InputError>(mismatch, communicator);
       // what one run cannot use another may
-      write_used_parameters(directory, {}, prm, communicator);
+      write_used_parameters(directory, {}, prm, assignments, communicator);
       throw_everywhere<ComputationError>(is_first ? table.sort() : "",
                                          communicator);
     }
@@ -129,7 +130,7 @@ namespace ThermoContact
     if (!command.is_resumed)
       memory = check_study_memory(table);
     const DirectoryLock lock(directory, command.is_resumed, communicator);
-    prepare(prm, command, directory, table);
+    prepare(prm, assignments, command, directory, table);
     if (command.is_resumed)
       memory = check_study_memory(table);
     throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",

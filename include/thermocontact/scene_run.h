@@ -32,17 +32,19 @@ namespace ThermoContact
    * MPI_COMM_WORLD that share the body: of a rod, one alone.
    *
    * @param prm is bound to @p parameters
+   * @param assignments of the file
    * @param since_start runs since the start of the program
    * @throw InputError if the scene, the directory or the checkpoint do not fit
    * @throw ComputationError if the run fails or is interrupted
    */
   template <int dim>
   void
-  run_scene(const Parameters    &parameters,
-            ParameterHandler    &prm,
-            const CommandLine   &command,
-            const dealii::Timer &since_start,
-            Log                 &log);
+  run_scene(const Parameters              &parameters,
+            ParameterHandler              &prm,
+            const std::vector<Assignment> &assignments,
+            const CommandLine             &command,
+            const dealii::Timer           &since_start,
+            Log                           &log);
 } // namespace ThermoContact
 
 #endif

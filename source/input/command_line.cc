@@ -24,10 +24,8 @@ Dynamic contact of a thermoviscoelastic rod with an elastic or rigid obstacle.
   --print-output               print what the files of a run hold, in Markdown
   --resume                     go on from the newest checkpoint in the output
                                directory
-  --units                      FILE.prm is a rod in SI units: print its scene, with
-                               the factors that turn results into SI units; with
-                               --check, --output or --resume, and without
-                               --units, check it or run it
+  --units                      print the scene of FILE.prm, whose section Rod makes
+                               it one in SI units, without units, stop
   --quiet                      print nothing but errors
   --help, --version
 
@@ -111,7 +109,7 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
             command_line.is_resumed = true;
             break;
           case units_option:
-            command_line.reads_units = true;
+            command_line.prints_scene = true;
             break;
           case quiet_option:
             command_line.is_quiet = true;

@@ -38,6 +38,15 @@ namespace ThermoContact
                       "Compliance epsilon > 0 of an elastic obstacle: pressure "
                       "= penetration / epsilon, or a power of it.",
                       coefficient_of_contact);
+    add_number_or_word(
+      prm,
+      "Stiffness",
+      "none",
+      "The other word for Compliance in a file with section Rod: force over "
+      "penetration, N/m, or over its power Exponent, N/m^m.",
+      [this](const double *number) {
+        stiffness = number ? std::optional<double>(*number) : std::nullopt;
+      });
     prm.add_parameter(
       "Exponent",
       exponent,

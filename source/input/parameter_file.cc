@@ -4,6 +4,8 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/parameter_file.h>
+#include <thermocontact/input/parameters.h>
+#include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <algorithm>
@@ -11,30 +13,107 @@
 
 namespace ThermoContact
 {
+  void
+  set_entry(const Assignment &assignment, ParameterHandler &prm)
+  {
+    const auto slash = assignment.path.rfind('/');
+    if (slash == std::string::npos)
+      return prm.set(assignment.path, assignment.value);
+    // leave the section again whatever happens to the value
+    prm.enter_subsection(assignment.path.substr(0, slash));
+    try
+      {
+        prm.set(assignment.path.substr(slash + 1), assignment.value);
+      }
+    catch (...)
+      {
+        prm.leave_subsection();
+        throw;
+      }
+    prm.leave_subsection();
+  }
+
+
+
   namespace
   {
-    void
-    set_entry(const Assignment &assignment, ParameterHandler &prm)
+    /** Assigns the statements of a file, one after the other. */
+    class Assigner
     {
-      const auto slash = assignment.path.rfind('/');
-      if (slash == std::string::npos)
-        prm.set(assignment.path, assignment.value);
-      else
-        {
-          // leave the section again whatever happens to the value
-          prm.enter_subsection(assignment.path.substr(0, slash));
-          try
-            {
-              prm.set(assignment.path.substr(slash + 1), assignment.value);
-            }
-          catch (...)
-            {
-              prm.leave_subsection();
-              throw;
-            }
-          prm.leave_subsection();
-        }
-    }
+    public:
+      Assigner(const std::vector<DeclaredEntry> &entries, ParameterHandler &prm)
+        : entries(entries)
+        , prm(prm)
+      {}
+
+      /**
+       * @param value of the scene: that of the statement without its unit
+       * @throw InputError as assign_entries()
+       */
+      void
+      assign(const Assignment &assignment, const std::string &value)
+      {
+        const DeclaredEntry &entry     = entry_of(assignment);
+        const std::string    statement = assignment.place + ": " +
+                                      assignment.path + " = " +
+                                      quote(assignment.value);
+        if (!is_plain_text(assignment.value) ||
+            assignment.value.find('#') != std::string::npos ||
+            (!assignment.value.empty() && assignment.value.back() == '\\'))
+          throw InputError(statement +
+                           "\n  allowed: one line of text in UTF-8 without "
+                           "'#', not ending in '\\', since used.prm repeats "
+                           "it");
+        try
+          {
+            set_entry({assignment.place, assignment.path, value}, prm);
+          }
+        catch (const dealii::ExceptionBase &)
+          {
+            throw InputError(statement +
+                             "\n  allowed: " + describe_pattern(entry.pattern) +
+                             "\n  meaning: " + entry.text +
+                             "\n  default: " + entry.default_value);
+          }
+      }
+
+      /** Refuses a section, an entry that is unknown or is set twice. */
+      void
+      check_name(const Assignment &assignment)
+      {
+        if (assignment.is_section())
+          return check_section(assignment.place,
+                               section_of(assignment.path),
+                               entries);
+        entry_of(assignment);
+        // The command line may override what a file sets, and itself.
+        const bool is_override = assignment.place == command_line_place;
+        const auto [earlier, is_new] =
+          places.emplace(assignment.path, assignment.place);
+        if (!is_new && !is_override)
+          throw InputError(assignment.place + ": " + assignment.path +
+                           " is set a second time, first at " +
+                           earlier->second + "\n  remedy:  remove one of them");
+      }
+
+    private:
+      const std::vector<DeclaredEntry>  &entries;
+      ParameterHandler                  &prm;
+      std::map<std::string, std::string> places;
+
+      const DeclaredEntry &
+      entry_of(const Assignment &assignment) const
+      {
+        const auto entry = std::find_if(entries.begin(),
+                                        entries.end(),
+                                        [&](const DeclaredEntry &e) {
+                                          return e.path == assignment.path;
+                                        });
+        if (entry == entries.end())
+          refuse_entry(assignment, entries);
+        return *entry;
+      }
+    };
   } // namespace
 
 
@@ -53,58 +132,67 @@ namespace ThermoContact
                  const std::vector<DeclaredEntry> &entries,
                  ParameterHandler                 &prm)
   {
-    std::map<std::string, std::string> places;
-
+    Assigner assigner(entries, prm);
     for (const Assignment &assignment : assignments)
+      assigner.check_name(assignment);
+    const auto assign_if = [&](const auto &is_one, const auto &value) {
+      for (const Assignment &assignment : assignments)
+        if (!assignment.is_section() && is_one(assignment))
+          assigner.assign(assignment, value(assignment));
+    };
+    const auto is_of_rod = [](const Assignment &assignment) {
+      return assignment.path.rfind("Rod/", 0) == 0;
+    };
+    if (!is_in_si(assignments, entries))
       {
-        if (assignment.is_section())
-          {
-            check_section(assignment.place,
-                          section_of(assignment.path),
-                          entries);
-            continue;
-          }
-        const auto entry = std::find_if(entries.begin(),
-                                        entries.end(),
-                                        [&](const DeclaredEntry &e) {
-                                          return e.path == assignment.path;
-                                        });
-        if (entry == entries.end())
-          refuse_entry(assignment, entries);
-
-        // The command line may override what a file sets, and itself.
-        const bool is_override = assignment.place == command_line_place;
-        const auto [earlier, is_new] =
-          places.emplace(assignment.path, assignment.place);
-        if (!is_new && !is_override)
-          throw InputError(assignment.place + ": " + assignment.path +
-                           " is set a second time, first at " +
-                           earlier->second + "\n  remedy:  remove one of them");
-
-        const std::string statement = assignment.place + ": " +
-                                      assignment.path + " = " +
-                                      quote(assignment.value);
-        if (!is_plain_text(assignment.value) ||
-            assignment.value.find('#') != std::string::npos ||
-            (!assignment.value.empty() && assignment.value.back() == '\\'))
-          throw InputError(statement +
-                           "\n  allowed: one line of text in UTF-8 without "
-                           "'#', not ending in '\\', since used.prm repeats "
-                           "it");
-
-        try
-          {
-            set_entry(assignment, prm);
-          }
-        catch (const dealii::ExceptionBase &)
-          {
-            throw InputError(
-              statement + "\n  allowed: " + describe_pattern(entry->pattern) +
-              "\n  meaning: " + entry->text +
-              "\n  default: " + entry->default_value);
-          }
+        refuse_units(assignments);
+        return assign_if([](const Assignment &) { return true; },
+                         [](const Assignment &assignment) {
+                           return assignment.value;
+                         });
       }
+    assign_if(is_of_rod, without_unit);
+    RodParameters    rod;
+    ParameterHandler rod_prm;
+    rod.add_parameters(rod_prm);
+    for (const Assignment &assignment : assignments)
+      if (is_of_rod(assignment) && !assignment.is_section())
+        set_entry({"", assignment.path, without_unit(assignment)}, rod_prm);
+    const SiScene scene(assignments, entries, rod);
+    assign_if(
+      [&](const Assignment &assignment) { return !is_of_rod(assignment); },
+      [&](const Assignment &assignment) { return scene.value(assignment); });
+    for (const Assignment &assignment : scene.derived())
+      assigner.assign(assignment, assignment.value);
   }
+
+
+
+  namespace
+  {
+    /**
+     * Gives a message that begins with the value of an entry the value as the
+     * file has it, with its unit.
+     */
+    void
+    replace_value(const DeclaredEntry           &entry,
+                  const std::vector<Assignment> &assignments,
+                  std::string                   &message)
+    {
+      const std::string shown = quote(entry.value), head = entry.path + " = ";
+      const auto rest = message.substr(std::min(head.size(), message.size()));
+      const std::size_t size =
+        rest.rfind(shown, 0) == 0 ?
+          shown.size() :
+          std::min(rest.find_first_of(" \n:"), rest.size());
+      if (message.rfind(head, 0) != 0 ||
+          (rest.rfind(shown, 0) != 0 && !parse_number(rest.substr(0, size))))
+        return;
+      for (const Assignment &assignment : assignments)
+        if (assignment.path == entry.path && assignment.value != entry.value)
+          message = head + quote(assignment.value) + rest.substr(size);
+    }
+  } // namespace
 
 
 
@@ -128,13 +216,16 @@ namespace ThermoContact
             std::string::npos)
         place = assignment.place + ": ";
 
-    std::string meaning;
+    std::string complete = message, meaning;
+    for (const DeclaredEntry &entry : declared_entries(prm))
+      if (is_about(entry.path))
+        replace_value(entry, assignments, complete);
     if (message.find("\n  meaning: ") == std::string::npos &&
         message.find(" has no effect") == std::string::npos)
       for (const DeclaredEntry &entry : declared_entries(prm))
         if (is_about(entry.path))
           meaning = "\n  meaning: " + entry.text;
-    return place + message + meaning;
+    return place + complete + meaning;
   }
 
 
@@ -182,9 +273,11 @@ namespace ThermoContact
               output << "subsection " << section << '\n';
             open_section = section;
           }
-        output << (section.empty() ? "" : "  ") << "set "
+        output << (section.empty() ? "" : "  ")
+               << (entry.is_remark ? "# set " : "set ")
                << entry.path.substr(section.empty() ? 0 : slash + 1) << " = "
-               << entry.value << '\n';
+               << entry.value
+               << (entry.remark.empty() ? "" : " # " + entry.remark) << '\n';
       }
     if (!open_section.empty())
       output << "end\n";

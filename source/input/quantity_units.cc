@@ -3,42 +3,60 @@
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/input/scales.h>
 
+#include <cmath>
+#include <utility>
+
 namespace ThermoContact
 {
-  QuantityUnits::QuantityUnits(const Parameters &parameters)
+  ConversionsByKind
+  conversions_by_kind(const ScalesParameters &scales)
   {
-    const ScalesParameters &scales = parameters.scales;
-    if (!(scales.is_given() && parameters.output.is_si))
-      return;
     const double length = *scales.length, seconds = *scales.time,
                  stress           = *scales.stress,
                  displacement     = scales.displacement.value_or(length),
                  force            = stress * *scales.area;
     const TimeUnit        &unit   = time_unit(scales.time_unit);
     const TemperatureUnit &degree = temperature_unit(scales.temperature_unit);
-    conversions                   = {{"", {1., 0., ""}},
-                                     {"s", {1., 0., "s"}},
-                                     {"MB", {1., 0., "MB"}},
-                                     {"time", {seconds / unit.seconds, 0., unit.name}},
-                                     {"position", {length, 0., "m"}},
-                                     {"length", {displacement, 0., "m"}},
-                                     {"velocity", {displacement / seconds, 0., "m/s"}},
-                                     {"stress", {stress, 0., "Pa"}},
-                                     {"force", {force, 0., "N"}},
-                                     {"force × time", {force * seconds, 0., "N s"}},
-                                     {"force × length", {force * length, 0., "N m"}},
-                                     {"energy", {force * displacement, 0., "J"}}};
+    ConversionsByKind      all;
+    all[""]               = {1., 0., ""};
+    all["s"]              = {1., 0., "s"};
+    all["MB"]             = {1., 0., "MB"};
+    all["time"]           = {seconds / unit.seconds, 0., unit.name};
+    all["position"]       = {length, 0., "m"};
+    all["length"]         = {displacement, 0., "m"};
+    all["velocity"]       = {displacement / seconds, 0., "m/s"};
+    all["stress"]         = {stress, 0., "Pa"};
+    all["body force"]     = {stress / length, 0., "N/m^3"};
+    all["compliance"]     = {displacement / stress, 0., "m/Pa"};
+    all["damping"]        = {seconds / displacement, 0., "s/m"};
+    all["force"]          = {force, 0., "N"};
+    all["force × time"]   = {force * seconds, 0., "N s"};
+    all["force × length"] = {force * length, 0., "N m"};
+    all["energy"]         = {force * displacement, 0., "J"};
     if (!scales.temperature)
-      return; // nor has the scene any
+      return all; // nor has the scene any
     // kelvin in both: the absolute temperature is in the scale of heat
-    const double scale                    = *scales.temperature,
-                 reference                = *scales.reference_temperature;
-    conversions["temperature"]            = {scale,
-                                             reference - degree.zero_in_kelvin,
-                                             degree.symbol};
-    conversions["temperature difference"] = {scale, 0., "K"};
-    conversions["heat flux"]              = {
-                   stress * displacement * reference / (scale * seconds), 0., "W/m^2"};
+    const double scale     = *scales.temperature,
+                 reference = *scales.reference_temperature,
+                 flux  = stress * displacement * reference / (scale * seconds);
+    all["temperature"] = {scale,
+                          reference - degree.zero_in_kelvin,
+                          degree.symbol};
+    all["temperature difference"] = {scale, 0., "K"};
+    all["heat flux"]              = {flux, 0., "W/m^2"};
+    all["heat source"]            = {flux / length, 0., "W/m^3"};
+    all["heat exchange"]          = {flux / scale, 0., "W/(m^2 K)"};
+    all["heat loss"]              = {flux / (scale * length), 0., "W/(m^3 K)"};
+    return all;
+  }
+
+
+
+  QuantityUnits::QuantityUnits(const Parameters &parameters)
+  {
+    if (parameters.scales.is_given() && parameters.output.is_si)
+      conversions = conversions_by_kind(parameters.scales);
+    has_si_entries = parameters.rod.length > 0.;
   }
 
 
@@ -61,8 +79,21 @@ namespace ThermoContact
                       const unsigned int     digits) const
   {
     const Conversion &conversion = of(kind);
-    const std::string number     = significant(conversion(value), digits);
-    return conversion.unit.empty() ? number : number + ' ' + conversion.unit;
+    const double      number     = conversion(value);
+    if (conversion.unit.empty())
+      return significant(number, digits);
+    static const std::pair<double, const char *> prefixes[] = {
+      {1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1., ""}, {1e-3, "m"}, {1e-6, "u"}};
+    // times and temperatures have a unit that fits
+    const bool is_scaled = kind != "time" && kind != "s" && kind != "MB" &&
+                           kind != "temperature" &&
+                           kind != "temperature difference" && number != 0.;
+    if (is_scaled)
+      for (const auto &[size, prefix] : prefixes)
+        if (std::abs(number) >= 0.9999995 * size || size == 1e-6)
+          return significant(number / size, digits) + ' ' + prefix +
+                 conversion.unit;
+    return significant(number, digits) + ' ' + conversion.unit;
   }
 
 
@@ -72,8 +103,10 @@ namespace ThermoContact
                                 const double           value) const
   {
     const std::string number = significant(value, few_digits);
-    return is_si() ? text(kind, value) + " (nondimensional: " + number + ")" :
-                     number;
+    if (!is_si())
+      return number;
+    return text(kind, value) +
+           (has_si_entries ? "" : " (nondimensional: " + number + ")");
   }
 
 
@@ -86,6 +119,7 @@ namespace ThermoContact
     std::string line = "SI: lengths in m, times in " + of("time").unit;
     if (!of("temperature").unit.empty())
       line += ", temperatures in " + of("temperature").unit;
-    return line + ", forces in N; coefficients and entries have none";
+    return line + ", forces in N" +
+           (has_si_entries ? "" : "; coefficients and entries have none");
   }
 } // namespace ThermoContact

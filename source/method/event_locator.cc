@@ -85,16 +85,18 @@ namespace ThermoContact
 
 
 
-  EventLocator::EventLocator(const ContactLaw  &law,
-                             const bool         is_active,
-                             const ContactNodes nodes,
-                             const double       tolerance,
-                             const bool         has_small_changes)
+  EventLocator::EventLocator(const ContactLaw &law,
+                             const bool        is_active,
+                             const NodeOrder   nodes,
+                             const double      tolerance,
+                             const bool        has_small_changes,
+                             const bool        has_velocity)
     : law(law)
     , is_active(is_active)
     , nodes(nodes)
     , tolerance(tolerance)
     , has_small_changes(has_small_changes)
+    , has_velocity(has_velocity)
     , mode_(ContactMode::unilateral)
     , is_in_contact(false)
   {}
@@ -132,9 +134,8 @@ namespace ThermoContact
     if (any_in_contact(initial))
       add_event({initial.time,
                  ContactEvent::begin,
-                 nodes == ContactNodes::of_static_body ?
-                   std::numeric_limits<double>::quiet_NaN() :
-                   side * initial.velocity[foremost(initial)],
+                 !has_velocity ? std::numeric_limits<double>::quiet_NaN() :
+                                 side * initial.velocity[foremost(initial)],
                  side},
                 events);
   }
@@ -150,7 +151,7 @@ namespace ThermoContact
     if (is_margin_pressure())
       return std::abs(s) <= 0.1 * tolerance * sizes.pressure;
     // what the floating-point numbers of displacement and time can tell apart
-    const bool   has_mass = nodes == ContactNodes::with_mass;
+    const bool   has_mass = nodes == NodeOrder::inertial;
     const double size     = mode_ == ContactMode::closed && !has_mass ?
                               law.penetration(sizes.pressure) :
                               sizes.displacement;

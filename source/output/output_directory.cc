@@ -5,7 +5,9 @@
 #include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/parameter_file.h>
+#include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/output/output_tables.h>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -17,6 +19,7 @@
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -24,25 +27,30 @@ namespace ThermoContact
   {
     namespace fs = std::filesystem;
 
-    /** What a run leaves behind; other files are the user's and stay. */
-    const char *const run_files[] = {"checkpoint.bin",
-                                     "checkpoint.next.bin",
-                                     "checkpoint.previous.bin",
-                                     "contact.csv",
-                                     "contact.pvd",
-                                     "events.csv",
-                                     "fields.pvd",
-                                     "log.txt",
-                                     "obstacle.pvd",
-                                     "obstacle.vtu",
-                                     "probes.csv",
-                                     "space-time.columns",
-                                     "space-time.vtu",
-                                     "steps.csv",
-                                     "study.csv",
-                                     "study.md",
-                                     "study.txt",
-                                     "summary.json"};
+    /**
+     * What a run leaves behind beside its fields; other files are the user's
+     * and stay.
+     */
+    std::vector<std::string>
+    run_files()
+    {
+      std::vector<std::string> names = {"checkpoint.bin",
+                                        "checkpoint.next.bin",
+                                        "checkpoint.previous.bin",
+                                        "contact.pvd",
+                                        "fields.pvd",
+                                        "log.txt",
+                                        "obstacle.pvd",
+                                        "space-time.columns",
+                                        "study.md",
+                                        "study.txt"};
+      for (const OutputTable &table : output_tables())
+        if (table.file.find('*') == std::string::npos)
+          names.push_back(table.file);
+      return names;
+    }
+
+
 
     /** True if an earlier run was here, perhaps killed at its start. */
     bool
@@ -83,7 +91,7 @@ namespace ThermoContact
     void
     remove_earlier_run(const fs::path &directory)
     {
-      for (const std::string name : run_files)
+      for (const std::string &name : run_files())
         {
           fs::remove(directory / name);
           fs::remove(directory / (name + part_suffix));
@@ -229,23 +237,35 @@ namespace ThermoContact
 
 
   void
-  write_used_parameters(const std::string           &directory,
-                        const std::set<std::string> &omit,
-                        const ParameterHandler      &prm,
-                        const MPI_Comm               communicator)
+  write_used_parameters(const std::string             &directory,
+                        const std::set<std::string>   &omit,
+                        const ParameterHandler        &prm,
+                        const std::vector<Assignment> &assignments,
+                        const MPI_Comm                 communicator)
   {
     std::string fault;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        std::vector<DeclaredEntry> entries = declared_entries(prm);
+        std::vector<DeclaredEntry> entries  = declared_entries(prm);
+        std::set<std::string>      left_out = omit;
+        if (is_in_si(assignments, entries))
+          add_units(assignments, entries);
+        else
+          for (const DeclaredEntry &entry : entries)
+            if (entry.path.rfind("Rod/", 0) == 0 ||
+                entry.path == "Contact/Stiffness")
+              left_out.insert(entry.path);
         for (DeclaredEntry &entry : entries)
           if (entry.path == "Output/Directory")
-            entry.value = directory;
+            {
+              entry.value = directory;
+              entry.remark.clear();
+            }
 
         const std::string  path = directory + "/used.prm";
         std::ostringstream text;
         text << "# thermocontact " << version() << ": every entry as used\n";
-        write_entries(entries, omit, text);
+        write_entries(entries, left_out, text);
         fault = write_atomically(path, text.str());
       }
     throw_everywhere<ComputationError>(fault, communicator);

@@ -49,6 +49,7 @@ namespace ThermoContact
                      "Boundary/Fixed end support",
                      "Boundary/Fixed end displacement",
                      "Contact/Condition",
+                     "Contact/Stiffness",
                      "Contact/Compliance",
                      "Contact/Exponent",
                      "Contact/Damping",
@@ -104,6 +105,8 @@ namespace ThermoContact
       for (const std::string &entry : law.entries)
         entries.erase(entry);
       Paths paths;
+      if (entries.count("Compliance") > 0)
+        paths.push_back("Contact/Stiffness");
       for (const std::string &entry : entries)
         paths.push_back("Contact/" + entry);
       return paths;
@@ -126,6 +129,9 @@ namespace ThermoContact
                    "Mesh/Cells across",
                    "Mesh/Grading across"},
                   "Dimension = 1");
+    unused.add_if(parameters.dimension > 1,
+                  {"Rod/Lateral sides"},
+                  "Dimension = " + std::to_string(parameters.dimension));
     unused.add_if(parameters.dimension != 2,
                   {"Mesh/Geometry"},
                   "Dimension = " + std::to_string(parameters.dimension));

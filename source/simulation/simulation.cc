@@ -24,8 +24,8 @@ namespace ThermoContact
     , body_(scene_, communicator, shared)
     , measurements(body_)
     , integrator(scene_.scheme.integrator->make(body_))
-    , quasi_static(body_)
-    , tracker(body_, quasi_static)
+    , reset(body_)
+    , tracker(body_, reset)
     , controller(parameters.time,
                  parameters.output,
                  scene_.scheme.order,
@@ -51,7 +51,7 @@ namespace ThermoContact
   Simulation<dim>::set_initial_state()
   {
     state_             = initial_state(body_,
-                           quasi_static,
+                           reset,
                            controller.propose(0.).size,
                            history_.warnings);
     StepRecord &record = history_.record;
@@ -99,17 +99,27 @@ namespace ThermoContact
       notify();
     else if (!controller.is_finished(state_.time))
       make_up_for_jump();
-    StepResult result;
+    while (step())
+      notify();
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::step()
+  {
+    history_.attempts.clear();
     while (!controller.is_finished(state_.time))
       {
         const TimeStep time_step = controller.propose(state_.time);
         if (attempt(time_step, result))
           {
             accept(time_step, result);
-            notify();
-            history_.attempts.clear();
+            return true;
           }
       }
+    return false;
   }
 
 
@@ -326,7 +336,7 @@ namespace ThermoContact
     try
       {
         has_jumped = apply_load_jump(body_,
-                                     quasi_static,
+                                     reset,
                                      integrator->stage_solver(),
                                      tracker.closed_nodes(result),
                                      *at,
@@ -385,8 +395,7 @@ namespace ThermoContact
   {
     SolverCounters sum = integrator->stage_solver().counters();
     sum += integrator->own_counters();
-    sum += tracker.counters();
-    sum += quasi_static.counters();
+    sum += reset.counters();
     return sum;
   }
 

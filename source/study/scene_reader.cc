@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/input/si_scene.h>
 #include <thermocontact/study/scene_reader.h>
 
 #include <algorithm>
@@ -7,11 +8,14 @@
 namespace ThermoContact
 {
   SceneReader::SceneReader(const std::vector<Assignment> &assignments)
+    : own_assignments(assignments)
+    , assignments_(assignments)
   {
     scene_.add_parameters(prm_);
     assign_entries(assignments, prm_);
     own_scene   = scene_;
     own_entries = declared_entries(prm_);
+    is_si       = is_in_si(assignments, own_entries);
   }
 
 
@@ -20,13 +24,23 @@ namespace ThermoContact
   SceneReader::read(const std::string &place, const Overrides &overrides)
   {
     reset();
-    std::vector<Assignment> assignments;
+    std::vector<Assignment> changes;
     for (const auto &[path, value] : overrides)
       {
-        assignments.push_back({place, path, value});
-        overridden.push_back(path);
+        changes.push_back({place, path, value});
+        assignments_.erase(std::remove_if(assignments_.begin(),
+                                          assignments_.end(),
+                                          [&path =
+                                             path](const Assignment &own) {
+                                            return own.path == path;
+                                          }),
+                           assignments_.end());
       }
-    assign_entries(assignments, own_entries, prm_);
+    assignments_.insert(assignments_.end(), changes.begin(), changes.end());
+    for (const Assignment &change : changes)
+      overridden.push_back(change.path);
+    // scales follow from entries
+    assign_entries(is_si ? assignments_ : changes, own_entries, prm_);
   }
 
 
@@ -34,14 +48,14 @@ namespace ThermoContact
   void
   SceneReader::reset()
   {
-    std::vector<Assignment> assignments;
     for (const auto &entry : own_entries)
-      if (std::find(overridden.begin(), overridden.end(), entry.path) !=
-          overridden.end())
-        assignments.push_back({"", entry.path, entry.value});
-    assign_entries(assignments, own_entries, prm_);
+      if (is_si ||
+          std::find(overridden.begin(), overridden.end(), entry.path) !=
+            overridden.end())
+        set_entry({"", entry.path, entry.value}, prm_);
     overridden.clear();
-    scene_ = own_scene; // texts of default values may have fewer digits
+    assignments_ = own_assignments;
+    scene_       = own_scene; // texts of default values may have fewer digits
   }
 
 
@@ -49,6 +63,10 @@ namespace ThermoContact
   const std::string &
   SceneReader::own_value(const std::string &path) const
   {
+    for (auto own = own_assignments.rbegin(); own != own_assignments.rend();
+         ++own)
+      if (own->path == path)
+        return own->value;
     return std::find_if(own_entries.begin(),
                         own_entries.end(),
                         [&](const auto &entry) { return entry.path == path; })

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/input/si_scene.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/study/study_plan.h>
 
@@ -236,8 +237,10 @@ namespace ThermoContact
     const Overrides          present = overrides(run);
     std::vector<std::string> values;
     for (unsigned int i = 0; i < varied_.size(); ++i)
-      values.push_back(
-        find_override(present, varied_[i]).value_or(own_values[i]));
+      values.push_back(without_unit(
+        {"",
+         varied_[i],
+         find_override(present, varied_[i]).value_or(own_values[i])}));
     return values;
   }
 

@@ -19,7 +19,7 @@ namespace ThermoContact
     std::string             program_name;     ///< argv[0]
     bool                    check_only   = false;
     bool                    is_resumed   = false;
-    bool                    reads_units  = false; ///< --units
+    bool                    prints_scene = false; ///< --units
     bool                    is_quiet     = false;
     bool                    show_output  = false; ///< --print-output
     bool                    show_help    = false;

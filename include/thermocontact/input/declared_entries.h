@@ -20,6 +20,8 @@ namespace ThermoContact
     std::string default_value; ///< the one declared
     std::string text;          ///< meaning
     std::string pattern;       ///< what is allowed, as deal.II describes it
+    std::string remark    = "";    ///< behind the value when it is written
+    bool        is_remark = false; ///< all of it, when it is written
   };
 
 

@@ -21,12 +21,22 @@ namespace ThermoContact
 
 
   /**
-   * Writes @p assignments into @p prm, whose entries are bound to a
-   * Parameters object.
+   * Sets one entry.
+   *
+   * @throw dealii::ExceptionBase if there is none, or the value does not fit
+   */
+  void
+  set_entry(const Assignment &assignment, ParameterHandler &prm);
+
+  /**
+   * Writes @p assignments, those of a whole file, into @p prm, whose entries are
+   * bound to a Parameters object. Of a file in SI units the scene without units
+   * is written.
    *
    * @throw InputError with place, path, value, what is allowed and the meaning
    *   of the entry if a section or a name is unknown (then with the nearest
-   *   known one), a value does not fit, or a file sets an entry twice
+   *   known one), a value or its unit does not fit, or a file sets an entry
+   *   twice
    */
   void
   assign_entries(const std::vector<Assignment> &assignments,
@@ -46,7 +56,8 @@ namespace ThermoContact
    * Completes a message that begins with the path of an entry, by the place of
    * the last assignment to it (for a default value: the place of the
    * assignment that the message gives as its reason) and by the meaning of the
-   * entry. Other messages stay as they are.
+   * entry. A value in it is shown as the file has it, with its unit. Other
+   * messages stay as they are.
    */
   std::string
   complete_message(const std::string             &message,

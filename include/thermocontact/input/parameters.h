@@ -4,6 +4,7 @@
 #define thermocontact_input_parameters_h
 
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/input/expression.h>
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/scheme.h>
@@ -64,7 +65,8 @@ namespace ThermoContact
     std::string           condition = contact_laws().front().name;
     double                gap       = 0.1; ///< $g$ if it is a number,
     std::string           gap_expression;  ///< or else in y, z, t
-    std::optional<double> rear_gap; ///< $g_2$; none: there is no rear stop
+    std::optional<double> rear_gap;  ///< $g_2$; none: there is no rear stop
+    std::optional<double> stiffness; ///< N/m^m, in SI units; in compliance
     std::string           massless_nodes = "automatic";
 
     void
@@ -253,6 +255,32 @@ namespace ThermoContact
 
 
 
+  /**
+   * Section Rod: the body in SI units, doc/units.md. A file that has it is read
+   * in SI units; without_units() makes a scene of it. Numbers are 0 if they are
+   * not given.
+   */
+  struct RodParameters
+  {
+    double      length                = 0.; ///< m
+    double      area                  = 0.; ///< m^2
+    double      density               = 0.; ///< kg/m^3
+    double      youngs_modulus        = 0.; ///< Pa
+    double      poisson_ratio         = 0.; ///< 1
+    std::string lateral_sides         = "free";
+    double      viscosity             = 0.; ///< Pa s
+    double      linear_expansion      = 0.; ///< 1/K
+    double      conductivity          = 0.; ///< W/(m K)
+    double      heat_capacity         = 0.; ///< J/(kg K)
+    double      reference_temperature = 0.; ///< K
+    std::string small_terms           = "automatic";
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
   /** Section Study: runs the scene many times. */
   struct StudyParameters
   {
@@ -294,7 +322,26 @@ namespace ThermoContact
     SolverParameters        solver;
     OutputParameters        output;
     ScalesParameters        scales;
+    RodParameters           rod;
     StudyParameters         study;
+
+    /**
+     * What an expression of the entry @p path may name.
+     *
+     * @param variables of which it may be a function
+     * @param example for messages
+     */
+    ExpressionNames
+    names(const std::string              &path,
+          const std::vector<std::string> &variables,
+          const std::string              &example) const;
+
+    /**
+     * The names of x, y, z, as far as there are such coordinates, and t;
+     * without a name if it is not known.
+     */
+    std::vector<std::string>
+    coordinates(const bool has_time) const;
 
     /**
      * Binds every member to an entry of @p prm. Parsing or `prm.set` then

@@ -13,6 +13,15 @@
 
 namespace ThermoContact
 {
+  /** How numbers of each kind of quantity are written. */
+  using ConversionsByKind = std::map<std::string, Conversion, std::less<>>;
+
+  /** From a scene with @p scales, which are complete, to SI units. */
+  ConversionsByKind
+  conversions_by_kind(const ScalesParameters &scales);
+
+
+
   /**
    * In which units files, screen and messages have the quantities of a scene:
    * SI units if there are Scales and Output/SI is true, else none. The only
@@ -22,7 +31,9 @@ namespace ThermoContact
    * Kinds of quantities are words: "time", "length" (of displacements),
    * "position", "velocity", "stress", "force", "force × time", "force ×
    * length", "temperature", "temperature difference", "heat flux", "energy";
-   * "s" and "MB" of the computer; "" a number.
+   * of entries alone "body force", "compliance", "damping", "heat source",
+   * "heat exchange", "heat loss" (per volume); "s" and "MB" of the computer; ""
+   * a number.
    */
   class QuantityUnits
   {
@@ -47,8 +58,8 @@ namespace ThermoContact
          const unsigned int     digits = few_digits) const;
 
     /**
-     * The same for who needs it in a parameter file, too, whose entries have no
-     * units: "0.25 ms (nondimensional: 1.2e-09)".
+     * The same for who needs it in the parameter file, too, whose entries may
+     * have no units: "0.25 ms (nondimensional: 1.2e-09)".
      */
     std::string
     text_for_entry(const std::string_view kind, const double value) const;
@@ -58,8 +69,9 @@ namespace ThermoContact
     description() const;
 
   private:
-    std::map<std::string, Conversion, std::less<>> conversions; ///< by kind
-    const Conversion                               as_it_is;
+    ConversionsByKind conversions;
+    const Conversion  as_it_is;
+    bool              has_si_entries; ///< of section Rod
   };
 } // namespace ThermoContact
 

@@ -118,17 +118,19 @@ namespace ThermoContact
     /**
      * @param law borrowed
      * @param is_active false: all steps are unilateral
-     * @param nodes those of a static body have margins that are interpolated
-     *   linearly
+     * @param nodes their order
      * @param tolerance relative accuracy of an event
      * @param has_small_changes false: more than the contact force changes at
      *   an event, so that a miss by a small impulse is not a small one
+     * @param has_velocity false: velocities of a static body say nothing, so
+     *   that margins are interpolated linearly
      */
-    EventLocator(const ContactLaw  &law,
-                 const bool         is_active,
-                 const ContactNodes nodes,
-                 const double       tolerance,
-                 const bool         has_small_changes = true);
+    EventLocator(const ContactLaw &law,
+                 const bool        is_active,
+                 const NodeOrder   nodes,
+                 const double      tolerance,
+                 const bool        has_small_changes = true,
+                 const bool        has_velocity      = true);
 
     /** Forgets all and takes the initial state. */
     void
@@ -266,9 +268,10 @@ namespace ThermoContact
 
     const ContactLaw         &law;
     const bool                is_active;
-    const ContactNodes        nodes;
+    const NodeOrder           nodes;
     const double              tolerance;
     const bool                has_small_changes;
+    const bool                has_velocity;
     ContactMode               mode_;
     ContactValues             present;       ///< seen from the stop
     bool                      is_in_contact; ///< as the events say

@@ -4,11 +4,13 @@
 #define thermocontact_output_output_directory_h
 
 #include <thermocontact/base/types.h>
+#include <thermocontact/input/parameter_text.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -67,13 +69,16 @@ namespace ThermoContact
    * 0 writes; collective.
    *
    * @param omit paths of entries that are left out
+   * @param assignments of the file: those in SI units stand as they are given,
+   *   with their values in the scene behind them
    * @throw ComputationError if the file cannot be written
    */
   void
-  write_used_parameters(const std::string           &directory,
-                        const std::set<std::string> &omit,
-                        const ParameterHandler      &prm,
-                        const MPI_Comm               communicator);
+  write_used_parameters(const std::string             &directory,
+                        const std::set<std::string>   &omit,
+                        const ParameterHandler        &prm,
+                        const std::vector<Assignment> &assignments,
+                        const MPI_Comm                 communicator);
 } // namespace ThermoContact
 
 #endif

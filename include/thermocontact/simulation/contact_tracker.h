@@ -5,7 +5,7 @@
 
 #include <thermocontact/method/event_locator.h>
 #include <thermocontact/method/load_history.h>
-#include <thermocontact/simulation/contact_transition.h>
+#include <thermocontact/simulation/reset.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/step_controller.h>
 #include <thermocontact/time/time_integrator.h>
@@ -45,7 +45,7 @@ namespace ThermoContact
   {
   public:
     /** Both are borrowed. */
-    ContactTracker(Body<dim> &body, QuasiStaticStart<dim> &quasi_static);
+    ContactTracker(Body<dim> &body, Reset<dim> &reset);
 
     /** Forgets all and takes the initial state. */
     void
@@ -134,13 +134,6 @@ namespace ThermoContact
     void
     turn(const LoadBreak &at, StepResult &result);
 
-    /** What impacts have spent. */
-    const SolverCounters &
-    counters() const
-    {
-      return transition.counters();
-    }
-
     /** What changes during a run, for checkpoints; after accept(). */
     template <class Archive>
     void
@@ -149,24 +142,17 @@ namespace ThermoContact
       archive &locator;
     }
 
-    /** Makes again what impacts need and goes on counting from there. */
-    void
-    restore(const SolverCounters &counters)
-    {
-      transition.restore(counters);
-    }
-
   private:
     /** A state after an impact at its time, and what that has cost. */
     struct Impacted
     {
       State       state;
       EnergyTerms energy;
-      ImpactCost  cost;
+      ResetCost   cost;
     };
 
     const Body<dim>        &body;
-    ContactTransition<dim>  transition;
+    Reset<dim>             &reset;
     EventLocator            locator;
     EventLocator::Finding   finding;   ///< of the step that was judged last
     ContactValues           next;      ///< at its end
@@ -185,7 +171,7 @@ namespace ThermoContact
 
     /** Adds what impacts have cost to a step. */
     static void
-    book(const ImpactCost &cost, StepResult &result);
+    book(const ResetCost &cost, StepResult &result);
   };
 } // namespace ThermoContact
 

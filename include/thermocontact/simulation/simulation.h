@@ -87,6 +87,16 @@ namespace ThermoContact
     void
     run(const Observers &observers = {});
 
+    /**
+     * One step that is accepted, from the present state on; run() without
+     * observers does nothing else.
+     *
+     * @return false if the run is at its end time
+     * @throw ComputationError as run() does
+     */
+    bool
+    step();
+
     /** All that changes during a run, after a step or at the start. */
     SavedRun
     save() const;
@@ -191,7 +201,7 @@ namespace ThermoContact
     Body<dim>                             body_;
     Measurements<dim>                     measurements;
     const std::unique_ptr<TimeIntegrator> integrator;
-    QuasiStaticStart<dim>                 quasi_static;
+    Reset<dim>                            reset;
     ContactTracker<dim>                   tracker;
     StepController                        controller;
     ErrorNorm                             error_norm;
@@ -199,6 +209,7 @@ namespace ThermoContact
     MeshWatch                             mesh_watch;
     State                                 state_;
     RunHistory                            history_;
+    StepResult                            result; ///< of the present attempt
     bool                                  is_restored = false;
 
     void

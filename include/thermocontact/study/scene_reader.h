@@ -61,16 +61,26 @@ namespace ThermoContact
       return prm_;
     }
 
+    /** What it was read of. */
+    const std::vector<Assignment> &
+    assignments() const
+    {
+      return assignments_;
+    }
+
     /** The value of an entry in the scene without overrides. */
     const std::string &
     own_value(const std::string &path) const;
 
   private:
-    Parameters                 scene_;
-    ParameterHandler           prm_;
-    Parameters                 own_scene;
-    std::vector<DeclaredEntry> own_entries;
-    std::vector<std::string>   overridden; ///< paths, by the last scene
+    const std::vector<Assignment> own_assignments;
+    std::vector<Assignment>       assignments_;
+    bool                          is_si;
+    Parameters                    scene_;
+    ParameterHandler              prm_;
+    Parameters                    own_scene;
+    std::vector<DeclaredEntry>    own_entries;
+    std::vector<std::string>      overridden; ///< paths, by the last scene
   };
 } // namespace ThermoContact
 

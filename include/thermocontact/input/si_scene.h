@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_input_si_scene_h
+#define thermocontact_input_si_scene_h
+
+#include <thermocontact/input/declared_entries.h>
+#include <thermocontact/input/parameter_text.h>
+#include <thermocontact/input/quantity_units.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** True if section Rod is given: the file is in SI units. */
+  bool
+  is_in_si(const std::vector<Assignment>    &assignments,
+           const std::vector<DeclaredEntry> &entries);
+
+  /**
+   * The value of an entry in SI base units, without the unit: "3e-05" of "30
+   * um". A text without a unit, and that of an entry that is no quantity, stay
+   * as they are.
+   *
+   * @throw InputError if the unit is none, or of another kind of quantity
+   */
+  std::string
+  without_unit(const Assignment &assignment);
+
+  /** The unit of without_unit(); empty if the entry is no quantity. */
+  std::string
+  unit_of_entry(const std::string &path);
+
+
+
+  /**
+   * Makes a nondimensional scene of entries in SI units, doc/units.md. The only
+   * place where the value of an entry loses its unit: a number is divided by
+   * the scale of its kind of quantity; so is an expression, whose variables
+   * become those of the scene times their scales.
+   */
+  class SiScene
+  {
+  public:
+    /**
+     * @param assignments of the whole file, the last one of a path
+     * @param entries all that there are
+     * @param rod the section Rod of @p assignments
+     * @throw InputError if an entry that the scales follow from is not given,
+     *   or another one that has no default in SI units
+     */
+    SiScene(const std::vector<Assignment>    &assignments,
+            const std::vector<DeclaredEntry> &entries,
+            const RodParameters              &rod);
+
+    /**
+     * The value of one of the entries in the scene.
+     *
+     * @throw InputError if the unit is none, or of another kind of quantity, or
+     *   the rod decides the entry
+     */
+    std::string
+    value(const Assignment &assignment) const;
+
+    /** The entries that follow from the others. */
+    std::vector<Assignment>
+    derived() const;
+
+  private:
+    const std::vector<Assignment>    &assignments;
+    const std::vector<DeclaredEntry> &entries;
+    const RodParameters              &rod;
+    const unsigned int                dim;
+    const bool                        has_temperature, has_displacement;
+    ScalesParameters                  scales;
+    ConversionsByKind                 conversions; ///< to SI base units
+
+    /** The last value that an entry is given. */
+    std::optional<std::string>
+    given(const std::string &path) const;
+
+    /** All that the scales, and entries without a default, need. */
+    void
+    check_complete() const;
+
+    /** The area of the body is that of its mesh. */
+    void
+    check_area() const;
+
+    /** Stiffness against axial strain, (U.2). */
+    double
+    modulus() const;
+
+    void
+    set_scales();
+
+    /** The nondimensional number that an entry is given, or not a number. */
+    double
+    number(const std::string &path) const;
+
+    /** One of the values of an entry that ';' or ',' separate. */
+    std::string
+    scaled(const Assignment &assignment, const std::string &text) const;
+
+    /** An expression in the variables of the scene. */
+    std::string
+    in_scene_variables(const std::string &expression) const;
+
+    /** Exponent m of the contact law. */
+    double
+    law_exponent() const;
+
+    /** True for the time of a term that is dropped. */
+    bool
+    is_small(const double seconds) const;
+  };
+
+
+
+  /**
+   * Refuses units, and Contact/Stiffness, in a file without section Rod.
+   *
+   * @throw InputError
+   */
+  void
+  refuse_units(const std::vector<Assignment> &assignments);
+
+  /**
+   * Gives @p entries, whose values are those of the scene, the values that a
+   * file in SI units has, as used.prm shows them: the nondimensional ones, and
+   * entries that follow from others, become remarks.
+   */
+  void
+  add_units(const std::vector<Assignment> &assignments,
+            std::vector<DeclaredEntry>    &entries);
+
+  /**
+   * Leaves of @p entries those of the scene without units that have not their
+   * default, with what a file in SI units has for them as remarks.
+   */
+  void
+  remove_units(const std::vector<Assignment> &assignments,
+               std::vector<DeclaredEntry>    &entries);
+} // namespace ThermoContact
+
+#endif

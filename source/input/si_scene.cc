@@ -1,0 +1,697 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/input/scales.h>
+#include <thermocontact/input/si_scene.h>
+#include <thermocontact/input/unit_text.h>
+#include <thermocontact/method/body_geometry.h>
+#include <thermocontact/method/contact_law.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** The unit of entries of one kind, and what they are measures of. */
+    struct Kind
+    {
+      const char *name, *unit, *word;
+    };
+
+    const Kind kinds[] = {{"area", "m^2", "area"},
+                          {"body force", "N/m^3", "force per volume"},
+                          {"capacity", "J/(kg K)", "heat capacity"},
+                          {"compliance", "m/Pa", "penetration over pressure"},
+                          {"conductivity", "W/(m K)", "conductivity"},
+                          {"damping", "s/m", "damping, one over velocity"},
+                          {"density", "kg/m^3", "density"},
+                          {"expansion", "1/K", "thermal expansion"},
+                          {"heat exchange", "W/(m^2 K)", "heat exchange"},
+                          {"heat flux", "W/m^2", "heat flux"},
+                          {"heat loss",
+                           "W/(m^3 K)",
+                           "heat exchange per volume"},
+                          {"heat source", "W/m^3", "heat per volume"},
+                          {"length", "m", "length"},
+                          {"position", "m", "length"},
+                          {"s", "s", "time"},
+                          {"stiffness", "N/m", "stiffness"},
+                          {"stress", "Pa", "pressure"},
+                          {"temperature", "K", "temperature"},
+                          {"time", "s", "time"},
+                          {"velocity", "m/s", "velocity"},
+                          {"viscosity", "Pa s", "viscosity"}};
+
+
+
+    /** An entry that is a quantity. */
+    struct Quantity
+    {
+      const char *path, *kind;
+    };
+
+    const Quantity quantities[] = {
+      {"Boundary/Ambient temperature", "temperature"},
+      {"Boundary/Fixed end displacement", "length"},
+      {"Boundary/Fixed end temperature", "temperature"},
+      {"Boundary/Heat exchange", "heat exchange"},
+      {"Boundary/Lateral heat exchange", "heat loss"},
+      {"Boundary/Obstacle temperature", "temperature"},
+      {"Contact/Compliance", "compliance"},
+      {"Contact/Damping", "damping"},
+      {"Contact/Gap", "length"},
+      {"Contact/Rear gap", "length"},
+      {"Contact/Stiffness", "stiffness"},
+      {"Initial values/Displacement", "length"},
+      {"Initial values/Temperature", "temperature"},
+      {"Initial values/Velocity", "velocity"},
+      {"Mesh/Width", "position"},
+      {"Output/Checkpoint interval", "s"},
+      {"Output/Contact interval", "time"},
+      {"Output/Fields interval", "time"},
+      {"Output/Period", "time"},
+      {"Output/Probes", "position"},
+      {"Output/Space-time interval", "time"},
+      {"Rod/Conductivity", "conductivity"},
+      {"Rod/Cross-section area", "area"},
+      {"Rod/Density", "density"},
+      {"Rod/Heat capacity", "capacity"},
+      {"Rod/Length", "position"},
+      {"Rod/Linear expansion", "expansion"},
+      {"Rod/Reference temperature", "temperature"},
+      {"Rod/Viscosity", "viscosity"},
+      {"Rod/Young's modulus", "stress"},
+      {"Sources/Body force", "body force"},
+      {"Sources/End heat flux", "heat flux"},
+      {"Sources/End traction", "stress"},
+      {"Sources/Heat source", "heat source"},
+      {"Study/Target error", "length"},
+      {"Time/Break points", "time"},
+      {"Time/End time", "time"},
+      {"Time/First step size", "time"},
+      {"Time/Maximum step size", "time"},
+      {"Time/Minimum step size", "time"},
+      {"Time/Step size", "time"}};
+
+    /** What the variables of expressions are. */
+    const Quantity variables[] = {{"t", "time"},
+                                  {"x", "position"},
+                                  {"y", "position"},
+                                  {"z", "position"},
+                                  {"gap", "length"},
+                                  {"pressure", "stress"},
+                                  {"theta_A", "temperature"}};
+
+    /** Entries that the rod decides. */
+    const char *const decided[] = {"Model/Coupling",
+                                   "Model/Inertia",
+                                   "Model/Poisson ratio",
+                                   "Model/Viscosity",
+                                   "Scales/Area",
+                                   "Scales/Displacement",
+                                   "Scales/Length",
+                                   "Scales/Reference temperature",
+                                   "Scales/Stress",
+                                   "Scales/Temperature",
+                                   "Scales/Time"};
+
+    // A wave that passes so often in a run, or a stress that relaxes so fast,
+    // is in equilibrium but for ringing after sudden changes.
+    constexpr double often = 1e5;
+
+    /** Of the entry; null if it is no quantity. */
+    const Kind *
+    find_kind(const std::string &path)
+    {
+      for (const Quantity &quantity : quantities)
+        if (path == quantity.path)
+          return std::find_if(std::begin(kinds),
+                              std::end(kinds),
+                              [&](const Kind &kind) {
+                                return std::string(kind.name) == quantity.kind;
+                              });
+      return nullptr;
+    }
+
+
+
+    [[noreturn]] void
+    refuse_value(const Assignment  &assignment,
+                 const std::string &fault,
+                 const std::string &allowed,
+                 const std::string &remedy)
+    {
+      throw InputError(assignment.place + ": " + assignment.path + " = " +
+                       quote(assignment.value) + ": " + fault +
+                       "\n  allowed: " + allowed + "\n  remedy:  " + remedy);
+    }
+
+
+
+    /** The number of @p text in SI base units; none if it is an expression. */
+    std::optional<double>
+    si_number(const Assignment  &assignment,
+              const std::string &text,
+              const Kind        &kind)
+    {
+      const auto split = split_unit(text);
+      if (!split || split->unit.empty())
+        return split ? std::optional<double>(split->number) : std::nullopt;
+      std::string fault = split->unit + " is no unit of " + kind.word;
+      try
+        {
+          if (const auto number =
+                convert_unit(split->number, split->unit, kind.unit))
+            return number;
+        }
+      catch (const std::invalid_argument &error)
+        {
+          fault = error.what();
+        }
+      refuse_value(assignment,
+                   fault,
+                   std::string("a number in ") + kind.unit +
+                     ", or with another unit of " + kind.word,
+                   std::string(kind.name) == "temperature" ?
+                     "degC for degrees Celsius, K for kelvin" :
+                     "such a unit, or the number without one, in " +
+                       std::string(kind.unit));
+    }
+  } // namespace
+
+
+
+  bool
+  is_in_si(const std::vector<Assignment>    &assignments,
+           const std::vector<DeclaredEntry> &entries)
+  {
+    return std::any_of(assignments.begin(),
+                       assignments.end(),
+                       [&](const Assignment &assignment) {
+                         return assignment.path.rfind("Rod/", 0) == 0 &&
+                                std::any_of(entries.begin(),
+                                            entries.end(),
+                                            [&](const DeclaredEntry &entry) {
+                                              return entry.path ==
+                                                       assignment.path &&
+                                                     entry.default_value !=
+                                                       assignment.value;
+                                            });
+                       });
+  }
+
+
+
+  std::string
+  without_unit(const Assignment &assignment)
+  {
+    const Kind *const kind  = find_kind(assignment.path);
+    const auto        split = split_unit(assignment.value);
+    return kind == nullptr || !split || split->unit.empty() ?
+             assignment.value :
+             significant(*si_number(assignment, assignment.value, *kind),
+                         all_digits);
+  }
+
+
+
+  std::string
+  unit_of_entry(const std::string &path)
+  {
+    const Kind *const kind = find_kind(path);
+    return kind == nullptr ? "" : kind->unit;
+  }
+
+
+
+  void
+  refuse_units(const std::vector<Assignment> &assignments)
+  {
+    for (const Assignment &assignment : assignments)
+      {
+        const auto split = split_unit(assignment.value);
+        if (find_kind(assignment.path) != nullptr && split &&
+            !split->unit.empty())
+          refuse_value(assignment,
+                       "the file has no section Rod, from which the scales of "
+                       "a scene in SI units follow",
+                       "a nondimensional number",
+                       "the number without a unit, or section Rod");
+        if (assignment.path == "Contact/Stiffness" &&
+            assignment.value != "none")
+          refuse_value(assignment,
+                       "the file has no section Rod, and is nondimensional",
+                       "none",
+                       "Contact/Compliance, or section Rod");
+      }
+  }
+
+
+
+  SiScene::SiScene(const std::vector<Assignment>    &assignments,
+                   const std::vector<DeclaredEntry> &entries,
+                   const RodParameters              &rod)
+    : assignments(assignments)
+    , entries(entries)
+    , rod(rod)
+    , dim(parse_number(given("Dimension").value_or("1")).value_or(1.))
+    , has_temperature(given("Model/Fields").value_or("") != "displacement")
+    , has_displacement(given("Model/Fields").value_or("") != "temperature")
+  {
+    check_complete();
+    set_scales();
+    conversions = conversions_by_kind(scales);
+    check_area();
+    for (const char *const path : decided)
+      for (const Assignment &assignment : assignments)
+        if (assignment.path == path)
+          refuse_value(assignment,
+                       "section Rod decides it",
+                       "no such entry",
+                       "change the rod, or the scene that --units prints");
+  }
+
+
+
+  std::optional<std::string>
+  SiScene::given(const std::string &path) const
+  {
+    const auto found = std::find_if(assignments.rbegin(),
+                                    assignments.rend(),
+                                    [&](const Assignment &assignment) {
+                                      return assignment.path == path;
+                                    });
+    return found == assignments.rend() ? std::nullopt :
+                                         std::optional(found->value);
+  }
+
+
+
+  void
+  SiScene::check_complete() const
+  {
+    const auto need = [this](const bool is_needed, const std::string &path) {
+      if (!is_needed || given(path))
+        return;
+      for (const DeclaredEntry &entry : entries)
+        if (entry.path == path)
+          throw InputError(
+            path + " is not given\n  allowed: " +
+            describe_pattern(entry.pattern) + "\n  meaning: " + entry.text +
+            "\n  remedy:  give it: a scene in SI units has no default of it");
+    };
+    const auto need_positive =
+      [&](const bool is_needed, const double value, const std::string &path) {
+        need(is_needed, path);
+        if (is_needed && !(value > 0.))
+          throw InputError(path + " = " + *given(path) +
+                           "\n  allowed: a positive number");
+      };
+    need_positive(true, rod.length, "Rod/Length");
+    need_positive(true, rod.area, "Rod/Cross-section area");
+    need_positive(true, rod.density, "Rod/Density");
+    need_positive(has_displacement, rod.youngs_modulus, "Rod/Young's modulus");
+    need(has_displacement && (dim > 1 || rod.lateral_sides == "confined"),
+         "Rod/Poisson ratio");
+    need_positive(has_temperature, rod.conductivity, "Rod/Conductivity");
+    need_positive(has_temperature, rod.heat_capacity, "Rod/Heat capacity");
+    need_positive(has_temperature,
+                  rod.reference_temperature,
+                  "Rod/Reference temperature");
+    need(has_temperature && has_displacement, "Rod/Linear expansion");
+    need(has_temperature, "Boundary/Fixed end temperature");
+    need(has_temperature, "Boundary/Heat exchange");
+    const std::string condition =
+      given("Contact/Condition").value_or(contact_laws().front().name);
+    need(has_displacement && condition != no_obstacle().name, "Contact/Gap");
+    if (given("Contact/Stiffness") && given("Contact/Compliance"))
+      throw InputError("Contact/Stiffness = " + *given("Contact/Stiffness") +
+                       ": Contact/Compliance is given, too\n  remedy:  one of "
+                       "them");
+    for (const ContactLawKind &law : contact_laws())
+      need(has_displacement && condition == law.name &&
+             std::find(law.entries.begin(), law.entries.end(), "Compliance") !=
+               law.entries.end() &&
+             !given("Contact/Compliance"),
+           "Contact/Stiffness");
+    need(dim > 1, "Mesh/Width");
+    need(true, "Time/End time");
+  }
+
+
+
+  void
+  SiScene::check_area() const
+  {
+    const double width = scales.length.value() * number("Mesh/Width");
+    const bool   is_round =
+      given("Mesh/Geometry").value_or(geometries().front().name) !=
+      geometries().front().name;
+    const double area =
+      dim == 3 ? width * width : dealii::numbers::PI * width * width;
+    if ((dim == 3 || (dim == 2 && is_round)) &&
+        std::abs(rod.area - area) > 1e-3 * area)
+      throw InputError(
+        text("Rod/Cross-section area = ",
+             *given("Rod/Cross-section area"),
+             "\n  allowed: ",
+             area,
+             " m^2, as Mesh/Width says\n  remedy:  one of them: forces are "
+             "pressures times this area"));
+  }
+
+
+
+  double
+  SiScene::modulus() const
+  {
+    const double nu = rod.poisson_ratio;
+    return rod.youngs_modulus * (dim > 1 || rod.lateral_sides == "confined" ?
+                                   (1. - nu) / ((1. + nu) * (1. - 2. * nu)) :
+                                   1.);
+  }
+
+
+
+  void
+  SiScene::set_scales()
+  {
+    const double capacity = rod.density * rod.heat_capacity;
+    scales.length         = rod.length;
+    scales.area           = rod.area;
+    scales.time           = has_temperature ?
+                              capacity * rod.length * rod.length / rod.conductivity :
+                              rod.length * std::sqrt(rod.density / modulus());
+    if (has_temperature)
+      {
+        scales.reference_temperature = rod.reference_temperature;
+        scales.temperature =
+          has_displacement ?
+            std::sqrt(modulus() * rod.reference_temperature / capacity) :
+            1.;
+      }
+    scales.stress =
+      has_displacement ? modulus() : capacity / rod.reference_temperature;
+  }
+
+
+
+  double
+  SiScene::number(const std::string &path) const
+  {
+    const auto text = given(path);
+    return text ? parse_number(value({"", path, *text}))
+                    .value_or(std::numeric_limits<double>::quiet_NaN()) :
+                  std::numeric_limits<double>::quiet_NaN();
+  }
+
+
+
+  std::string
+  SiScene::value(const Assignment &assignment) const
+  {
+    if (find_kind(assignment.path) == nullptr)
+      return assignment.value;
+    const bool  is_list = assignment.path == "Output/Probes";
+    std::string result, part;
+    int         depth  = 0;
+    const auto  finish = [&]() {
+      result += scaled(assignment, dealii::Utilities::trim(part));
+      part.clear();
+    };
+    for (const char letter : assignment.value)
+      {
+        depth += (letter == '(') - (letter == ')');
+        if (letter == ';' || (is_list && depth <= 0 && letter == ','))
+          {
+            finish();
+            result += std::string(1, letter) + ' ';
+          }
+        else
+          part += letter;
+      }
+    finish();
+    return result;
+  }
+
+
+
+  std::string
+  SiScene::scaled(const Assignment &assignment, const std::string &text) const
+  {
+    const Kind &kind = *find_kind(assignment.path);
+    for (const char *const word : {"", "none", "automatic", "infinity"})
+      if (text == word)
+        return text;
+    const bool is_of_law = kind.name == std::string("stiffness") ||
+                           kind.name == std::string("compliance");
+    const double exponent = is_of_law ? law_exponent() : 1.;
+    if (const auto split = split_unit(text);
+        exponent != 1. && split && !split->unit.empty())
+      refuse_value(assignment,
+                   "a unit with a power of the exponent",
+                   "a number in N/m^m or m/Pa^(1/m), m Contact/Exponent",
+                   "the number without the unit");
+    Conversion conversion;
+    const auto found = conversions.find(kind.name);
+    if (found != conversions.end() && assignment.path.rfind("Rod/", 0) != 0)
+      conversion = found->second;
+    if (kind.name == std::string("compliance"))
+      conversion.factor =
+        *scales.length / std::pow(*scales.stress, 1. / exponent);
+    if (const auto number = si_number(assignment, text, kind))
+      return significant((*number - conversion.offset) / conversion.factor,
+                         all_digits);
+    const std::string expression = "(" + in_scene_variables(text) + ")",
+                      shifted    = conversion.offset == 0. ?
+                                     expression :
+                                     "(" + expression + " - " +
+                                    significant(conversion.offset, all_digits) +
+                                    ")";
+    return shifted + "/" + significant(conversion.factor, all_digits);
+  }
+
+
+
+  std::string
+  SiScene::in_scene_variables(const std::string &expression) const
+  {
+    std::string result;
+    const auto  is_of_name = [](const char letter) {
+      return letter == '_' ||
+             std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    };
+    for (std::size_t i = 0; i < expression.size();)
+      {
+        const char *const begin = expression.data() + i,
+                          *end  = expression.data() + expression.size();
+        double number;
+        if (const auto read = std::from_chars(begin, end, number);
+            *begin != '-' &&
+            std::isalpha(static_cast<unsigned char>(*begin)) == 0 &&
+            read.ec == std::errc())
+          end = read.ptr; // its e is no name
+        else
+          end = std::max(begin + 1, std::find_if_not(begin, end, is_of_name));
+        const std::string word(begin, end);
+        result += word;
+        i += word.size();
+        for (const Quantity &variable : variables)
+          if (word == variable.path)
+            {
+              const auto found = conversions.find(variable.kind);
+              if (found == conversions.end())
+                continue;
+              const auto &[factor, offset, unit] = found->second;
+              result.replace(
+                result.size() - word.size(),
+                word.size(),
+                "(" + significant(factor, all_digits) + "*" + word +
+                  (offset == 0. ? "" : "+" + significant(offset, all_digits)) +
+                  ")");
+            }
+      }
+    return result;
+  }
+
+
+
+  double
+  SiScene::law_exponent() const
+  {
+    return given("Contact/Condition").value_or("") == power_law().name ?
+             parse_number(given("Contact/Exponent").value_or("1"))
+               .value_or(1.) :
+             1.;
+  }
+
+
+
+  bool
+  SiScene::is_small(const double seconds) const
+  {
+    const auto is_zero = [this](const std::string &path) {
+      return !given(path) || *given(path) == "none" || number(path) == 0.;
+    };
+    if (rod.small_terms != "automatic")
+      return rod.small_terms == "dropped";
+    return is_zero("Initial values/Velocity") &&
+           is_zero("Boundary/Fixed end displacement") &&
+           is_zero("Contact/Rear gap") &&
+           *scales.time * number("Time/End time") > often * seconds;
+  }
+
+
+
+  std::vector<Assignment>
+  SiScene::derived() const
+  {
+    std::vector<Assignment> result;
+    const auto set = [&](const std::string &path, const std::string &value) {
+      result.push_back({"section Rod", path, value});
+    };
+    const auto set_number = [&](const std::string           &path,
+                                const std::optional<double> &value) {
+      if (value)
+        set(path, significant(*value, all_digits));
+    };
+    const double wave     = rod.length * std::sqrt(rod.density / modulus()),
+                 relaxing = rod.viscosity / modulus(), nu = rod.poisson_ratio;
+    const bool is_static = is_small(wave);
+    if (has_displacement)
+      {
+        set_number("Model/Inertia",
+                   is_static ? 0. : std::pow(wave / *scales.time, 2));
+        set_number("Model/Viscosity",
+                   is_static && is_small(relaxing) ? 0. :
+                                                     relaxing / *scales.time);
+        if (dim > 1)
+          set_number("Model/Poisson ratio", nu);
+        if (!is_static && !given("Initial values/Velocity"))
+          set("Initial values/Velocity", "0");
+      }
+    if (has_displacement && has_temperature)
+      set_number("Model/Coupling",
+                 rod.linear_expansion * *scales.temperature *
+                   (modulus() == rod.youngs_modulus ? 1. :
+                                                      (1. + nu) / (1. - nu)));
+    if (has_temperature && !given("Initial values/Temperature"))
+      set("Initial values/Temperature", "0");
+    if (given("Contact/Stiffness"))
+      set_number("Contact/Compliance",
+                 std::pow(*scales.stress * rod.area /
+                            number("Contact/Stiffness"),
+                          1. / law_exponent()) /
+                   rod.length);
+    const double end_time = number("Time/End time");
+    if (!given("Output/Fields interval"))
+      set_number("Output/Fields interval", round_to_digits(end_time / 20., 6));
+    set_number("Scales/Length", scales.length);
+    set_number("Scales/Time", scales.time);
+    set_number("Scales/Stress", scales.stress);
+    set_number("Scales/Area", scales.area);
+    set_number("Scales/Temperature", scales.temperature);
+    set_number("Scales/Reference temperature", scales.reference_temperature);
+    // the units that the file uses
+    const auto unit_of = [this](const std::string &path) {
+      const auto split = split_unit(given(path).value_or(""));
+      return split ? split->unit : "";
+    };
+    if (!given("Scales/Time unit"))
+      {
+        const std::string wanted = unit_of("Time/End time");
+        const auto       &units  = time_units();
+        const auto        found =
+          std::find_if(units.begin(), units.end(), [&](const TimeUnit &unit) {
+            return unit.name == wanted;
+          });
+        set("Scales/Time unit",
+            found != units.end() ?
+              wanted :
+              readable_time_unit(end_time * *scales.time).name);
+      }
+    const std::string degree = unit_of("Rod/Reference temperature");
+    if (has_temperature && !given("Scales/Temperature unit"))
+      set("Scales/Temperature unit",
+          !degree.empty() && convert_unit(0., degree, "K") ==
+                               temperature_unit("C").zero_in_kelvin ?
+            "C" :
+            "K");
+    return result;
+  }
+
+
+
+  namespace
+  {
+    bool
+    is_decided(const std::string &path)
+    {
+      return std::find(std::begin(decided), std::end(decided), path) !=
+             std::end(decided);
+    }
+
+
+
+    std::map<std::string, std::string>
+    last_values(const std::vector<Assignment> &assignments)
+    {
+      std::map<std::string, std::string> values;
+      for (const Assignment &assignment : assignments)
+        values[assignment.path] = assignment.value;
+      return values;
+    }
+  } // namespace
+
+
+
+  void
+  add_units(const std::vector<Assignment> &assignments,
+            std::vector<DeclaredEntry>    &entries)
+  {
+    const auto values = last_values(assignments);
+    for (DeclaredEntry &entry : entries)
+      if (const auto given = values.find(entry.path); given != values.end())
+        {
+          if (given->second != entry.value)
+            entry.remark = entry.value;
+          entry.value = given->second;
+        }
+      else
+        entry.is_remark =
+          find_kind(entry.path) != nullptr || is_decided(entry.path);
+  }
+
+
+
+  void
+  remove_units(const std::vector<Assignment> &assignments,
+               std::vector<DeclaredEntry>    &entries)
+  {
+    const auto values = last_values(assignments);
+    for (DeclaredEntry &entry : entries)
+      if (const auto given = values.find(entry.path);
+          given != values.end() && given->second != entry.value)
+        entry.remark = given->second;
+    entries.erase(std::remove_if(entries.begin(),
+                                 entries.end(),
+                                 [](const DeclaredEntry &entry) {
+                                   return entry.path.rfind("Rod/", 0) == 0 ||
+                                          entry.path == "Contact/Stiffness" ||
+                                          entry.value == entry.default_value;
+                                 }),
+                  entries.end());
+  }
+} // namespace ThermoContact
