@@ -143,7 +143,7 @@ namespace ThermoContact
     const auto is_of_rod = [](const Assignment &assignment) {
       return assignment.path.rfind("Rod/", 0) == 0;
     };
-    if (!is_in_si(assignments, entries))
+    if (!is_in_si(assignments))
       {
         refuse_units(assignments);
         return assign_if([](const Assignment &) { return true; },

@@ -15,7 +15,7 @@ namespace ThermoContact
     assign_entries(assignments, prm_);
     own_scene   = scene_;
     own_entries = declared_entries(prm_);
-    is_si       = is_in_si(assignments, own_entries);
+    is_si       = is_in_si(assignments);
   }
 
 
