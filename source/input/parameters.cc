@@ -260,10 +260,9 @@ namespace ThermoContact
     prm.add_parameter("Break points",
                       break_points,
                       "Times, separated by ';', at which steps end, for loads "
-                      "that jump or bend there. Automatic steps find those "
-                      "of expressions in t by themselves, but for pulses "
-                      "shorter than T/30000 whose times are not in the "
-                      "expression. Times after T have no effect.",
+                      "with a jump or a kink there. Automatic steps find "
+                      "those of expressions in t by themselves. Times after "
+                      "T have no effect.",
                       List(duration, 0, 100000, ";"));
     prm.leave_subsection();
   }
