@@ -170,7 +170,7 @@ class Site:
         text = re.sub(r'(href|src)="([^"]*)"',
                       lambda m: f'{m[1]}="{self.link(page, m[2])}"', text)
         here = name_of(page)
-        text = re.sub(r"(?<![\w{\"])\(([A-Z]\.\d+)\)", lambda m: m[0] if m[1] not in self.equations
+        text = re.sub(r"(?<![\w{\"])\(([A-Z]\d*\.\d+)\)", lambda m: m[0] if m[1] not in self.equations
                       else f'(<a href="{self.equations[m[1]]}#{m[1]}">{m[1]}</a>)', text)
         if here == "parameters.html":
             text = self.with_places(text)

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/first_rank_alone.h>
+#include <thermocontact/base/interruption.h>
 #include <thermocontact/base/log.h>
 #include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/text.h>
@@ -286,8 +287,9 @@ main(int argc, char **argv)
   std::signal(SIGXFSZ, SIG_IGN); // a file at its limit is an error like others
   std::signal(SIGPIPE, SIG_IGN); // nor does a run end with who looks at it
 
-  const Timer        since_start;
-  EnvironmentOfStart environment;
+  const Timer          since_start;
+  const IgnoredSignals ignored_signals;
+  EnvironmentOfStart   environment;
   tell_mpi_of_single_process(environment);
   // The arguments are ours alone: PETSc, which deal.II starts too, obeys those
   // that it knows and, in Debian 13, prints those that it does not.
@@ -296,6 +298,7 @@ main(int argc, char **argv)
   char                           **arguments      = program_name;
   Utilities::MPI::MPI_InitFinalize mpi(n_arguments, arguments, 1);
   environment.restore();
+  ignored_signals.restore();
   const bool is_first_rank =
     Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   const auto print_error = [is_first_rank](const std::string &message) {

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <iomanip>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -41,6 +42,23 @@ raise(double &largest, const double value)
   if (!(value <= largest))
     largest =
       std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+}
+
+
+
+/**
+ * A value that must not exceed its bound, with both, "3.2e-13 <= 1e-09"; a
+ * value that does says so, ">". Two digits: numdiff accepts any change of a
+ * number below 1e-6, which is rounding, and larger ones are errors of the
+ * method, the same on every machine to two digits.
+ */
+inline std::string
+within(const double value, const double bound)
+{
+  std::ostringstream text;
+  text << std::setprecision(2) << value << (value <= bound ? " <= " : " > ")
+       << bound;
+  return text.str();
 }
 
 

@@ -2,7 +2,10 @@
 
 #include <thermocontact/base/interruption.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
+#include <iterator>
 
 namespace ThermoContact
 {
@@ -10,16 +13,27 @@ namespace ThermoContact
   {
     volatile std::sig_atomic_t last_signal = 0;
 
+    constexpr std::array<int, 3> watched_signals = {{SIGTERM, SIGINT, SIGHUP}};
+
+    bool
+    is_ignored(const int signal)
+    {
+      struct sigaction present = {};
+      return sigaction(signal, nullptr, &present) != 0 ||
+             present.sa_handler == SIG_IGN;
+    }
+
+
+
     void
     set_action(void (*action)(int))
     {
-      struct sigaction settings = {}, present = {};
-      settings.sa_handler = action;
-      settings.sa_flags   = SA_RESTART;
-      for (const int signal : {SIGTERM, SIGINT, SIGHUP})
+      struct sigaction settings = {};
+      settings.sa_handler       = action;
+      settings.sa_flags         = SA_RESTART;
+      for (const int signal : watched_signals)
         // one that the caller ignores, as in the background, stays ignored
-        if (sigaction(signal, nullptr, &present) == 0 &&
-            present.sa_handler != SIG_IGN)
+        if (!is_ignored(signal))
           sigaction(signal, &settings, nullptr);
     }
 
@@ -54,6 +68,25 @@ namespace ThermoContact
   SignalWatch::signal() const
   {
     return last_signal;
+  }
+
+
+
+  IgnoredSignals::IgnoredSignals()
+  {
+    std::copy_if(watched_signals.begin(),
+                 watched_signals.end(),
+                 std::back_inserter(signals),
+                 is_ignored);
+  }
+
+
+
+  void
+  IgnoredSignals::restore() const
+  {
+    for (const int signal : signals)
+      std::signal(signal, SIG_IGN);
   }
 
 

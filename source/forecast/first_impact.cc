@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/forecast/coarse_rod.h>
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/forecast/first_impact.h>
-#include <thermocontact/method/bracketed_root.h>
-#include <thermocontact/method/cubic_hermite.h>
+#include <thermocontact/simulation/simulation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,74 +11,36 @@ namespace ThermoContact
 {
   namespace
   {
-    /**
-     * The next step, (M.46): a part of the time @p since a sudden change.
-     *
-     * @param horizon a few waves
-     */
+    constexpr unsigned int n_cells   = 16;
+    constexpr double       tolerance = 1e-3;
+
+
+
+    /** The last cell over the first: short contacts compress a short part. */
     double
-    step_size(const double since, const double horizon)
+    size_of_last_cell(const ContactLaw &law)
     {
-      return std::clamp(0.05 * since, 1e-6 * horizon, horizon / 400.);
+      return law.is_rigid() || !law.is_linear() ?
+               0.1 :
+               std::clamp(law.tangent(1.), 1e-4, 0.1);
     }
 
 
 
-    /**
-     * Moves the rod until its end arrives at the obstacle.
-     *
-     * @return false if it does not before @p horizon
-     */
-    bool
-    arrive(CoarseRod        &rod,
-           CoarseRod::State &state,
-           const double      gap,
-           const double      horizon,
-           FirstImpact      &impact)
+    /** The scene, (M.44), in error-controlled steps to @p end_time. */
+    Parameters
+    coarse_scene(const Scene &scene, const double end_time)
     {
-      CoarseRod::State before = state;
-      for (double time = 0., dt; time < horizon; time += dt)
-        {
-          dt     = step_size(time, horizon);
-          before = state;
-          rod.step(state, dt, false);
-          if (!(state.displacement.back() >= gap))
-            continue;
-          const CubicHermite beyond(before.displacement.back() - gap,
-                                    dt * before.velocity.back(),
-                                    state.displacement.back() - gap,
-                                    dt * state.velocity.back());
-          const double       until =
-            dt * bracketed_root([&](const double s) { return beyond.value(s); },
-                                0.,
-                                1.)
-                   .second;
-          impact.time = time + until;
-          state       = before;
-          if (until > 0.)
-            rod.step(state, until, false);
-          impact.velocity = state.velocity.back();
-          return impact.time < horizon;
-        }
-      return false;
-    }
-
-
-
-    /** The largest pressure from the impact until the end is free again. */
-    double
-    largest_pressure(CoarseRod &rod, CoarseRod::State &state, const double span)
-    {
-      double largest = 0.;
-      for (double time = 0., dt; time < span; time += dt)
-        {
-          dt                    = step_size(time, span);
-          const double pressure = rod.step(state, dt, true);
-          if (pressure == 0. && largest > 0.)
-            break;
-          largest = std::max(largest, pressure);
-        }
-      return largest;
+      Parameters parameters     = scene.parameters;
+      parameters.mesh           = MeshParameters();
+      parameters.mesh.cells     = n_cells;
+      parameters.mesh.grading   = 1. / size_of_last_cell(*scene.contact.law);
+      parameters.time           = TimeParameters();
+      parameters.time.end_time  = end_time;
+      parameters.time.tolerance = tolerance;
+      parameters.solver         = SolverParameters();
+      parameters.output         = OutputParameters();
+      return parameters;
     }
   } // namespace
 
@@ -100,7 +61,6 @@ namespace ThermoContact
   {
     const Material   &material = scene.material;
     const ContactLaw &law      = *scene.contact.law;
-    const double      gap      = scene.contact.gap;
     if (!law.is_active() || law.damping() > 0. || scene.contact.rear_gap ||
         !material.has_inertia() || scene.parameters.dimension > 1 ||
         scene.sources.any())
@@ -108,24 +68,34 @@ namespace ThermoContact
     // a wave has run four times through the rod, or the rod has crept
     const double waves =
       4. * (std::sqrt(material.inertia) + material.viscosity);
-    const double horizon = std::min(scene.parameters.time.end_time, waves);
-    if (!(horizon > 0.) || !std::isfinite(horizon))
+    const double end_time =
+      std::min(scene.parameters.time.end_time, 2. * waves);
+    if (!(end_time > 0.) || !std::isfinite(end_time))
       return {};
-    CoarseRod        rod(scene);
-    CoarseRod::State state = rod.initial_state();
-    FirstImpact      impact;
-    if (state.displacement.back() >= gap ||
-        !arrive(rod, state, gap, horizon, impact) || !(impact.velocity > 0.))
-      return {};
-    if (!law.is_rigid())
+    try
       {
-        const double rest =
-          std::min(scene.parameters.time.end_time - impact.time, waves);
-        impact.force       = largest_pressure(rod, state, rest);
-        impact.penetration = law.penetration(impact.force);
-        if (!(impact.force > 0.) || !std::isfinite(impact.penetration))
+        Simulation<1> rod(coarse_scene(scene, end_time), MPI_COMM_SELF);
+        const auto   &events = rod.events();
+        if (!events.empty()) // in contact from the start
           return {};
+        while (events.empty() && rod.record().time < waves && rod.step())
+          ;
+        if (events.empty() || events[0].time >= waves ||
+            !(events[0].velocity > 0.))
+          return {};
+        FirstImpact impact{events[0].time, events[0].velocity, 0., 0.};
+        if (law.is_rigid())
+          return impact;
+        while (events.size() == 1 && rod.record().time < impact.time + waves &&
+               rod.step())
+          ;
+        impact.penetration = rod.history().penetration_peak.estimate();
+        impact.force       = rod.history().force_peak.estimate();
+        return impact;
       }
-    return impact;
+    catch (const ComputationError &)
+      {
+        return {}; // the run will say why
+      }
   }
 } // namespace ThermoContact

@@ -316,6 +316,30 @@ namespace ThermoContact
 
 
 
+  ExpressionNames
+  Parameters::names(const std::string &,
+                    const std::vector<std::string> &variables,
+                    const std::string              &example) const
+  {
+    ExpressionNames names;
+    names.variables = variables;
+    names.example   = example;
+    return names;
+  }
+
+
+
+  std::vector<std::string>
+  Parameters::coordinates(const bool has_time) const
+  {
+    return {"x",
+            dimension > 1 ? "y" : "",
+            dimension > 2 ? "z" : "",
+            has_time ? "t" : ""};
+  }
+
+
+
   void
   Parameters::add_parameters(ParameterHandler &prm)
   {

@@ -3,9 +3,11 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/input/expression.h>
 #include <thermocontact/input/scales.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/unit_text.h>
+#include <thermocontact/input/unknown_names.h>
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
 
@@ -167,6 +169,34 @@ namespace ThermoContact
                      "degC for degrees Celsius, K for kelvin" :
                      "such a unit, or the number without one, in " +
                        unit_of(kind));
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /** Faults of an expression where it is written. */
+    void
+    check_expression(const Assignment &assignment, const std::string &text)
+    {
+      const std::string section = section_of(assignment.path);
+      if (section != "Boundary" && section != "Contact" &&
+          section != "Initial values" && section != "Sources")
+        return;
+      ExpressionNames names;
+      names.variables = {"x", "y", "z", "t"};
+      if (assignment.path == "Boundary/Heat exchange")
+        names.variables = {"gap", "pressure"};
+      names.constants["theta_A"] = 1.;
+      try
+        {
+          Expression(assignment.path, text, names);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(assignment.place + ": " + error.what());
+        }
     }
   } // namespace
 
@@ -450,6 +480,7 @@ namespace ThermoContact
     else if (number)
       return significant((*number - conversion.offset) / conversion.factor,
                          all_digits);
+    check_expression(assignment, text);
     const std::string expression = "(" + in_scene_variables(text) + ")",
                       shifted    = conversion.offset == 0. ?
                                      expression :

@@ -111,6 +111,25 @@ namespace ThermoContact
 
 
   std::string
+  did_you_mean(const std::string &name, const std::vector<std::string> &known)
+  {
+    if (name.size() > 100 || known.empty())
+      return ""; // no typo, and the distance takes long
+    const auto nearest =
+      std::min_element(known.begin(),
+                       known.end(),
+                       [&](const std::string &a, const std::string &b) {
+                         return edit_distance(name, a) < edit_distance(name, b);
+                       });
+    // one letter of two may be wrong
+    return edit_distance(name, *nearest) <= (name.size() + 1) / 3 ?
+             "; did you mean " + *nearest + "?" :
+             "";
+  }
+
+
+
+  std::string
   section_of(const std::string &path)
   {
     const auto slash = path.rfind('/');

@@ -85,16 +85,18 @@ namespace ThermoContact
 
 
 
-  EventLocator::EventLocator(const ContactLaw  &law,
-                             const bool         is_active,
-                             const ContactNodes nodes,
-                             const double       tolerance,
-                             const bool         has_small_changes)
+  EventLocator::EventLocator(const ContactLaw &law,
+                             const bool        is_active,
+                             const NodeOrder   nodes,
+                             const double      tolerance,
+                             const bool        has_small_changes,
+                             const bool        has_velocity)
     : law(law)
     , is_active(is_active)
     , nodes(nodes)
     , tolerance(tolerance)
     , has_small_changes(has_small_changes)
+    , has_velocity(has_velocity)
     , mode_(ContactMode::unilateral)
     , is_in_contact(false)
   {}
@@ -125,16 +127,15 @@ namespace ThermoContact
     present                      = initial;
     mode_                        = mode_of(initial);
     is_in_contact                = false;
-    waiting.clear();
+    pending.clear();
     events.clear();
     largest = Scales();
     largest.add(initial);
     if (any_in_contact(initial))
       add_event({initial.time,
                  ContactEvent::begin,
-                 nodes == ContactNodes::of_static_body ?
-                   std::numeric_limits<double>::quiet_NaN() :
-                   side * initial.velocity[foremost(initial)],
+                 !has_velocity ? std::numeric_limits<double>::quiet_NaN() :
+                                 side * initial.velocity[foremost(initial)],
                  side},
                 events);
   }
@@ -150,7 +151,7 @@ namespace ThermoContact
     if (is_margin_pressure())
       return std::abs(s) <= 0.1 * tolerance * sizes.pressure;
     // what the floating-point numbers of displacement and time can tell apart
-    const bool   has_mass = nodes == ContactNodes::with_mass;
+    const bool   has_mass = nodes == NodeOrder::inertial;
     const double size     = mode_ == ContactMode::closed && !has_mass ?
                               law.penetration(sizes.pressure) :
                               sizes.displacement;
@@ -277,7 +278,7 @@ namespace ThermoContact
 
 
   void
-  EventLocator::hold_nothing()
+  EventLocator::leave_to_law()
   {
     mode_ = ContactMode::unilateral;
   }
@@ -289,10 +290,9 @@ namespace ThermoContact
                                 const double change_of_velocity,
                                 const int    new_side)
   {
-    if (!waiting.empty())
+    if (!pending.empty())
       {
-        waiting.clear();
-        hold_nothing();
+        drop_event();
         return false;
       }
     const bool begins = mode_ == ContactMode::open;
@@ -301,11 +301,11 @@ namespace ThermoContact
         turn_to(new_side);
         if (!is_at_its_stop(present))
           {
-            hold_nothing();
+            leave_to_law();
             return false;
           }
       }
-    waiting = {
+    pending = {
       {time,
        begins ? ContactEvent::begin : ContactEvent::end,
        side * (present.velocity[foremost(present)] + change_of_velocity),
@@ -361,9 +361,9 @@ namespace ThermoContact
                        const Finding             &finding,
                        std::vector<ContactEvent> &events)
   {
-    for (const ContactEvent &event : waiting)
+    for (const ContactEvent &event : pending)
       add_event(event, events);
-    waiting.clear();
+    pending.clear();
     if (mode_ == ContactMode::open && finding.kind == Finding::at_end)
       turn_to(finding.side);
     if (mode_ == ContactMode::unilateral)

@@ -18,7 +18,7 @@ namespace ThermoContact
     const double size = next.time - from.time;
     double       s0   = sign * from.penetration[node];
     double       s1   = sign * next.penetration[node];
-    if (mode_ == ContactMode::closed && nodes != ContactNodes::with_mass &&
+    if (mode_ == ContactMode::closed && nodes != NodeOrder::inertial &&
         law.damping() == 0.)
       {
         // the same with the digits that a stiff obstacle needs; the pressures
@@ -27,7 +27,7 @@ namespace ThermoContact
         s0 = law.penetration(from.pressure[node]);
         s1 = law.penetration(next.pressure[node]);
       }
-    if (nodes == ContactNodes::of_static_body)
+    if (!has_velocity)
       return CubicHermite(s0, s1 - s0, s1, s1 - s0);
     return CubicHermite(s0,
                         sign * size * from.velocity[node],
@@ -43,7 +43,7 @@ namespace ThermoContact
                                    const double        to,
                                    const double        size) const
   {
-    if (nodes != ContactNodes::with_mass || is_margin_pressure())
+    if (nodes != NodeOrder::inertial || is_margin_pressure())
       return 0.;
     const double change = (s.slope(to) - s.slope(from)) / size;
     return mode_ == ContactMode::closed ? change : -change;

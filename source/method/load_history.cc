@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <set>
 
 namespace ThermoContact
 {
@@ -17,24 +18,44 @@ namespace ThermoContact
      */
     constexpr double same_time = 1e-12;
 
-    /** Steps may be that much longer than a load is nearly linear. */
-    constexpr double widths_per_step = 3.;
-
-
-
-    /** Stretches that have the smaller width of both. */
+    /** Stretches that may overlap as some that do not, of the smallest width.
+     */
     std::vector<LoadStretch>
-    smaller_widths(const std::vector<LoadStretch> &a,
-                   const std::vector<LoadStretch> &b)
+    smallest_widths(const std::vector<LoadStretch> &stretches)
     {
-      std::vector<LoadStretch> result;
-      for (unsigned int i = 0, j = 0; i < a.size() && j < b.size();)
+      struct Bound
+      {
+        double time, width;
+        bool   is_begin;
+      };
+      std::vector<Bound> bounds;
+      for (const LoadStretch &s : stretches)
         {
-          const double begin = std::max(a[i].begin, b[j].begin);
-          const double end   = std::min(a[i].end, b[j].end);
-          if (end > begin)
-            result.push_back({begin, end, std::min(a[i].width, b[j].width)});
-          (a[i].end <= end ? i : j) += 1;
+          bounds.push_back({s.begin, s.width, true});
+          bounds.push_back({s.end, s.width, false});
+        }
+      std::sort(bounds.begin(),
+                bounds.end(),
+                [](const Bound &a, const Bound &b) { return a.time < b.time; });
+      std::vector<LoadStretch> result;
+      std::multiset<double>    widths; // of those that have begun
+      double                   begin = 0.;
+      for (const Bound &bound : bounds)
+        {
+          if (!widths.empty() && bound.time > begin)
+            {
+              const double width = *widths.begin();
+              if (!result.empty() && result.back().end == begin &&
+                  result.back().width == width)
+                result.back().end = bound.time;
+              else
+                result.push_back({begin, bound.time, width});
+            }
+          begin = bound.time;
+          if (bound.is_begin)
+            widths.insert(bound.width);
+          else
+            widths.erase(widths.find(bound.width));
         }
       return result;
     }
@@ -97,11 +118,11 @@ namespace ThermoContact
   LoadHistory::add(const LoadHistory &other)
   {
     breaks.insert(breaks.end(), other.breaks.begin(), other.breaks.end());
-    breaks    = merged(breaks);
-    stretches = stretches.empty() ? other.stretches :
-                other.stretches.empty() ?
-                                    stretches :
-                                    smaller_widths(stretches, other.stretches);
+    breaks = merged(breaks);
+    stretches.insert(stretches.end(),
+                     other.stretches.begin(),
+                     other.stretches.end());
+    stretches = smallest_widths(stretches);
   }
 
 
@@ -117,10 +138,6 @@ namespace ThermoContact
           b.time     = 0.;
           b.old_time = 0.;
         }
-    while (stretches.size() > 1 && stretches.front().end <= start)
-      stretches.erase(stretches.begin());
-    if (!stretches.empty())
-      stretches.front().begin = 0.;
     for (LoadBreak &b : breaks)
       if (b.time < end_time && end_time - b.time <= same_time * end_time)
         {
@@ -194,8 +211,8 @@ namespace ThermoContact
     double largest = size;
     for (; stretch != stretches.end() && stretch->begin < time + largest;
          ++stretch)
-      largest = std::max(std::min(largest, widths_per_step * stretch->width),
-                         stretch->begin - time);
+      largest =
+        std::max(std::min(largest, stretch->width), stretch->begin - time);
     return largest;
   }
 } // namespace ThermoContact

@@ -7,6 +7,7 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/output/output_tables.h>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -18,6 +19,7 @@
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -25,25 +27,30 @@ namespace ThermoContact
   {
     namespace fs = std::filesystem;
 
-    /** What a run leaves behind; other files are the user's and stay. */
-    const char *const run_files[] = {"checkpoint.bin",
-                                     "checkpoint.next.bin",
-                                     "checkpoint.previous.bin",
-                                     "contact.csv",
-                                     "contact.pvd",
-                                     "events.csv",
-                                     "fields.pvd",
-                                     "log.txt",
-                                     "obstacle.pvd",
-                                     "obstacle.vtu",
-                                     "probes.csv",
-                                     "space-time.columns",
-                                     "space-time.vtu",
-                                     "steps.csv",
-                                     "study.csv",
-                                     "study.md",
-                                     "study.txt",
-                                     "summary.json"};
+    /**
+     * What a run leaves behind beside its fields; other files are the user's
+     * and stay.
+     */
+    std::vector<std::string>
+    run_files()
+    {
+      std::vector<std::string> names = {"checkpoint.bin",
+                                        "checkpoint.next.bin",
+                                        "checkpoint.previous.bin",
+                                        "contact.pvd",
+                                        "fields.pvd",
+                                        "log.txt",
+                                        "obstacle.pvd",
+                                        "space-time.columns",
+                                        "study.md",
+                                        "study.txt"};
+      for (const OutputTable &table : output_tables())
+        if (table.file.find('*') == std::string::npos)
+          names.push_back(table.file);
+      return names;
+    }
+
+
 
     /** True if an earlier run was here, perhaps killed at its start. */
     bool
@@ -84,7 +91,7 @@ namespace ThermoContact
     void
     remove_earlier_run(const fs::path &directory)
     {
-      for (const std::string name : run_files)
+      for (const std::string &name : run_files())
         {
           fs::remove(directory / name);
           fs::remove(directory / (name + part_suffix));

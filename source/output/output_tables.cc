@@ -35,28 +35,28 @@ namespace ThermoContact
           "at the contact end, end traction less pressure; tension is positive"},
          {"gap",
           "length",
-          "what is left between body and obstacle, g − u(1), g that of the time, "
-          "negative for penetration of an elastic one; the smallest of the "
-          "face, and of two stops"},
+          "between body and obstacle, g(t) − u(1); negative: penetration of an "
+          "elastic obstacle; the smallest over the contact face and both "
+          "obstacles"},
          {"penetration",
           "length",
-          "into an elastic obstacle, by its law from the pressure; the largest "
-          "of the face; 0 for a rigid one"},
+          "of an elastic obstacle, from the pressure by its law; the largest "
+          "over the contact face; 0 for a rigid one"},
          {"contact_force",
           "force",
-          "pressure of the obstacle, its mean over the face; negative at a rear "
-          "stop"},
+          "mean pressure of the obstacle over the contact face; negative at a "
+          "rear obstacle"},
          {"contact_impulse",
           "force × time",
-          "sum of force times step size, and of impacts on a rigid obstacle, "
-          "with its sign"},
+          "time integral of the force, with the impulses of impacts on a rigid "
+          "obstacle"},
          {"temperature_end", "temperature", "θ(1), above the reference"},
          {"heat_flux_end",
           "heat flux",
           "from the body to the obstacle, k (θ − θ_obs)"},
          {"energy",
           "energy",
-          "of motion, strain, heat about the steady profile, and of an elastic "
+          "of motion, strain, heat about the steady state, and of an elastic "
           "obstacle, (M.8)"},
          {"dissipation",
           "energy",
@@ -66,17 +66,16 @@ namespace ThermoContact
           "by the scheme, summed up, (M.24)"},
          {"in_contact",
           "",
-          "1 if any node has pressure, with damped contact penetrates, else "
-          "0"},
+          "1 if any node has pressure (damped obstacle: penetration), else 0"},
          {"iterations",
           "",
-          "of the contact solver or of the fixed point, in the step"},
+          "of the contact solver or of the paper's iteration, in the step"},
          {"work", "energy", "of loads and drives, summed up, (M.25)"},
          {"temperature_mean", "temperature", "over the body"},
          {"contact_area",
           "",
-          "2-D, 3-D: part of the face whose pressure is positive"},
-         {"max_pressure", "stress", "2-D, 3-D: the largest of the nodes"},
+          "2-D, 3-D: part of the contact face that has pressure"},
+         {"max_pressure", "stress", "2-D, 3-D: the largest of all nodes"},
          {"min_gap",
           "length",
           "2-D, 3-D: the smallest g − u of the nodes, corners included"},
@@ -86,17 +85,16 @@ namespace ThermoContact
          {"moment_z", "force × length", "3-D: the same with z; else 0"},
          {"algebraic",
           "energy",
-          "iterative solver: what residuals of linear systems do, summed up, "
-          "(M.65); energy(0) + work + algebraic = energy + dissipation + "
-          "numerical_dissipation in each row"},
+          "iterative solver: energy that residuals of linear systems bring in, "
+          "summed up, (M.65); in each row energy(0) + work + algebraic = energy "
+          "+ dissipation + numerical_dissipation + contact_dissipation"},
          {"contact_dissipation",
           "energy",
-          "damped contact: what the damping of the obstacle takes, summed up, "
-          "(M.85); the right-hand side of that balance has it as well"},
+          "damped obstacle: what it dissipates, summed up, (M.85)"},
          {"lateral_heat_flux",
           "heat flux",
-          "lateral heat exchange: to the surroundings along the whole body, "
-          "per cross-section, (M.102)"},
+          "lateral heat exchange: to the surroundings along the body, per "
+          "cross-section, (M.102)"},
          {"lateral_dissipation",
           "energy",
           "lateral heat exchange: its part of dissipation, (M.105)"}}};
@@ -109,14 +107,17 @@ namespace ThermoContact
     {
       return {
         "events.csv",
-        "Begins and ends of contact, where there is an obstacle, in order.",
+        "Begins and ends of contact in the order of time.",
         "column",
-        {{"time", "time", "of the event; located where that is asked for"},
+        {{"time",
+          "time",
+          "of the event; located if `Time/Locate contact events`"},
          {"kind", "", "`begin` or `end`; contact at t = 0 is a `begin`"},
          {"velocity",
           "velocity",
-          "axial, of the contact end against the obstacle, u_t(1) − g′, before "
-          "an impact, after a release; positive towards the obstacle at x = 1"},
+          "axial, of the contact end relative to the obstacle, u_t(1) − g′; at "
+          "a `begin` before the impact, at an `end` after the release; positive "
+          "towards the front obstacle"},
          {"duration", "time", "of the contact that ends; `nan` of a `begin`"},
          {"side", "", "with `Contact/Rear gap`: `front` or `rear`"}}};
     }
@@ -128,7 +129,7 @@ namespace ThermoContact
     {
       return {
         "steps.csv",
-        "Every attempt at a step, with steps that are chosen.",
+        "Every attempt at a step, with error-controlled steps.",
         "column",
         {{"time", "time", "at its beginning"},
          {"step_size", "time", "that was tried"},
@@ -136,10 +137,10 @@ namespace ThermoContact
          {"accepted", "", "1 or 0"},
          {"reason",
           "",
-          "of a step why it ends there: `ok` (as far as the error allows), "
-          "`event`, `output`, `load` (a break), `end`; of others why it was "
-          "not accepted: `tolerance`, `contact` (changes within it), `failed` "
-          "(not solved)"},
+          "accepted: why the step ends there, `ok` (by the error), `event`, "
+          "`output`, `load` (discontinuity or kink of an input), `end`; else why "
+          "not: `tolerance`, `contact` (changes within it), `failed` (not "
+          "solved)"},
          {"wall_seconds", "s", "that the attempt took"}}};
     }
 
@@ -165,11 +166,12 @@ namespace ThermoContact
     OutputTable
     poincare_table()
     {
-      return {"poincare.csv",
-              "The rows of contact.csv, whose columns it has, at the multiples "
-              "of `Output/Period`, from t = 0 on; steps end there.",
-              "column",
-              {{"*", "", "as in contact.csv"}}};
+      return {
+        "poincare.csv",
+        "Rows as in contact.csv at the multiples of `Output/Period`, from "
+        "t = 0 on; steps end there.",
+        "column",
+        {{"*", "", "as in contact.csv"}}};
     }
 
 
@@ -179,9 +181,9 @@ namespace ThermoContact
     {
       return {
         "study.csv",
-        "A row for each run of a study; those of key results have the meaning "
-        "that they have in summary.json. Errors are those against the "
-        "reference at the own step ends, absolute; `nan` without one.",
+        "A row for each run of a study; key results are those of summary.json. "
+        "Errors are absolute, against the reference at the step ends of the "
+        "run; `nan` without a reference.",
         "column",
         {{"run", "", "number of the run, from 0"},
          {"*/*", "", "value of an entry that the study varies"},
@@ -215,7 +217,7 @@ namespace ThermoContact
          {"final_temperature_end", "temperature", "at the end"},
          {"reached_state_of_rest",
           "",
-          "number, from 1, of the state of rest that is reached"}}};
+          "number, from 1, of the steady state that is reached"}}};
     }
 
 
@@ -249,11 +251,8 @@ namespace ThermoContact
         "The contact end of a strip or a block at the times of the "
         "snapshots; `contact.pvd`.",
         "array",
-        {{"contact_pressure", "stress", "not negative, but at a rear stop"},
-         {"gap",
-          "length",
-          "what is left, g − u, g that of the time; of two stops, to the "
-          "nearer one"},
+        {{"contact_pressure", "stress", "negative at a rear obstacle"},
+         {"gap", "length", "g(t) − u; to the nearer one of two obstacles"},
          {"in_contact", "", "1 where there is pressure, else 0"},
          {"temperature", "temperature", "θ"},
          {"TIME", "time", "of the snapshot, field data of the file"},

@@ -135,9 +135,8 @@ namespace ThermoContact
              loads.breaks.size() - n_jumps == 1 ? " bend" : " bends");
       double smallest = std::numeric_limits<double>::infinity();
       for (const LoadStretch &stretch : loads.stretches)
-        smallest =
-          std::min(smallest, loads.largest_step(stretch.begin, smallest));
-      if (loads.stretches.size() > loads.breaks.size() + 1)
+        smallest = std::min(smallest, stretch.width);
+      if (!loads.stretches.empty())
         line += text(", and are at most ",
                      units.text("time", smallest),
                      " where loads change");

@@ -41,10 +41,9 @@ namespace ThermoContact
     void
     check_moving_obstacle(const Scene &scene)
     {
-      const MeshParameters &mesh = scene.parameters.mesh;
-      const TimeFunction    in_the_middle(
-        {"Contact/Gap", scene.parameters.contact.gap_expression},
-        {{"x", 1.}, {"y", 0.5 * mesh.width}, {"z", 0.5 * mesh.width}});
+      const double       half = 0.5 * scene.parameters.mesh.width;
+      const TimeFunction in_the_middle(*scene.gap_expression,
+                                       dealii::Point<3>(1., half, half));
       if (in_the_middle.starts_with_unbounded_rate(
             scene.parameters.time.end_time))
         refuse_gap(scene,
@@ -72,13 +71,10 @@ namespace ThermoContact
     if (scene.sources.has_moving_obstacle)
       check_moving_obstacle(scene);
     const TimeParameters &time = scene.parameters.time;
-    if (scene.sources.has_driven_temperature)
-      scene.heat.fixed_end_drive->check(time.end_time);
     if (!scene.sources.has_moving_end)
       return;
     const TimeFunction &motion = *scene.fixed_end_motion;
-    motion.check(time.end_time);
-    const double start = motion.value(0.);
+    const double        start  = motion.value(0.);
     if (std::abs(start) > 1e-12 * motion.largest_value(time.end_time))
       refuse_motion(motion,
                     text("zero at t = 0, where it is ", start),

@@ -1,58 +1,52 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/input/expression.h>
 #include <thermocontact/scene/exchange_expression.h>
 
-#include <regex>
+#include <array>
 
 namespace ThermoContact
 {
   namespace
   {
-    /** The plane of gaps and pressures. */
-    constexpr unsigned int n_variables = 2;
-
-
-
     class ExchangeExpression : public HeatExchange
     {
     public:
-      ExchangeExpression(const std::string &text, const ExpressionNames &names)
-        : text(text)
-        , function(make_function<n_variables>(text, names))
+      explicit ExchangeExpression(const Expression &expression)
+        : expression(expression)
       {}
 
       std::string
       description() const override
       {
-        return "k = " + text;
+        return "k = " + expression.text();
       }
 
     protected:
       double
       value(const double gap, const double pressure) const override
       {
-        return function->value(Point<n_variables>(gap, pressure));
+        const std::array<double, 2> variables{{gap, pressure}};
+        return expression.evaluate(variables.data());
       }
 
     private:
-      const std::string                                        text;
-      const std::unique_ptr<const FunctionParser<n_variables>> function;
+      const Expression expression;
     };
   } // namespace
 
 
 
   std::unique_ptr<const HeatExchange>
-  exchange_by_expression(const std::string &text, const double largest_gap)
+  exchange_by_expression(const Parameters &parameters, const double largest_gap)
   {
-    ExpressionNames names;
-    names.constants["pi"] = numbers::PI;
-    names.variables       = {"gap", "pressure"};
-    names.example         = "0.1/(0.1 + gap)";
-    check_expression<n_variables>({"Boundary/Heat exchange", text}, 1, names);
-    auto exchange = std::make_unique<ExchangeExpression>(text, names);
+    const std::string path = "Boundary/Heat exchange";
+    const Expression  expression(path,
+                                parameters.boundary.exchange_expression,
+                                parameters.names(path,
+                                                 {"gap", "pressure"},
+                                                 "0.1/(0.1 + gap)"));
+    auto exchange = std::make_unique<ExchangeExpression>(expression);
     try
       {
         constexpr unsigned int n = 1000;
@@ -67,8 +61,7 @@ namespace ThermoContact
       {
         throw InputError(error.what());
       }
-    static const std::regex variable("\\b(gap|pressure)\\b");
-    if (!std::regex_search(text, variable))
+    if (expression.is_constant())
       return constant_exchange(exchange->coefficient(0., 0.));
     return exchange;
   }

@@ -2,7 +2,6 @@
 
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/input/expression.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/scene/exchange_expression.h>
 #include <thermocontact/scene/refusal.h>
@@ -40,67 +39,106 @@ namespace ThermoContact
 
 
 
-    /** Of an obstacle whose temperature varies, at $t=0$ and $y=z=0$. */
-    double
-    first_temperature(const BoundaryParameters &boundary)
+    std::unique_ptr<const Expression>
+    resolve_gap_expression(const Parameters &parameters)
     {
-      const ExpressionNames names = obstacle_names();
-      check_expression<3>({"Boundary/Obstacle temperature",
-                           boundary.obstacle_expression},
-                          1,
-                          names);
-      return make_function<3>(boundary.obstacle_expression, names)
-        ->value(Point<3>(1., 0., 0.));
+      const std::string &text = parameters.contact.gap_expression;
+      if (text.empty())
+        return nullptr;
+      const unsigned int dim = parameters.dimension;
+      // x is known too: it is one on the end
+      const std::vector<std::string> names_of_shape{"x", "y", "z", "t"};
+      auto                           gap = std::make_unique<const Expression>(
+        "Contact/Gap",
+        text,
+        parameters.names("Contact/Gap",
+                         dim == 1 ? names_of_shape :
+                                                              parameters.coordinates(true),
+                         dim > 1 ? "0.1+(y-0.05)^2/2" : "0.1+0.02*sin(t)"));
+      if (dim == 1 && (gap->depends_on("y") || gap->depends_on("z")))
+        refuse("Contact/Gap",
+               text,
+               "a number or an expression in t, since Dimension = 1",
+               "Dimension = 2 or 3 for an obstacle with a shape");
+      return gap;
     }
 
 
 
     /** SceneContact::gap. */
     double
-    resolve_gap(const Parameters &parameters)
+    resolve_gap(const Parameters       &parameters,
+                const Expression *const expression)
     {
-      const std::string &gap = parameters.contact.gap_expression;
-      if (gap.empty())
+      if (expression == nullptr)
         return parameters.contact.gap;
       if (parameters.dimension > 1 &&
-          (depends_on(gap, "x") || depends_on(gap, "y") ||
-           depends_on(gap, "z")))
+          (expression->depends_on("x") || expression->depends_on("y") ||
+           expression->depends_on("z")))
         return std::numeric_limits<double>::quiet_NaN();
-      if (parameters.dimension == 1 &&
-          (depends_on(gap, "y") || depends_on(gap, "z")))
-        refuse("Contact/Gap",
-               gap,
-               "a number or an expression in t, since Dimension = 1",
-               "Dimension = 2 or 3 for an obstacle with a shape");
-      return TimeFunction({"Contact/Gap", gap}, {{"x", 1.}}).value(0.);
+      return TimeFunction(*expression, dealii::Point<3>(1., 0., 0.)).value(0.);
+    }
+
+
+
+    /** An expression in t, or null for an empty one. */
+    std::unique_ptr<const TimeFunction>
+    resolve_drive(const Parameters  &parameters,
+                  const std::string &path,
+                  const std::string &text)
+    {
+      return text.empty() ?
+               nullptr :
+               std::make_unique<const TimeFunction>(Expression(
+                 path,
+                 text,
+                 parameters.names(path, {"", "", "", "t"}, "0.1*sin(2*pi*t)")));
+    }
+
+
+
+    /** Of an obstacle whose temperature varies. */
+    std::unique_ptr<const Expression>
+    resolve_obstacle_drive(const Parameters &parameters)
+    {
+      const std::string  path = "Boundary/Obstacle temperature";
+      const std::string &text = parameters.boundary.obstacle_expression;
+      return text.empty() ? nullptr :
+                            std::make_unique<const Expression>(
+                              path,
+                              text,
+                              parameters.names(path,
+                                               parameters.coordinates(true),
+                                               "5*sin(2*pi*t)"));
     }
 
 
 
     SceneHeat
-    resolve_heat(const Parameters &parameters)
+    resolve_heat(const Parameters       &parameters,
+                 const Expression *const gap_expression)
     {
-      const BoundaryParameters &boundary    = parameters.boundary;
-      const double              initial_gap = resolve_gap(parameters);
-      const double       gap      = std::isnan(initial_gap) ? 0. : initial_gap;
-      const double       rear_gap = parameters.contact.rear_gap.value_or(gap);
-      const std::string &expression = boundary.exchange_expression;
-      SceneHeat          heat;
+      const BoundaryParameters &boundary = parameters.boundary;
+      const double initial_gap = resolve_gap(parameters, gap_expression);
+      const double gap         = std::isnan(initial_gap) ? 0. : initial_gap;
+      const double rear_gap    = parameters.contact.rear_gap.value_or(gap);
+      SceneHeat    heat;
       heat.exchange =
-        expression.empty() ?
+        boundary.exchange_expression.empty() ?
           constant_exchange(boundary.heat_exchange) :
-          exchange_by_expression(expression, std::max({gap, rear_gap, 1.}));
-      heat.fixed_end_temperature = boundary.fixed_end_temperature;
-      if (!boundary.fixed_end_expression.empty())
-        {
-          heat.fixed_end_drive = std::make_unique<const TimeFunction>(
-            Expression{"Boundary/Fixed end temperature",
-                       boundary.fixed_end_expression});
-          heat.fixed_end_temperature = heat.fixed_end_drive->value(0.);
-        }
-      heat.obstacle_temperature  = boundary.obstacle_expression.empty() ?
-                                     boundary.obstacle_temperature :
-                                     first_temperature(boundary);
+          exchange_by_expression(parameters, std::max({gap, rear_gap, 1.}));
+      heat.fixed_end_drive       = resolve_drive(parameters,
+                                           "Boundary/Fixed end temperature",
+                                           boundary.fixed_end_expression);
+      heat.fixed_end_temperature = heat.fixed_end_drive ?
+                                     heat.fixed_end_drive->value(0.) :
+                                     boundary.fixed_end_temperature;
+      heat.obstacle_drive        = resolve_obstacle_drive(parameters);
+      heat.obstacle_temperature =
+        heat.obstacle_drive ?
+          TimeFunction(*heat.obstacle_drive, dealii::Point<3>(1., 0., 0.))
+            .value(0.) :
+          boundary.obstacle_temperature;
       heat.reference_coefficient = // at the nearer stop
         heat.exchange->coefficient(-std::min(gap, rear_gap), 0.);
       heat.lateral_exchange    = boundary.lateral_heat_exchange;
@@ -111,24 +149,25 @@ namespace ThermoContact
 
 
     std::unique_ptr<const TimeFunction>
-    resolve_motion(const BoundaryParameters &boundary,
-                   const SceneFields        &fields)
+    resolve_motion(const Parameters &parameters, const SceneFields &fields)
     {
-      const Expression motion{"Boundary/Fixed end displacement",
-                              boundary.fixed_end_displacement};
-      return fields.has_displacement && !motion.is_zero() ?
-               std::make_unique<const TimeFunction>(motion) :
+      const std::string &text = parameters.boundary.fixed_end_displacement;
+      return fields.has_displacement && !equal_values(text, "0") ?
+               resolve_drive(parameters,
+                             "Boundary/Fixed end displacement",
+                             text) :
                nullptr;
     }
 
 
 
     SceneSources
-    resolve_sources(const Parameters  &parameters,
-                    const SceneFields &fields,
-                    const SceneHeat   &heat,
-                    const bool         has_motion,
-                    const bool         has_obstacle)
+    resolve_sources(const Parameters       &parameters,
+                    const SceneFields      &fields,
+                    const SceneHeat        &heat,
+                    const Expression *const gap,
+                    const bool              has_motion,
+                    const bool              has_obstacle)
     {
       const SourceParameters &sources = parameters.sources;
 
@@ -140,11 +179,10 @@ namespace ThermoContact
               acts(fields.has_displacement, sources.end_traction),
               acts(fields.has_temperature, sources.end_heat_flux),
               fields.has_temperature && heat.linear_coefficient() > 0. &&
-                !parameters.boundary.obstacle_expression.empty(),
+                heat.obstacle_drive != nullptr,
               fields.has_temperature && heat.fixed_end_drive != nullptr,
               has_motion,
-              has_obstacle &&
-                depends_on(parameters.contact.gap_expression, "t")};
+              has_obstacle && gap != nullptr && gap->depends_on("t")};
     }
 
 
@@ -208,30 +246,27 @@ namespace ThermoContact
 
 
     SceneContact
-    resolve_contact(const Parameters  &parameters,
-                    const SceneFields &fields,
-                    const Material    &material,
-                    const Scheme      &scheme,
-                    const bool         has_prescribed_start)
+    resolve_contact(const Parameters       &parameters,
+                    const Expression *const gap,
+                    const SceneFields      &fields,
+                    const Material         &material,
+                    const Scheme           &scheme,
+                    const bool              has_prescribed_start)
     {
       SceneContact contact;
       contact.law = resolve_law(parameters.contact, fields);
-      contact.gap = resolve_gap(parameters);
+      contact.gap = resolve_gap(parameters, gap);
       if (contact.law->is_active())
         contact.rear_gap = parameters.contact.rear_gap;
       contact.has_massless_nodes = resolve_massless_nodes(parameters,
                                                           *contact.law,
                                                           scheme,
                                                           has_prescribed_start);
-      const bool has_mass =
-        material.has_inertia() && !contact.has_massless_nodes;
-      contact.nodes = material.is_static() ? ContactNodes::of_static_body :
-                      has_mass             ? ContactNodes::with_mass :
-                                             ContactNodes::massless;
-      const bool has_viscous_stress =
-        material.has_viscosity() && scheme.has_viscous_contact;
-      contact.is_in_equilibrium =
-        contact.law->is_active() && !has_mass && !has_viscous_stress;
+      contact.order = material.has_inertia() && !contact.has_massless_nodes ?
+                        NodeOrder::inertial :
+                      material.has_viscosity() && scheme.has_viscous_contact ?
+                        NodeOrder::viscous :
+                        NodeOrder::quasi_static;
       contact.locates_events =
         contact.law->is_active() && parameters.time.locates_contact_events();
       return contact;
@@ -331,12 +366,14 @@ namespace ThermoContact
     , geometry(ThermoContact::geometry(parameters.mesh.geometry)
                  .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, fields))
-    , heat(resolve_heat(parameters))
-    , fixed_end_motion(resolve_motion(parameters.boundary, fields))
+    , gap_expression(resolve_gap_expression(parameters))
+    , heat(resolve_heat(parameters, gap_expression.get()))
+    , fixed_end_motion(resolve_motion(parameters, fields))
     , sources(
         resolve_sources(parameters,
                         fields,
                         heat,
+                        gap_expression.get(),
                         fixed_end_motion != nullptr,
                         resolve_law(parameters.contact, fields)->is_active()))
     , scheme(ThermoContact::scheme(parameters.time.scheme))
@@ -348,6 +385,7 @@ namespace ThermoContact
                                  fixed_end_motion != nullptr ||
                                    sources.has_moving_obstacle))
     , contact(resolve_contact(parameters,
+                              gap_expression.get(),
                               fields,
                               material,
                               scheme,

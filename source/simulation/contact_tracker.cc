@@ -23,18 +23,18 @@ namespace ThermoContact
 
 
   template <int dim>
-  ContactTracker<dim>::ContactTracker(Body<dim>             &body,
-                                      QuasiStaticStart<dim> &quasi_static)
+  ContactTracker<dim>::ContactTracker(Body<dim> &body, Reset<dim> &reset)
     : body(body)
-    , transition(body, quasi_static)
+    , reset(reset)
     , locator(body.law(),
               body.scene.contact.locates_events,
-              body.scene.contact.nodes,
+              body.scene.contact.order,
               body.scene.parameters.time.has_error_control() ?
                 body.scene.parameters.time.tolerance :
                 fixed_step_tolerance,
               !body.scene.fields.has_temperature ||
-                body.scene.heat.exchange->is_constant())
+                body.scene.heat.exchange->is_constant(),
+              !body.scene.material.is_static())
     , n_retakes(0)
   {}
 
@@ -88,7 +88,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactTracker<dim>::book(const ImpactCost &cost, StepResult &result)
+  ContactTracker<dim>::book(const ResetCost &cost, StepResult &result)
   {
     result.impulse += cost.impulse;
     result.work += cost.work;
@@ -99,9 +99,9 @@ namespace ThermoContact
 
   template <int dim>
   ContactVerdict
-  ContactTracker<dim>::hold_nothing()
+  ContactTracker<dim>::leave_to_law()
   {
-    locator.hold_nothing();
+    locator.leave_to_law();
     return {ContactVerdict::with_law};
   }
 
@@ -115,11 +115,11 @@ namespace ThermoContact
     if (impacted && body.scene.contact.has_mass())
       {
         if (locator.mode() != ContactMode::closed)
-          return hold_nothing();
+          return leave_to_law();
         // Loads draw away at once what the obstacle has stopped. Stages that
         // know of no impact would throw it back instead.
         get_values(impacted->state, next);
-        locator.let_go(next);
+        locator.release(next);
         return {ContactVerdict::in_other_state};
       }
     impacted.reset();
@@ -127,11 +127,11 @@ namespace ThermoContact
                                  finding.change_of_velocity,
                                  finding.side))
       return {ContactVerdict::with_law};
-    if (body.law().is_rigid() && !body.scene.contact.is_in_equilibrium &&
+    if (body.law().is_rigid() && !body.scene.contact.is_in_equilibrium() &&
         locator.mode() == ContactMode::closed)
       {
         impacted.emplace(Impacted{accepted, energy, {}});
-        transition.impact(impacted->state, impacted->energy, impacted->cost);
+        reset.impact(impacted->state, impacted->energy, impacted->cost);
       }
     return {ContactVerdict::in_other_state};
   }
@@ -154,7 +154,7 @@ namespace ThermoContact
       result.state.displacement.begin()[entry] = result.state.gap[node];
     // the audit of a scheme of first order has the pressure of its stage
     if (!body.scene.sources.has_moving_end && body.scene.scheme.order > 1)
-      transition.set_pressures_of_acceleration(result.state);
+      reset.set_pressures_of_acceleration(result.state);
   }
 
 
@@ -171,7 +171,7 @@ namespace ThermoContact
     get_values(result.state, next);
     finding = EventLocator::Finding();
     if (is_prescribed)
-      locator.hold_nothing();
+      locator.leave_to_law();
     if (locator.mode() != ContactMode::unilateral)
       finding = locator.examine(next,
                                 time_step.target == TimeStep::event,
@@ -182,13 +182,13 @@ namespace ThermoContact
       {
         case EventLocator::Finding::at_start:
           return finding.is_of_all_nodes ? switch_state(accepted, energy) :
-                                           hold_nothing();
+                                           leave_to_law();
         case EventLocator::Finding::within:
           if (++n_retakes < max_retakes)
             return {ContactVerdict::to_time, finding.time};
-          return hold_nothing();
+          return leave_to_law();
         case EventLocator::Finding::at_end:
-          if (body.scene.contact.is_in_equilibrium)
+          if (body.scene.contact.is_in_equilibrium())
             return {ContactVerdict::accept_with_law};
           return {};
         default:
@@ -200,15 +200,25 @@ namespace ThermoContact
 
   template <int dim>
   void
+  ContactTracker<dim>::drop_event()
+  {
+    impacted.reset();
+    locator.drop_event();
+  }
+
+
+
+  template <int dim>
+  void
   ContactTracker<dim>::accept(const ContactVerdict      &verdict,
                               StepResult                &result,
                               std::vector<ContactEvent> &events)
   {
     const ContactMode mode = locator.mode();
-    ImpactCost        cost;
+    ResetCost         cost;
     if (!result.closed_nodes.empty())
       {
-        transition.settle_closed_nodes(result);
+        reset.settle_closed_nodes(result);
         get_values(result.state, next);
       }
     locator.accept(next, finding, events);
@@ -220,11 +230,11 @@ namespace ThermoContact
       }
     else
       {
-        transition.finish_pressure(mode, finding, result);
+        reset.finish_pressure(mode, finding, result);
         if (body.law().is_rigid() && mode != ContactMode::closed &&
             locator.mode() == ContactMode::closed)
           {
-            transition.impact(result.state, result.energy, cost);
+            reset.impact(result.state, result.energy, cost);
             // an end of contact at once is that of nodes that have stopped
             get_values(result.state, next);
             locator.set_present(next);
@@ -240,7 +250,8 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactTracker<dim>::turn(const LoadBreak &at, StepResult &result)
+  ContactTracker<dim>::pass_slope_discontinuity(const LoadBreak &at,
+                                                StepResult      &result)
   {
     // its velocity is that of the step, as are the rates that it followed
     if (body.scene.material.is_static())
@@ -261,12 +272,12 @@ namespace ThermoContact
       body.scene.contact.has_impacts() && locator.mode() == ContactMode::closed;
     if (is_held && towards > small_jump * scale)
       {
-        ImpactCost cost;
-        transition.impact(state, result.energy, cost);
+        ResetCost cost;
+        reset.impact(state, result.energy, cost);
         book(cost, result);
       }
     else
-      transition.follow_turn(state);
+      reset.set_pressures_of_velocity(state);
     get_values(state, next);
     locator.set_present(next);
     // what has inertia does not follow
@@ -297,7 +308,7 @@ namespace ThermoContact
                             std::vector<ContactEvent> &events)
   {
     get_values(state, next);
-    locator.hold_nothing();
+    locator.leave_to_law();
     const std::size_t n_events = events.size();
     locator.accept(next, {}, events);
     if (body.scene.material.is_static()) // moved at once

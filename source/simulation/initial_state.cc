@@ -281,7 +281,7 @@ namespace ThermoContact
   template <int dim>
   State
   initial_state(Body<dim>                &body,
-                QuasiStaticStart<dim>    &quasi_static,
+                Reset<dim>               &reset,
                 const double              first_step_size,
                 std::vector<std::string> &warnings)
   {
@@ -308,8 +308,8 @@ namespace ThermoContact
     body.set_pressures_of_law(state);
     if (body.scene.fields.has_displacement &&
         !body.scene.material.has_inertia())
-      quasi_static.complete(state);
-    else if (body.scene.contact.is_in_equilibrium)
+      reset.complete(state);
+    else if (body.scene.contact.is_in_equilibrium())
       settle_contact_nodes(body, state);
     warn_of_contact(body, state, warnings);
 
@@ -319,10 +319,10 @@ namespace ThermoContact
 
 
 
-#define INSTANTIATE(dim)                                \
-  template State initial_state(Body<dim> &,             \
-                               QuasiStaticStart<dim> &, \
-                               const double,            \
+#define INSTANTIATE(dim)                     \
+  template State initial_state(Body<dim> &,  \
+                               Reset<dim> &, \
+                               const double, \
                                std::vector<std::string> &)
 
   INSTANTIATE(1);

@@ -99,7 +99,7 @@ namespace ThermoContact
   moves_at_jumps(const Scene &scene)
   {
     return scene.fields.has_displacement &&
-           (!scene.material.has_inertia() || scene.contact.is_in_equilibrium);
+           (!scene.material.has_inertia() || scene.contact.is_in_equilibrium());
   }
 
 
@@ -125,15 +125,15 @@ namespace ThermoContact
     template <int dim>
     double
     find_new_state(Body<dim>               &body,
-                   QuasiStaticStart<dim>   &quasi_static,
+                   Reset<dim>              &reset,
                    StageSolver             &solver,
                    const std::vector<bool> &is_closed,
                    State                   &state)
     {
       const bool is_static = body.scene.material.is_static();
-      if (!is_static && !body.scene.contact.is_in_equilibrium)
+      if (!is_static && !body.scene.contact.is_in_equilibrium())
         {
-          quasi_static.complete(state, is_closed);
+          reset.complete(state, is_closed);
           set_exchange_of_law(body, state);
           return 0.; // nothing moves
         }
@@ -158,7 +158,7 @@ namespace ThermoContact
   template <int dim>
   bool
   apply_load_jump(Body<dim>               &body,
-                  QuasiStaticStart<dim>   &quasi_static,
+                  Reset<dim>              &reset,
                   StageSolver             &solver,
                   const std::vector<bool> &is_closed,
                   const LoadBreak         &at,
@@ -170,11 +170,10 @@ namespace ThermoContact
       return false;
     const double old_energy = result.energy.sum();
     state.time              = at.new_time;
-    const double work =
-      find_new_state(body, quasi_static, solver, is_closed, state);
-    state.time      = time;
-    state.jump_time = time;
-    result.energy   = body.energy.energy(state);
+    const double work = find_new_state(body, reset, solver, is_closed, state);
+    state.time        = time;
+    state.jump_time   = time;
+    result.energy     = body.energy.energy(state);
     result.work += work;
     result.numerical_dissipation += old_energy + work - result.energy.sum();
     return true;
@@ -184,7 +183,7 @@ namespace ThermoContact
 
 #define INSTANTIATE(dim)                                        \
   template bool apply_load_jump<dim>(Body<dim> &,               \
-                                     QuasiStaticStart<dim> &,   \
+                                     Reset<dim> &,              \
                                      StageSolver &,             \
                                      const std::vector<bool> &, \
                                      const LoadBreak &,         \

@@ -43,9 +43,8 @@ namespace ThermoContact
       const RetainedFactorizations retained =
         integrator->stage_solver().retained();
       const SolverCounters of_integrator = integrator->own_counters();
-      const SolverCounters of_tracker    = tracker.counters();
-      const SolverCounters of_start      = quasi_static.counters();
-      archive << retained << of_integrator << of_tracker << of_start;
+      const SolverCounters of_reset      = reset.counters();
+      archive << retained << of_integrator << of_reset;
     }
     return {stream.str(), NodeValues<dim>(discretization()).save(state_)};
   }
@@ -61,7 +60,7 @@ namespace ThermoContact
     const MPI_Comm         communicator = discretization().communicator();
     const unsigned int     n = Utilities::MPI::n_mpi_processes(communicator);
     RetainedFactorizations retained;
-    SolverCounters         of_integrator, of_tracker, of_start;
+    SolverCounters         of_integrator, of_reset;
     std::string            fault;
     const NodeValues<dim>  values(discretization());
     std::size_t            n_set = 0, n_saved = 0;
@@ -74,7 +73,7 @@ namespace ThermoContact
         boost::archive::binary_iarchive archive(stream,
                                                 boost::archive::no_header);
         archive_progress(archive);
-        archive >> retained >> of_integrator >> of_tracker >> of_start;
+        archive >> retained >> of_integrator >> of_reset;
         for (std::string nodes; next_nodes(nodes);)
           {
             n_set += values.restore(nodes, state_);
@@ -93,8 +92,7 @@ namespace ThermoContact
                        fault + "\n  remedy:  run without --resume");
     integrator->stage_solver().restore(retained);
     integrator->restore_own_counters(of_integrator);
-    tracker.restore(of_tracker);
-    quasi_static.restore(of_start);
+    reset.restore(of_reset);
     if (n != n_ranks)
       history_.warnings.push_back(
         text("resumed at t = ",

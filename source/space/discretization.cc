@@ -20,25 +20,23 @@
 namespace ThermoContact
 {
   template <int dim>
-  Discretization<dim>::Discretization(const Scene &scene, const MPI_Comm all)
+  Discretization<dim>::Discretization(const SpatialScene &scene,
+                                      const MPI_Comm      all)
     : communicator_(DimensionTraits<dim>::communicator(all))
     , geometry_(scene)
     , triangulation(DimensionTraits<dim>::make_triangulation(communicator_))
-    , finite_element_(FE_Q<dim>(scene.parameters.mesh.degree),
+    , finite_element_(FE_Q<dim>(scene.mesh.degree),
                       scene.fields.n_components(dim))
     , mapping_(1)
     , dof_handler_(*triangulation)
     , constrained_entries_(2)
   {
-    make_grid(scene.parameters.mesh,
-              scene.linear_solver.has_matrices() ?
-                0 :
-                scene.parameters.mesh.n_halvings());
+    make_grid(scene.mesh, scene.has_matrices ? 0 : scene.mesh.n_halvings());
     distribute_dofs(scene.fields);
     constraints_ = make_constraints(scene.has_sliding_end);
     collect_constrained();
     if constexpr (dim > 1)
-      if (!scene.linear_solver.has_matrices())
+      if (!scene.has_matrices)
         {
           matrix_free_ = std::make_unique<const MatrixFreeSpaces<dim>>(*this);
           for (const Field::Block field : all_fields)

@@ -182,27 +182,15 @@ namespace ThermoContact
                               const Vector &acceleration,
                               const Vector &momentum_load) const
   {
-    const std::vector<unsigned int> &end      = entries_[Field::displacement];
-    const Material                  &material = scene.material;
-    equations.stiffness().vmult(momentum_product, state.displacement);
-    double sum = dot(end, momentum_product, state.velocity);
-    if (material.has_inertia())
-      {
-        equations.momentum_mass().vmult(momentum_product, acceleration);
-        sum += material.inertia * dot(end, momentum_product, state.velocity);
-      }
-    if (material.has_viscosity())
-      {
-        equations.viscous_stiffness().vmult(momentum_product, state.velocity);
-        sum += material.viscosity * dot(end, momentum_product, state.velocity);
-      }
-    if (material.has_thermal_stress())
-      {
-        equations.thermal_stress().vmult(momentum_product, state.temperature);
-        sum -=
-          material.thermal_stress * dot(end, momentum_product, state.velocity);
-      }
-    return sum - dot(end, momentum_load, state.velocity);
+    equations.momentum_residual(state.temperature,
+                                state.displacement,
+                                &state.velocity,
+                                &acceleration,
+                                momentum_load,
+                                momentum_product);
+    return -dot(entries_[Field::displacement],
+                momentum_product,
+                state.velocity);
   }
 
 

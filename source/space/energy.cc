@@ -163,7 +163,7 @@ namespace ThermoContact
                    end_displacement);
     for (unsigned int i = 0; i < pressure.size(); ++i)
       if (const double tangent = law.tangent(pressure[i]);
-          (pressure[i] > 0. || rear_gap) && tangent > 0.)
+          (pressure[i] > 0. || (rear_gap && pressure[i] < 0.)) && tangent > 0.)
         terms.obstacle += 0.5 / tangent * end.share(i) * end_displacement[i] *
                           end_displacement[i];
     return common(terms);

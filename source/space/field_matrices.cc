@@ -103,7 +103,7 @@ namespace ThermoContact
 
 
   template <int dim>
-  FieldMatrices<dim>::FieldMatrices(const Scene               &scene,
+  FieldMatrices<dim>::FieldMatrices(const SpatialScene        &scene,
                                     const Discretization<dim> &discretization)
     : scene(scene)
     , discretization(discretization)
@@ -112,9 +112,9 @@ namespace ThermoContact
     setup_matrix(false, stiffness);
     if (scene.material.has_thermal_stress())
       setup_matrix(true, coupling);
-    if (scene.has_elastic_contact_nodes())
+    if (scene.has_elastic_contact_nodes)
       setup_matrix(false, viscous_stiffness);
-    if (scene.heat.has_lateral_exchange())
+    if (scene.lateral_exchange > 0.)
       setup_matrix(false, lateral_exchange);
     start_rod();
     assemble_mass();
@@ -230,8 +230,8 @@ namespace ThermoContact
       if (cell->is_locally_owned())
         {
           const bool has_axial_rule =
-            scene.has_midpoint_mass || (scene.contact.has_massless_nodes &&
-                                        touches_contact_end<dim>(cell));
+            scene.has_midpoint_mass ||
+            (scene.has_massless_nodes && touches_contact_end<dim>(cell));
           cell_mass = 0.;
           fe_values.reinit(cell);
           integrate(fe_values, [&](const unsigned int c) {
@@ -274,7 +274,7 @@ namespace ThermoContact
     std::vector<types::global_dof_index> dofs(n);
     std::vector<CellBasis<dim>>          basis(n);
     const bool               has_coupling = scene.material.has_thermal_stress();
-    const bool               has_viscous  = scene.has_elastic_contact_nodes();
+    const bool               has_viscous  = scene.has_elastic_contact_nodes;
     const FullMatrix<double> extension =
       has_viscous ? extension_to_contact_nodes(discretization) :
                     FullMatrix<double>();
@@ -374,7 +374,7 @@ namespace ThermoContact
           for (const unsigned int i : face_values.dof_indices())
             for (const unsigned int j : face_values.dof_indices())
               cell_matrix(i, j) +=
-                scene.heat.linear_coefficient() * theta.value(i, q) *
+                scene.exchange_coefficient * theta.value(i, q) *
                 theta.value(j, q) *
                 discretization.geometry().weight(face_values, q);
         cell->get_dof_indices(dofs);

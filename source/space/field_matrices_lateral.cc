@@ -9,7 +9,7 @@ namespace ThermoContact
   void
   FieldMatrices<dim>::assemble_lateral_exchange()
   {
-    if (!scene.heat.has_lateral_exchange())
+    if (!(scene.lateral_exchange > 0.))
       return;
     const LateralExchange<dim> exchange(scene, discretization);
     AffineConstraints<double>  unconstrained;

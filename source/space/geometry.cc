@@ -8,11 +8,11 @@
 namespace ThermoContact
 {
   template <int dim>
-  Geometry<dim>::Geometry(const Scene &scene)
-    : body(*scene.geometry)
+  Geometry<dim>::Geometry(const SpatialScene &scene)
+    : body(geometry(scene.mesh.geometry).make(dim, scene.mesh.width))
     , has_rollers(scene.has_rollers)
-    , width(scene.parameters.mesh.width)
-    , cross_section_(body.cross_section())
+    , width(scene.mesh.width)
+    , cross_section_(body->cross_section())
   {}
 
 
@@ -36,7 +36,7 @@ namespace ThermoContact
     dealii::Point<dim> point;
     point[0] = x;
     for (unsigned int d = 1; d < dim; ++d)
-      point[d] = body.axis();
+      point[d] = body->axis();
     return point;
   }
 
@@ -47,7 +47,7 @@ namespace ThermoContact
   Geometry<dim>::node_weight_quadrature(const unsigned int degree) const
   {
     // with a weight the nodal rule is not exact for degree 1
-    if (!body.has_uniform_weight())
+    if (!body->has_uniform_weight())
       return dealii::QGauss<dim - 1>(degree + 1);
     return DimensionTraits<dim>::nodal_face_quadrature(degree);
   }
@@ -60,7 +60,7 @@ namespace ThermoContact
   {
     constexpr dealii::types::boundary_id side_at_zero = 2; // y = 0
     return has_rollers ||
-           (lateral_face == side_at_zero && body.has_axis_at_side());
+           (lateral_face == side_at_zero && body->has_axis_at_side());
   }
 
 

@@ -6,14 +6,14 @@ namespace ThermoContact
 {
   template <int dim>
   LateralExchange<dim>::LateralExchange(
-    const Scene               &scene,
+    const SpatialScene        &scene,
     const Discretization<dim> &discretization)
     : discretization(discretization)
-    , coefficient_(scene.heat.lateral_exchange *
-                   (dim == 1 || !scene.heat.has_lateral_exchange() ?
+    , coefficient_(scene.lateral_exchange *
+                   (dim == 1 || scene.lateral_exchange == 0. ?
                       1. :
-                      scene.geometry->area_over_perimeter()))
-    , has_axis_at_side(scene.geometry->has_axis_at_side())
+                      discretization.geometry().area_over_perimeter()))
+    , has_axis_at_side(discretization.geometry().has_axis_at_side())
   {}
 
 

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/input/load_enclosure.h>
 #include <thermocontact/input/parameter_text.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/space/load_scan.h>
-#include <thermocontact/space/obstacle_motion.h>
 
 #include <algorithm>
-#include <array>
-#include <iterator>
-#include <regex>
+#include <cmath>
+#include <vector>
 
 namespace ThermoContact
 {
   namespace
   {
-    /** More numbers of an expression are not looked at one by one. */
-    constexpr unsigned int max_named_times = 100;
-
     /**
      * Length of the stage in which equilibrium is restored, or nodes go to a
      * new value, in parts of the time that heat takes through the body and of
@@ -36,88 +31,15 @@ namespace ThermoContact
 
 
 
-    /** The numbers up to @p largest in an expression, without signs. */
-    std::vector<double>
-    numbers_in(const std::string &expression, const double largest)
-    {
-      static const std::regex number("(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
-      std::vector<double>     values;
-      for (std::sregex_iterator match(expression.begin(),
-                                      expression.end(),
-                                      number);
-           match != std::sregex_iterator() && values.size() < max_named_times;
-           ++match)
-        if (const auto value = parse_number(match->str());
-            value && *value <= largest)
-          values.push_back(*value);
-      std::sort(values.begin(), values.end());
-      values.erase(std::unique(values.begin(), values.end()), values.end());
-      return values;
-    }
+    /** Places at which a load that varies in space is looked at. */
+    constexpr unsigned int n_places = 61;
 
 
 
-    /**
-     * Times up to the end at which an expression may jump or bend. Numbers in
-     * it, and, as times are often scaled - those of files in SI units stand
-     * there as (2592120*t) -, zeros of what is linear in t.
-     */
-    std::vector<double>
-    times_in(const std::string &expression, const double end_time)
-    {
-      std::vector<double>       times = numbers_in(expression, end_time);
-      const std::vector<double> zeros =
-        zeros_of_linear_parts(expression, 0.6180339887 * end_time);
-      // others would take the places of those that count
-      std::copy_if(zeros.begin(),
-                   zeros.end(),
-                   std::back_inserter(times),
-                   [end_time](const double zero) {
-                     return zero >= 0. && zero <= end_time;
-                   });
-      std::sort(times.begin(), times.end());
-      times.erase(std::unique(times.begin(), times.end()), times.end());
-      if (times.size() > 2 * max_named_times)
-        times.resize(2 * max_named_times);
-      return times;
-    }
-
-
-
-    /** Points in the body, or on its end, at no places that are special. */
-    template <int dim>
-    std::vector<Point<dim>>
-    sample_places(const bool is_on_end, const double width)
-    {
-      const std::vector<double> along =
-        is_on_end ?
-          std::vector<double>{1.} :
-          std::vector<double>{0.017, 0.113, 0.293, 0.487, 0.709, 0.887, 0.983};
-      const std::array<double, 3> across{{0.483, 0.137, 0.871}};
-      std::vector<Point<dim>>     places;
-      for (unsigned int i = 0; i < along.size(); ++i)
-        for (unsigned int j = 0; j < (dim > 1 && is_on_end ? 3 : 1); ++j)
-          {
-            Point<dim> place;
-            place[0] = along[i];
-            for (unsigned int d = 1; d < dim; ++d)
-              place[d] = width * across[(i + j + d) % 3];
-            places.push_back(place);
-          }
-      return places;
-    }
-  } // namespace
-
-
-
-  namespace
-  {
-    /** A function of time, at one or more places, that steps are to follow. */
+    /** A function of time that steps are to follow. */
     struct Load
     {
-      std::string path;
-      std::string expression;
-      LoadSample  sample;
+      std::vector<TimeFunction> at_places; ///< at least one
 
       /** Nothing can follow a jump of it; said to the user. */
       std::string no_jump = "";
@@ -125,151 +47,107 @@ namespace ThermoContact
       /** Nodes have it for their value. */
       bool is_of_nodes = false;
 
-      /** Its derivative, if that is known. */
-      LoadSample rate = nullptr;
+      const Expression &
+      expression() const
+      {
+        return at_places.front().expression();
+      }
     };
 
 
 
-    template <int dim>
-    LoadSample
-    sample_of(ProblemData<dim>    &data,
-              const Function<dim> &function,
-              const bool           is_on_end,
-              const double         width)
+    /**
+     * The load at places in the body, or on its end, that are spread evenly and
+     * lie nowhere special; at one if it is the same everywhere.
+     */
+    std::vector<TimeFunction>
+    at_places(const Expression &load, const bool is_on_end, const Scene &scene)
     {
-      const auto places = sample_places<dim>(is_on_end, width);
-      return [&data, &function, places](const double         t,
-                                        std::vector<double> &values) {
-        data.set_time(t);
-        values.clear();
-        for (const Point<dim> &place : places)
-          for (unsigned int c = 0; c < function.n_components; ++c)
-            values.push_back(function.value(place, c));
-      };
-    }
-
-
-
-    LoadSample
-    sample_of(const TimeFunction &function)
-    {
-      return [&function](const double t, std::vector<double> &values) {
-        values.assign(1, function.value(t));
-      };
-    }
-
-
-
-    /** Of the gaps of an obstacle that moves. */
-    template <int dim>
-    LoadSample
-    sample_of_gap(const Scene &scene)
-    {
-      const std::shared_ptr<Function<dim>> gap = contact_gap<dim>(scene);
-      const auto                           places =
-        sample_places<dim>(true, dim > 1 ? scene.parameters.mesh.width : 0.);
-      return [gap, places](const double t, std::vector<double> &values) {
-        gap->set_time(t);
-        values.clear();
-        for (const Point<dim> &place : places)
-          values.push_back(gap->value(place));
-      };
+      const unsigned int dim   = scene.parameters.dimension;
+      const double       width = scene.parameters.mesh.width;
+      // parts of the powers of the root of r^4 = r + 1 are spread in the cube
+      const double root   = 1.2207440846057596;
+      const bool   varies = (!is_on_end && load.depends_on("x")) ||
+                          load.depends_on("y") || load.depends_on("z");
+      std::vector<TimeFunction> functions;
+      for (unsigned int i = 1; i <= (varies ? n_places : 1); ++i)
+        {
+          dealii::Point<3> place(1., 0., 0.);
+          for (unsigned int d = is_on_end ? 1 : 0; d < dim; ++d)
+            place[d] = (d == 0 ? 1. : width) *
+                       std::fmod(0.5 + i * std::pow(root, -1. - d), 1.);
+          functions.emplace_back(load, place);
+        }
+      return functions;
     }
 
 
 
     template <int dim>
-    LoadSample
-    rate_of_gap(const Scene &scene)
+    std::vector<Load>
+    loads_in_time(const Scene &scene, const ProblemData<dim> &data)
     {
-      const auto places =
-        sample_places<dim>(true, dim > 1 ? scene.parameters.mesh.width : 0.);
-      const std::string formula = scene.parameters.contact.gap_expression;
-      return [formula, places](const double t, std::vector<double> &rates) {
-        rates.clear();
-        for (const Point<dim> &place : places)
-          rates.push_back(
-            differentiate(formula, t, named_coordinates(place)).first);
-      };
-    }
-
-
-
-    /** Those of the sources and of the obstacle. */
-    template <int dim>
-    void
-    add_sources(const Scene       &scene,
-                ProblemData<dim>  &data,
-                std::vector<Load> &loads)
-    {
-      const SourceParameters &sources = scene.parameters.sources;
-      const auto              add     = [&](const std::string   &path,
-                           const std::string   &expression,
-                           const Function<dim> *function,
-                           const bool           is_on_end) {
-        if (function != nullptr && depends_on(expression, "t"))
-          loads.push_back({path,
-                           expression,
-                           sample_of<dim>(data,
-                                          *function,
-                                          is_on_end,
-                                          scene.parameters.mesh.width)});
-      };
-      add("Sources/Heat source",
-          sources.heat_source,
-          data.heat_source(),
-          false);
-      add("Sources/Body force", sources.body_force, data.body_force(), false);
-      add("Sources/End traction",
-          sources.end_traction,
-          data.end_traction(),
-          true);
-      add("Sources/End heat flux",
-          sources.end_heat_flux,
-          data.end_heat_flux(),
-          true);
-      add("Boundary/Obstacle temperature",
-          scene.parameters.boundary.obstacle_expression,
-          data.obstacle_warming(),
-          true);
-    }
-
-
-
-    template <int dim>
-    void
-    add_drives(const Scene &scene, std::vector<Load> &loads)
-    {
-      const auto add = [&](const std::string  &path,
-                           const TimeFunction &drive,
-                           const std::string  &no_jump) {
-        if (depends_on(drive.text(), "t"))
+      const std::string no_velocity =
+        "a ramp of a length that the body can follow: an ";
+      std::vector<Load> loads;
+      const auto        add = [&](const Expression  &expression,
+                           const bool         is_on_end,
+                           const std::string &no_jump     = "",
+                           const bool         is_of_nodes = false) {
+        if (expression.depends_on("t"))
           loads.push_back(
-            {path,
-             drive.text(),
-             sample_of(drive),
-             no_jump,
-             true,
-             [&drive](const double t, std::vector<double> &rates) {
-               rates.assign(1, drive.derivatives(t).first);
-             }});
+            {at_places(expression, is_on_end, scene), no_jump, is_of_nodes});
       };
+      const auto add_source = [&](const ExpressionFunction<dim> *const source,
+                                  const bool is_on_end) {
+        if (source != nullptr)
+          for (const Expression &component : source->components())
+            add(component, is_on_end);
+      };
+      add_source(data.heat_source(), false);
+      add_source(data.body_force(), false);
+      add_source(data.end_traction(), true);
+      add_source(data.end_heat_flux(), true);
+      add_source(data.obstacle_warming(), true);
       if (scene.sources.has_driven_temperature)
-        add("Boundary/Fixed end temperature", *scene.heat.fixed_end_drive, "");
+        add(scene.heat.fixed_end_drive->expression(), true, "", true);
       if (scene.sources.has_moving_end)
-        add("Boundary/Fixed end displacement",
-            *scene.fixed_end_motion,
-            "a ramp of a length that the body can follow: an end that jumps "
-            "has no velocity");
+        add(scene.fixed_end_motion->expression(),
+            true,
+            no_velocity + "end that jumps has no velocity",
+            true);
       if (scene.sources.has_moving_obstacle)
-        loads.push_back({"Contact/Gap",
-                         scene.parameters.contact.gap_expression,
-                         sample_of_gap<dim>(scene),
-                         "a ramp of a length that the body can follow: an "
-                         "obstacle that jumps has no velocity",
-                         false,
-                         rate_of_gap<dim>(scene)});
+        add(*scene.gap_expression,
+            true,
+            no_velocity + "obstacle that jumps has no velocity");
+      return loads;
+    }
+
+
+
+    /** Refuses what nothing can follow. */
+    void
+    check_continuity(const Load         &load,
+                     const EnclosedLoad &enclosed,
+                     const std::string  &time_of_fault)
+    {
+      const auto fail = [&](const std::string &fault,
+                            const std::string &remedy) {
+        throw InputError(text(load.expression().path(),
+                              " = ",
+                              quote(load.expression().text()),
+                              ": ",
+                              fault,
+                              " at t = ",
+                              time_of_fault,
+                              "\n  allowed: functions that are continuous"
+                              "\n  remedy:  ",
+                              remedy));
+      };
+      if (enclosed.is_infinite)
+        fail("is not finite", "a function that is finite up to Time/End time");
+      if (!time_of_fault.empty())
+        fail("jumps", load.no_jump);
     }
 
 
@@ -286,59 +164,48 @@ namespace ThermoContact
       const auto            words = [&units](const double at) {
         return units.text_for_entry("time", at);
       };
-      std::vector<double> named = times_in(load.expression, time.end_time);
-      named.insert(named.end(),
-                   time.break_points.begin(),
-                   time.break_points.end());
-      ScannedLoad scanned = scan_load(load.sample, time.end_time, named);
-      if (!load.no_jump.empty() && scanned.is_infinite)
-        throw InputError(text(load.path,
-                              " = ",
-                              quote(load.expression),
-                              ": is not finite at t = ",
-                              words(scanned.time),
-                              "\n  allowed: functions that are continuous"
-                              "\n  remedy:  a function that is finite up to "
-                              "Time/End time"));
-      if (!load.no_jump.empty())
-        for (const LoadBreak &at : scanned.history.breaks)
-          if (at.is_jump)
-            throw InputError(text(load.path,
-                                  " = ",
-                                  quote(load.expression),
-                                  ": jumps at t = ",
-                                  words(at.time),
-                                  "\n  allowed: functions that are continuous"
-                                  "\n  remedy:  ",
-                                  load.no_jump));
+      LoadHistory together;
+      for (const TimeFunction &function : load.at_places)
+        {
+          EnclosedLoad enclosed = enclose_load(function, time.end_time);
+          const auto   jump =
+            std::find_if(enclosed.history.breaks.begin(),
+                         enclosed.history.breaks.end(),
+                         [](const LoadBreak &at) { return at.is_jump; });
+          if (!load.no_jump.empty())
+            check_continuity(load,
+                             enclosed,
+                             enclosed.is_infinite ? words(enclosed.time) :
+                             jump != enclosed.history.breaks.end() ?
+                                                    words(jump->time) :
+                                                    "");
+          if (!enclosed.is_resolved)
+            {
+              if (time.has_error_control())
+                warnings.push_back(text(
+                  load.expression().path(),
+                  enclosed.is_infinite ? " is not finite at t = " :
+                                         " changes too fast near t = ",
+                  words(enclosed.time),
+                  enclosed.is_infinite ? "" : " to be seen before the run",
+                  ": steps do not look for its jumps and pulses (Time/Break "
+                  "points and Time/Maximum step size help them)"));
+              return;
+            }
+          if (load.is_of_nodes)
+            for (LoadBreak &at : enclosed.history.breaks)
+              if (at.is_jump)
+                at.node_step = jump_length(scene, at.time);
+          together.add(enclosed.history);
+        }
       if (!time.has_error_control())
         {
+          if (load.is_of_nodes)
+            return;
           // a rigid obstacle that turns within a step would throw its nodes
-          if (!load.is_of_nodes && load.rate)
-            {
-              sharpen_bends(load.rate, time.end_time, scanned.history);
-              LoadHistory bends;
-              bends.breaks = scanned.history.breaks;
-              history.add(bends);
-            }
-          return;
+          together.stretches.clear();
         }
-      if (load.is_of_nodes)
-        for (LoadBreak &at : scanned.history.breaks)
-          if (at.is_jump)
-            at.node_step = jump_length(scene, at.time);
-      if (load.rate)
-        sharpen_bends(load.rate, time.end_time, scanned.history);
-      history.add(scanned.history);
-      if (!scanned.is_resolved)
-        warnings.push_back(
-          text(load.path,
-               scanned.is_infinite ? " is not finite at t = " :
-                                     " changes too fast near t = ",
-               words(scanned.time),
-               scanned.is_infinite ? "" : " to be seen before the run",
-               ": steps do not look for its jumps and pulses (Time/Break "
-               "points and Time/Maximum step size help them)"));
+      history.add(together);
     }
   } // namespace
 
@@ -359,15 +226,12 @@ namespace ThermoContact
   template <int dim>
   LoadHistory
   load_history(const Scene              &scene,
-               ProblemData<dim>         &data,
+               const ProblemData<dim>   &data,
                std::vector<std::string> &warnings)
   {
     const TimeParameters &time = scene.parameters.time;
     LoadHistory           history;
-    std::vector<Load>     loads;
-    add_sources(scene, data, loads);
-    add_drives<dim>(scene, loads);
-    for (const Load &load : loads)
+    for (const Load &load : loads_in_time<dim>(scene, data))
       if (time.end_time > 0. &&
           (time.has_error_control() || !load.no_jump.empty()))
         scan(load, scene, history, warnings);
@@ -390,9 +254,15 @@ namespace ThermoContact
 
 
   template LoadHistory
-  load_history(const Scene &, ProblemData<1> &, std::vector<std::string> &);
+  load_history(const Scene &,
+               const ProblemData<1> &,
+               std::vector<std::string> &);
   template LoadHistory
-  load_history(const Scene &, ProblemData<2> &, std::vector<std::string> &);
+  load_history(const Scene &,
+               const ProblemData<2> &,
+               std::vector<std::string> &);
   template LoadHistory
-  load_history(const Scene &, ProblemData<3> &, std::vector<std::string> &);
+  load_history(const Scene &,
+               const ProblemData<3> &,
+               std::vector<std::string> &);
 } // namespace ThermoContact

@@ -12,21 +12,16 @@ namespace ThermoContact
   template <int dim>
   ObstacleMotion<dim>::ObstacleMotion(const Scene           &scene,
                                       const ContactEnd<dim> &end)
-    : formula(scene.parameters.contact.gap_expression)
-    , n_nodes(end.n_nodes())
+    : n_nodes(end.n_nodes())
   {
     if (!scene.sources.has_moving_obstacle)
       return;
     for (const ContactNode<dim> &node : end.nodes())
       {
-        places.push_back(named_coordinates(node.position));
+        gaps.emplace_back(*scene.gap_expression, node.position);
         if (scene.contact.has_uniform_gap())
           break;
       }
-    const double end_time = scene.parameters.time.end_time;
-    for (const Place &place :
-         {places.front(), places[places.size() / 2], places.back()})
-      TimeFunction({"Contact/Gap", formula}, place).check(end_time);
   }
 
 
@@ -38,14 +33,14 @@ namespace ThermoContact
     std::vector<TimeDerivatives> &derivatives) const
   {
     derivatives.resize(n_nodes);
-    for (unsigned int i = 0; i < places.size(); ++i)
-      derivatives[i] = differentiate(formula, time, places[i]);
-    for (unsigned int i = places.size(); i < n_nodes; ++i)
+    for (unsigned int i = 0; i < gaps.size(); ++i)
+      derivatives[i] = gaps[i].derivatives(time);
+    for (unsigned int i = gaps.size(); i < n_nodes; ++i)
       derivatives[i] = derivatives.front();
     for (const TimeDerivatives &at : derivatives)
       if (!std::isfinite(at.value))
         throw ComputationError(text("Contact/Gap = ",
-                                    quote(formula),
+                                    quote(gaps.front().text()),
                                     ": is not finite at t = ",
                                     time,
                                     "\n  remedy:  a function that is finite up "

@@ -1,143 +1,116 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/number_text.h>
-#include <thermocontact/input/expression.h>
 #include <thermocontact/space/problem_data.h>
 
 #include <deal.II/base/function.h>
-#include <deal.II/base/numbers.h>
 
 namespace ThermoContact
 {
   namespace
   {
-    /** Initial values of the fields that a scene has, one text for all. */
-    template <int dim>
-    class InitialTexts
+    /** An entry as components in the coordinates, and in t of sources. */
+    std::vector<Expression>
+    read_entry(const Scene       &scene,
+               const std::string &path,
+               const std::string &text,
+               const unsigned int n_components)
     {
-    public:
-      std::string fields;
-      std::string rates;
-
-      InitialTexts(const Scene &scene, const ExpressionNames &names)
-      {
-        const auto &initial = scene.parameters.initial_values;
-        if (scene.fields.has_temperature)
-          {
-            append("Temperature", initial.temperature, 1, names, fields);
-            rates = "0";
-          }
-        if (!scene.fields.has_displacement)
-          return;
-        append("Displacement",
-               scene.material.is_static() ? "0" : initial.displacement,
-               dim,
-               names,
-               fields);
-        append("Velocity",
-               scene.material.has_inertia() ? initial.velocity : "0",
-               dim,
-               names,
-               rates);
-      }
-
-    private:
-      static void
-      append(const std::string     &entry,
-             const std::string     &expression,
-             const unsigned int     n_components,
-             const ExpressionNames &names,
-             std::string           &text)
-      {
-        text += (text.empty() ? "" : ";") +
-                check_expression<dim>({"Initial values/" + entry, expression},
-                                      n_components,
-                                      names);
-      }
-    };
-  } // namespace
+      const bool      is_initial = path.rfind("Initial values/", 0) == 0;
+      ExpressionNames names =
+        scene.parameters.names(path,
+                               scene.parameters.coordinates(!is_initial),
+                               "20*x*(x-1)^2");
+      if (scene.fields.has_temperature)
+        names.constants["theta_A"] = scene.heat.fixed_end_temperature;
+      return read_components(path, text, n_components, names);
+    }
 
 
 
-  template <int dim>
-  std::unique_ptr<Function<dim>>
-  contact_gap(const Scene &scene)
-  {
-    const SceneContact &contact = scene.contact;
-    if (!contact.law->is_active() ||
-        (contact.has_uniform_gap() && !scene.sources.has_moving_obstacle))
-      return std::make_unique<Functions::ConstantFunction<dim>>(contact.gap);
-    ExpressionNames names; // x is known too: it is one on the end
-    names.constants["pi"] = numbers::PI;
-    names.has_time        = true;
-    names.example         = dim > 1 ? "0.1+(y-0.05)^2/2" : "0.1+0.02*sin(t)";
-    return make_function<dim>(
-      check_expression<dim>(
-        {"Contact/Gap", scene.parameters.contact.gap_expression}, 1, names),
-      names);
-  }
-
-
-
-  namespace
-  {
+    /** Initial values of the fields, or their rates, one after the other. */
     template <int dim>
-    std::unique_ptr<FunctionParser<dim>>
-    make_obstacle_warming(const Scene &scene)
+    std::unique_ptr<ExpressionFunction<dim>>
+    initial_function(const Scene &scene, const bool is_rate)
     {
-      const ExpressionNames names = obstacle_names();
-      const std::string     expression =
-        check_expression<dim>({"Boundary/Obstacle temperature",
-                               scene.parameters.boundary.obstacle_expression},
-                              1,
-                              names);
-      return make_function<dim>("(" + expression + ")-(" +
-                                  significant(scene.heat.obstacle_temperature,
-                                              all_digits) +
-                                  ")",
-                                names);
+      const InitialValuesParameters &initial = scene.parameters.initial_values;
+      std::vector<Expression>        components;
+      const auto                     add = [&](const std::string &entry,
+                           const std::string &text,
+                           const unsigned int n) {
+        for (Expression &component :
+             read_entry(scene, "Initial values/" + entry, text, n))
+          components.push_back(std::move(component));
+      };
+      if (scene.fields.has_temperature)
+        add("Temperature", is_rate ? "0" : initial.temperature, 1);
+      if (scene.fields.has_displacement && is_rate)
+        add("Velocity",
+            scene.material.has_inertia() ? initial.velocity : "0",
+            dim);
+      else if (scene.fields.has_displacement)
+        add("Displacement",
+            scene.material.is_static() ? "0" : initial.displacement,
+            dim);
+      return std::make_unique<ExpressionFunction<dim>>(std::move(components));
     }
   } // namespace
 
 
 
   template <int dim>
-  ProblemData<dim>::ProblemData(const Scene &scene)
+  std::unique_ptr<Function<dim>>
+  contact_gap(const SpatialScene &scene)
   {
-    ExpressionNames names;
-    names.constants["pi"] = numbers::PI;
-    if (scene.fields.has_temperature)
-      names.constants["theta_A"] = scene.heat.fixed_end_temperature;
-    const InitialTexts<dim> initial(scene, names);
-    initial_fields_   = make_function<dim>(initial.fields, names);
-    initial_velocity_ = make_function<dim>(initial.rates, names);
+    if (!scene.gap_expression)
+      return std::make_unique<Functions::ConstantFunction<dim>>(scene.gap);
+    return std::make_unique<ExpressionFunction<dim>>(
+      std::vector<Expression>{*scene.gap_expression});
+  }
 
-    names.has_time         = true;
+
+
+  template <int dim>
+  ProblemData<dim>::ProblemData(const Scene &scene)
+    : initial_fields_(initial_function<dim>(scene, false))
+    , initial_velocity_(initial_function<dim>(scene, true))
+  {
     const auto make_source = [&](const bool         acts,
-                                 const Expression  &expression,
+                                 const std::string &entry,
+                                 const std::string &text,
                                  const unsigned int n_components) {
-      return acts ? make_function<dim>(check_expression<dim>(expression,
-                                                             n_components,
-                                                             names),
-                                       names) :
-                    nullptr;
+      return acts ?
+               std::make_unique<ExpressionFunction<dim>>(
+                 read_entry(scene, "Sources/" + entry, text, n_components)) :
+               nullptr;
     };
     const SourceParameters &sources = scene.parameters.sources;
     heat_source_                    = make_source(scene.sources.has_heat_source,
-                               {"Sources/Heat source", sources.heat_source},
+                               "Heat source",
+                               sources.heat_source,
                                1);
     body_force_                     = make_source(scene.sources.has_body_force,
-                              {"Sources/Body force", sources.body_force},
+                              "Body force",
+                              sources.body_force,
                               dim);
-    end_traction_ = make_source(scene.sources.has_end_traction,
-                                {"Sources/End traction", sources.end_traction},
+    end_traction_  = make_source(scene.sources.has_end_traction,
+                                "End traction",
+                                sources.end_traction,
                                 1);
-    end_heat_flux_ =
-      make_source(scene.sources.has_end_heat_flux,
-                  {"Sources/End heat flux", sources.end_heat_flux},
-                  1);
-    if (scene.sources.has_varying_obstacle)
-      obstacle_warming_ = make_obstacle_warming<dim>(scene);
+    end_heat_flux_ = make_source(scene.sources.has_end_heat_flux,
+                                 "End heat flux",
+                                 sources.end_heat_flux,
+                                 1);
+    if (!scene.sources.has_varying_obstacle)
+      return;
+    const Expression &temperature = *scene.heat.obstacle_drive;
+    ExpressionNames   names =
+      scene.parameters.names(temperature.path(),
+                             scene.parameters.coordinates(true),
+                             "5*sin(2*pi*t)");
+    names.origin += names.unit * scene.heat.obstacle_temperature;
+    obstacle_warming_ =
+      std::make_unique<ExpressionFunction<dim>>(std::vector<Expression>{
+        Expression(temperature.path(), temperature.text(), names)});
   }
 
 
@@ -161,7 +134,7 @@ namespace ThermoContact
 
 
   template <int dim>
-  const Function<dim> *
+  const ExpressionFunction<dim> *
   ProblemData<dim>::heat_source() const
   {
     return heat_source_.get();
@@ -170,7 +143,7 @@ namespace ThermoContact
 
 
   template <int dim>
-  const Function<dim> *
+  const ExpressionFunction<dim> *
   ProblemData<dim>::body_force() const
   {
     return body_force_.get();
@@ -179,7 +152,7 @@ namespace ThermoContact
 
 
   template <int dim>
-  const Function<dim> *
+  const ExpressionFunction<dim> *
   ProblemData<dim>::end_traction() const
   {
     return end_traction_.get();
@@ -188,7 +161,7 @@ namespace ThermoContact
 
 
   template <int dim>
-  const Function<dim> *
+  const ExpressionFunction<dim> *
   ProblemData<dim>::end_heat_flux() const
   {
     return end_heat_flux_.get();
@@ -197,7 +170,7 @@ namespace ThermoContact
 
 
   template <int dim>
-  const Function<dim> *
+  const ExpressionFunction<dim> *
   ProblemData<dim>::obstacle_warming() const
   {
     return obstacle_warming_.get();
@@ -219,11 +192,11 @@ namespace ThermoContact
   void
   ProblemData<dim>::set_time(const double time)
   {
-    for (FunctionParser<dim> *source : {heat_source_.get(),
-                                        body_force_.get(),
-                                        end_traction_.get(),
-                                        end_heat_flux_.get(),
-                                        obstacle_warming_.get()})
+    for (ExpressionFunction<dim> *source : {heat_source_.get(),
+                                            body_force_.get(),
+                                            end_traction_.get(),
+                                            end_heat_flux_.get(),
+                                            obstacle_warming_.get()})
       if (source != nullptr)
         source->set_time(time);
   }
@@ -231,11 +204,11 @@ namespace ThermoContact
 
 
   template std::unique_ptr<Function<1>>
-  contact_gap(const Scene &);
+  contact_gap(const SpatialScene &);
   template std::unique_ptr<Function<2>>
-  contact_gap(const Scene &);
+  contact_gap(const SpatialScene &);
   template std::unique_ptr<Function<3>>
-  contact_gap(const Scene &);
+  contact_gap(const SpatialScene &);
 
   template class ProblemData<1>;
   template class ProblemData<2>;

@@ -317,6 +317,33 @@ namespace ThermoContact
 
   template <int dim>
   void
+  ThermoviscoelasticOperator<dim>::momentum_residual(
+    const Vector &temperature,
+    const Vector &displacement,
+    const Vector *velocity,
+    const Vector *acceleration,
+    const Vector &momentum_load,
+    Vector       &residual) const
+  {
+    const auto add =
+      [&](const double factor, const LinearMap &matrix, const Vector &x) {
+        matrix.vmult(momentum_scratch, x);
+        residual.add(factor, momentum_scratch);
+      };
+    residual = momentum_load;
+    add(-1., stiffness(), displacement);
+    if (material.has_thermal_stress())
+      add(material.thermal_stress, thermal_stress(), temperature);
+    if (velocity != nullptr && material.has_viscosity())
+      add(-material.viscosity, viscous_stiffness(), *velocity);
+    if (acceleration != nullptr && material.has_inertia())
+      add(-material.inertia, momentum_mass(), *acceleration);
+  }
+
+
+
+  template <int dim>
+  void
   ThermoviscoelasticOperator<dim>::subtract_heating(const Vector &velocity,
                                                     Vector       &heat) const
   {

@@ -35,7 +35,6 @@ namespace ThermoContact
     template <int dim>
     void
     run_scene(const Parameters  &parameters,
-              const Overrides   &overrides,
               SharedSpaces      &spaces,
               const std::string &directory,
               const SignalWatch &signals,
@@ -45,7 +44,7 @@ namespace ThermoContact
       const Timer     since_start;
       Simulation<dim> simulation(parameters,
                                  MPI_COMM_SELF,
-                                 &spaces.get<dim>(parameters, overrides));
+                                 &spaces.get<dim>(Scene(parameters)));
       times.set_up = since_start.wall_time();
       std::unique_ptr<Output<dim>> output;
       run.trajectory                                = Trajectory();
@@ -129,11 +128,11 @@ namespace ThermoContact
           }
         for (unsigned int i = 0; i < n_repetitions; ++i)
           if (scene.dimension == 1)
-            run_scene<1>(scene, overrides, spaces, directory, signals, run);
+            run_scene<1>(scene, spaces, directory, signals, run);
           else if (scene.dimension == 2)
-            run_scene<2>(scene, overrides, spaces, directory, signals, run);
+            run_scene<2>(scene, spaces, directory, signals, run);
           else
-            run_scene<3>(scene, overrides, spaces, directory, signals, run);
+            run_scene<3>(scene, spaces, directory, signals, run);
       }
     catch (const Interruption &)
       {

@@ -90,21 +90,26 @@ namespace ThermoContact
   namespace
   {
     /**
-     * Forces on contact nodes that have neither mass nor viscous stress: a
-     * stage of length 1 has them on its right-hand side.
+     * Forces on the body without pressures, as contact nodes that have no mass
+     * feel them.
+     *
+     * @param velocity of their viscous stress; null: they have none
      */
     template <int dim>
     Vector
-    forces_on_nodes(Body<dim> &body, const State &state)
+    forces_on_nodes(Body<dim>    &body,
+                    const State  &state,
+                    const Vector *velocity = nullptr)
     {
       const Discretization<dim> &space = body.discretization;
       Vector heat_load                 = space.make_vector(Field::temperature);
-      Vector momentum_load             = space.make_vector(Field::displacement);
-      Vector heat_rhs(heat_load), force(momentum_load);
-      body.loads.assemble(state.time, heat_load, momentum_load);
-      body.equations.stage_rhs(
-        state, 1., heat_load, momentum_load, heat_rhs, force);
-      return force;
+      Vector load                      = space.make_vector(Field::displacement);
+      Vector forces(load);
+      body.loads.assemble(state.time, heat_load, load);
+      body.equations.momentum_residual(
+        state.temperature, state.displacement, velocity, nullptr, load, forces);
+      body.equations.zero_constrained(Field::displacement, forces);
+      return forces;
     }
   } // namespace
 
@@ -207,17 +212,9 @@ namespace ThermoContact
                             const std::vector<bool>  &is_closed,
                             State                    &state)
   {
-    const ContactEnd<dim>     &end   = body.contact_end();
-    const Discretization<dim> &space = body.discretization;
-    const double               zeta  = body.scene.material.viscosity;
-    Vector heat_load                 = space.make_vector(Field::temperature);
-    Vector momentum_load             = space.make_vector(Field::displacement);
-    Vector heat_rhs(heat_load), force(momentum_load), viscous(momentum_load);
-    body.loads.assemble(state.time, heat_load, momentum_load);
-    body.equations.stage_rhs(
-      state, 1., heat_load, momentum_load, heat_rhs, force);
-    body.equations.stiffness().vmult(viscous, state.velocity);
-    force.add(-zeta, viscous);
+    const ContactEnd<dim> &end  = body.contact_end();
+    const double           zeta = body.scene.material.viscosity;
+    Vector force                = forces_on_nodes(body, state, &state.velocity);
     if constexpr (dim > 1)
       if (!body.scene.linear_solver.has_matrices())
         {

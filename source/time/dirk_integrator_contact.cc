@@ -91,7 +91,7 @@ namespace ThermoContact
   {
     const SceneContact &contact = body.scene.contact;
     return contact.law->is_active() && !contact.has_mass() &&
-           (mode == ContactMode::unilateral || contact.is_in_equilibrium);
+           (mode == ContactMode::unilateral || contact.is_in_equilibrium());
   }
 
 
@@ -101,7 +101,8 @@ namespace ThermoContact
   DirkIntegrator<dim>::holds_closing_nodes(const ContactMode mode) const
   {
     return solver->can_hold_nodes() && mode == ContactMode::unilateral &&
-           can_change_at_once(mode) && !body.scene.contact.is_in_equilibrium &&
+           can_change_at_once(mode) &&
+           !body.scene.contact.is_in_equilibrium() &&
            !std::is_sorted(tableau.c.begin(), tableau.c.end());
   }
 

@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy
 
 sys.dont_write_bytecode = True
-from rod_model import Element, lobatto_nodes  # noqa: E402
+from polynomials import Element, lobatto_nodes  # noqa: E402
 from run_files import Run  # noqa: E402
 
 BOUND = 1e-6

@@ -63,11 +63,12 @@ class Settings(dict):
     def expression(self, name):
         """A function of numpy arrays x and a number t."""
         code = compile(self.get(name, "0").replace("^", "**"), name, "eval")
-        theta_A = self.number("Boundary/Fixed end temperature")
+        names = {key: getattr(numpy, key) for key in
+                 ("sin", "cos", "exp", "sqrt", "tanh", "pi")}
+        drive = self.get("Boundary/Fixed end temperature", "0")
+        theta_A = eval(drive, names | {"t": 0.0})
 
         def value(x, t=0.0):
-            names = {key: getattr(numpy, key) for key in
-                     ("sin", "cos", "exp", "sqrt", "tanh", "pi")}
             return eval(code, names | {"x": x, "t": t, "theta_A": theta_A}) + 0.0 * x
         return value
 

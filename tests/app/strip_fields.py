@@ -5,7 +5,7 @@ A snapshot has (p + 1)^2 equidistant points for each cell, which hold a field of
 """
 import numpy
 
-from rod_model import Element, lobatto_nodes
+from polynomials import Element, lobatto_nodes
 
 
 class Snapshot:

@@ -33,7 +33,7 @@ with tempfile.TemporaryDirectory() as folder:
     numbers = {}
     for page in site.glob("*.html"):
         text = re.sub(r"\\\[.*?\\\]", "", page.read_text(encoding="utf-8"), flags=re.S)
-        numbers.update(dict.fromkeys(re.findall(r"\(([MU]\.\d+)\)", text), page.name))
+        numbers.update(dict.fromkeys(re.findall(r"\(([MDCU]\d*\.\d+)\)", text), page.name))
     faults = [f"{page}: ({number}) is no equation" for number, page in sorted(numbers.items())]
     for word in WORDS:
         if not any(re.search(rf"\b{word}", " ".join(entry[1:]), re.I) for entry in index):

@@ -128,7 +128,7 @@ namespace ThermoContact
         double dv = 1e-12 * scales.velocity;
         if (dt > 0.)
           dv +=
-            scene.contact.is_in_equilibrium || !scene.material.has_inertia() ?
+            scene.contact.is_in_equilibrium() || !scene.material.has_inertia() ?
               ds / dt :
               std::min(ds / dt, 1e-9 * scales.velocity);
         // without inertia it is what is left of velocities of all forces

@@ -156,7 +156,7 @@ namespace
     const double u = direct.largest[1], v = direct.largest[2];
     if (v == 0. || u == 0.)
       return result;
-    if (scene.material.is_static() || scene.contact.is_in_equilibrium)
+    if (scene.material.is_static() || scene.contact.is_in_equilibrium())
       {
         const double left = 1e3 * tolerance * std::min(1., direct.longest_step);
         result[2] +=

@@ -137,19 +137,20 @@ main()
         raise(largest, std::abs(stability_function(t, {0., y})));
 
       deallog << t.name << ": stages " << t.n_stages() << ", order " << t.order
-              << " holds " << (worst < 1e-14) << ", order " << t.order + 1
+              << " holds " << within(worst, 1e-14) << ", order " << t.order + 1
               << " does not " << (defect(t, t.b(), t.order + 1) > 1e-3)
               << ", equal diagonal " << is_sdirk << ", stiffly accurate "
-              << (std::abs(t.c.back() - 1.) < 1e-14) << ", A-stable "
+              << within(std::abs(t.c.back() - 1.), 1e-14) << ", A-stable "
               << (t.gamma() > 0. && largest < 1. + 1e-12) << ", L-stable "
-              << (std::abs(stability_function(t, -1e12)) < 1e-10) << std::endl;
+              << within(std::abs(stability_function(t, -1e12)), 1e-10)
+              << std::endl;
       if (!t.has_error_estimate())
         continue;
       worst = 0.;
       for (unsigned int order = 1; order < t.order; ++order)
         raise(worst, defect(t, t.embedded_b, order));
       deallog << t.name << ", embedded: order " << t.order - 1 << " holds "
-              << (worst < 1e-14) << ", order " << t.order << " does not "
+              << within(worst, 1e-14) << ", order " << t.order << " does not "
               << (defect(t, t.embedded_b, t.order) > 1e-3) << std::endl;
     }
 }

@@ -65,7 +65,7 @@ namespace
                              law->energy(law->pressure(other)) +
                              law->energy(p)));
           }
-        deallog << kind.name << ": consistent to 1e-7 " << (worst < 1e-7)
+        deallog << kind.name << ": consistent " << within(worst, 1e-7)
                 << ", linear " << law->is_linear() << std::endl;
       }
   }
@@ -145,9 +145,9 @@ namespace
               }
           }
       }
-    deallog << "power laws: " << n_found << " problems, pressures to 1e-9 "
-            << (worst < 1e-9) << ", one node to 1e-12 " << (worst_alone < 1e-12)
-            << std::endl;
+    deallog << "power laws: " << n_found << " problems, pressures "
+            << within(worst, 1e-9) << ", one node "
+            << within(worst_alone, 1e-12) << std::endl;
   }
 } // namespace
 

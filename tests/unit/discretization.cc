@@ -96,7 +96,8 @@ namespace
             << space.n_temperature_dofs() << ", at the contact end "
             << space.contact_end().nodes().size()
             << ", weights add up to the cross-section "
-            << (std::abs(sum / space.geometry().cross_section() - 1.) < 1e-14)
+            << within(std::abs(sum / space.geometry().cross_section() - 1.),
+                      1e-14)
             << std::endl;
   }
 
@@ -163,9 +164,9 @@ namespace
                 std::abs(u[q] - polynomial(values.quadrature_point(q))));
       }
     deallog << "P_E, degree " << degree << ", grading " << grading
-            << ": interpolates at vertices " << (vertex_error < 1e-14)
-            << ", orthogonal " << (orthogonality < 1e-9)
-            << ", keeps polynomials " << (polynomial_error < 1e-14)
+            << ": interpolates at vertices " << within(vertex_error, 1e-14)
+            << ", orthogonal " << within(orthogonality, 1e-9)
+            << ", keeps polynomials " << within(polynomial_error, 1e-14)
             << std::endl;
   }
 

@@ -213,7 +213,7 @@ namespace
     for (const double time : {1.5, 1.5005, 1.4995, 1.5031, 1.5033, 1.55})
       {
         deallog << "compliant" << std::endl;
-        EventLocator locator(*compliant, true, ContactNodes::with_mass, 1e-3);
+        EventLocator locator(*compliant, true, NodeOrder::inertial, 1e-3);
         std::vector<ContactEvent> events;
         locator.start(values(1., {0.}, 0.2, {0.}), events);
         take(locator, values(2., {0.2}, 0.2, {0.}), false, events);
@@ -236,7 +236,7 @@ namespace
 
   /** A step that ends @p miss beyond the obstacle. */
   void
-  test_miss(const double miss, const ContactNodes nodes, const double energy)
+  test_miss(const double miss, const NodeOrder nodes, const double energy)
   {
     EventLocator              locator(*compliant, true, nodes, 1e-3);
     std::vector<ContactEvent> events;
@@ -254,16 +254,15 @@ namespace
   test_misses()
   {
     deallog << "misses of 1e-8, 1e-9, 1e-6" << std::endl;
-    EventLocator locator(
-      *compliant, true, ContactNodes::with_mass, 1e-3, false);
+    EventLocator locator(*compliant, true, NodeOrder::inertial, 1e-3, false);
     std::vector<ContactEvent> events;
     locator.start(values(1., {0.}, 0.2, {0.}), events);
     take(locator, values(1.5005, {0.1001}, 0.2, {0.}), true, events);
     for (const double factor : {0.9, 1.1})
       {
-        test_miss(factor * 1e-8, ContactNodes::with_mass, 5e-5);
-        test_miss(factor * 1e-9, ContactNodes::massless, 5e-5);
-        test_miss(factor * 1e-6, ContactNodes::with_mass, 1e9);
+        test_miss(factor * 1e-8, NodeOrder::inertial, 5e-5);
+        test_miss(factor * 1e-9, NodeOrder::viscous, 5e-5);
+        test_miss(factor * 1e-6, NodeOrder::inertial, 1e9);
       }
   }
 
@@ -273,7 +272,7 @@ namespace
   test_starts()
   {
     std::vector<ContactEvent> events;
-    EventLocator locator(*compliant, true, ContactNodes::with_mass, 1e-3);
+    EventLocator locator(*compliant, true, NodeOrder::inertial, 1e-3);
     deallog << "closed at the start" << std::endl;
     locator.start(values(0., {0.15}, -0.3, {5.}), events);
     deallog << "  " << name_of(locator.mode());
@@ -296,7 +295,7 @@ namespace
   test_rigid()
   {
     std::vector<ContactEvent> events;
-    EventLocator locator(*rigid, true, ContactNodes::with_mass, 1e-3);
+    EventLocator              locator(*rigid, true, NodeOrder::inertial, 1e-3);
     deallog << "rigid" << std::endl;
     locator.start(values(0., {0.1}, 0., {1.}), events);
     take(locator, values(1., {0.1}, 0., {1.}), false, events);
@@ -306,7 +305,7 @@ namespace
     deallog << "rigid, let go at once" << std::endl;
     locator.start(values(0., {0.1}, 0.2, {0.}), events);
     take(locator, values(1., {0.3}, 0.2, {0.}), false, events);
-    locator.let_go(values(0., {0.1}, 0., {0.}));
+    locator.release(values(0., {0.1}, 0., {0.}));
     take(locator, values(1., {0.05}, -0.1, {0.}), false, events);
   }
 
@@ -316,7 +315,7 @@ namespace
   test_without_location()
   {
     std::vector<ContactEvent> events;
-    EventLocator locator(*compliant, false, ContactNodes::with_mass, 1e-3);
+    EventLocator locator(*compliant, false, NodeOrder::inertial, 1e-3);
     deallog << "without location" << std::endl;
     locator.start(values(1., {-0.2}, 0.5, {0.}), events);
     locator.accept(values(2., {0.2}, 0.7, {10.}), {}, events);
@@ -331,8 +330,8 @@ namespace
   test_closed_nodes()
   {
     std::vector<ContactEvent> events;
-    EventLocator locator(*rigid, true, ContactNodes::massless, 1e-3);
-    const auto   nodes =
+    EventLocator              locator(*rigid, true, NodeOrder::viscous, 1e-3);
+    const auto                nodes =
       values(1.,
              {0.1 - 1e-3, 0.1, 0.1 - 1e-17, 0.1 - 0.9e-6, 0.1 - 1.1e-6, 0.05},
              0.,
@@ -350,7 +349,7 @@ namespace
   test_two_nodes()
   {
     std::vector<ContactEvent> events;
-    EventLocator locator(*compliant, true, ContactNodes::with_mass, 1e-3);
+    EventLocator locator(*compliant, true, NodeOrder::inertial, 1e-3);
     deallog << "two nodes together" << std::endl;
     locator.start(values(1., {0., 0.}, 0.2, {0., 0.}), events);
     take(locator, values(1.5, {0.1, 0.1}, 0.2, {0., 0.}), true, events);

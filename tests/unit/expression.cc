@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Expressions are accepted if and only if FunctionParser, which evaluates them,
-// understands them: every function that deal.II names, with none to three
-// arguments, with and without blanks behind its name, and its operators. rand()
-// alone is refused for another reason. deal.II 9.4 names 38 functions: 38 * 4
-// numbers of arguments * 2, and 12 more texts.
-// The column of a fault, from 0, by hand; a tab is shown as <U+0009>, seven
-// letters more.
+// 1. Expressions are accepted if and only if deal.II's FunctionParser
+//    understands them: every function that it names, with none to three
+//    arguments, with and without blanks behind its name, and its operators.
+//    rand() and rand_seed(), which have another value each time, are refused;
+//    erf, which deal.II 9.4 names and does not know, is known. deal.II 9.4
+//    names 38 functions: 38 * 4 numbers of arguments * 2, and 12 more texts.
+// 2. Where both understand it they have the same value, to 4 units in the last
+//    place, at 1000 points of 40 expressions (muParser's inverse hyperbolic
+//    functions lose digits near 0 and 1 and are compared elsewhere).
+// 3. The column of a fault, from 0, by hand; a tab is shown as <U+0009>, seven
+//    letters more. Names that are nearly right are answered with the right one.
+// 4. Derivatives, by hand: t^3 at 2: 8, 12, 12; if(t<1,sin(2*t),5) at 0.5:
+//    sin 1, 2 cos 1, -4 sin 1, at 3: 5, 0, 0; a^t with a = 3 at 0: 1, log 3,
+//    (log 3)^2.
+// 5. Units: 3 x + t with x in units of 2, t of 0.5, its value less 1 in units
+// of
+//    4, at x = 1, t = 3: (6 + 1.5 - 1)/4 = 1.625.
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/input/expression.h>
 
+#include <deal.II/base/function_parser.h>
 #include <deal.II/base/mu_parser_internal.h>
 
 #include <iostream>
@@ -21,7 +32,21 @@ using namespace ThermoContact;
 
 namespace
 {
-  const ExpressionNames names = {{{"pi", 3.14}}, true};
+  const ExpressionNames names = {{"x", "t"}, {{"omega", 2.}}, "x"};
+
+
+
+  double
+  value_by_deal(const std::string &text, const double x, const double t)
+  {
+    FunctionParser<1> function;
+    function.initialize("x,t",
+                        text,
+                        {{"pi", numbers::PI}, {"omega", 2.}},
+                        true);
+    function.set_time(t);
+    return function.value(Point<1>(x));
+  }
 
 
 
@@ -34,7 +59,7 @@ namespace
     bool                  result = true;
     try
       {
-        make_function<1>(text, names)->value(Point<1>(0.5));
+        value_by_deal(text, 0.5, 0.);
       }
     catch (const dealii::ExceptionBase &)
       {
@@ -52,7 +77,7 @@ namespace
   {
     try
       {
-        check_expression<1>({"Sources/Heat source", text}, 1, names);
+        const Expression expression("Sources/Heat source", text, names);
         return "";
       }
     catch (const InputError &error)
@@ -91,11 +116,13 @@ namespace
         const bool        is_understood = is_understood_by_deal(text);
         const std::string fault         = fault_of(text);
         n_understood += is_understood;
-        if (text.rfind("rand", 0) == 0 && text.rfind("rand_", 0) != 0)
+        if (text.rfind("rand", 0) == 0)
           {
-            if (fault.find("differs from run to run") == std::string::npos)
+            if (fault.find("another value each time") == std::string::npos)
               deallog << text << ": " << fault << std::endl;
           }
+        else if (text.rfind("erf(", 0) == 0 || text.rfind("erf ", 0) == 0)
+          continue;
         else if (is_understood ==
                  (fault.find("cannot be read") != std::string::npos))
           deallog << text << ": understood by FunctionParser " << is_understood
@@ -103,6 +130,73 @@ namespace
       }
     deallog << texts.size() << " texts, some understood " << (n_understood > 38)
             << ", some not " << (n_understood < texts.size()) << std::endl;
+  }
+
+
+
+  void
+  test_values()
+  {
+    double       worst    = 0.;
+    unsigned int n_values = 0;
+    for (const std::string text : {"20*x*(x-1)^2",
+                                   "omega*(cos(2*pi*x)-sin(pi*x/2))",
+                                   "sin(3*t)-0.2",
+                                   "x^3-x^4/(1+t)",
+                                   "2^-x^t",
+                                   "-x^2",
+                                   "x-t-1",
+                                   "x/(t+1)/3",
+                                   "x-2^2^x",
+                                   "x<t ? t : x>0.7 ? 2 : 3",
+                                   "if(x<=t,x,t)",
+                                   "(x>=0.5)+(t==x)+(t!=x)",
+                                   "x<0.5 && t<0.3 || x>0.9",
+                                   "(x<0.5)|(t>1)&(x>0.2)",
+                                   "0.4 ? x : t",
+                                   "if(0.4,x,t)",
+                                   "1.6 && x>0.3",
+                                   "tan(x)+asin(x)*acos(x)-atan(t)",
+                                   "atan2(x-0.5,t-0.5)",
+                                   "sinh(x)*cosh(t)-tanh(x*t)",
+                                   "asinh(x+1)+acosh(2+t)+atanh(x/2+0.2)",
+                                   "sec(x)+csc(t+1)-cot(x+1)",
+                                   "exp(-x/0.1)",
+                                   "log(x+1)+ln(t+2)",
+                                   "log2(x+1)*log10(t+2)",
+                                   "sqrt(x*t)",
+                                   "pow(x,2.5)-pow(t,3)",
+                                   "erfc(4*x)",
+                                   "abs(x-t)*sign(x-0.5)",
+                                   "rint(3*x)+int(3*t-1)",
+                                   "floor(5*x)-ceil(5*t)",
+                                   "min(x,t,0.3)+max(x,t)",
+                                   "sum(x,t,1)*avg(x,2,t)",
+                                   "pi*x+omega",
+                                   "1e-3*x+.5*t+2.",
+                                   "+x*-t",
+                                   "exp(-((t-0.4)/0.01)^2)",
+                                   "0.1*cos(3*t)*if(t<0.5,1,exp(-t))",
+                                   "x*(1-x)*sin(omega*t)^2",
+                                   "(((x)))*((t+(1)))"})
+      {
+        const Expression expression("Sources/Heat source", text, names);
+        for (unsigned int i = 1; i <= 1000; ++i)
+          {
+            const double x[]    = {std::fmod(0.618033988749895 * i, 1.),
+                                   std::fmod(0.754877666246693 * i, 1.)};
+            const double ours   = expression.evaluate(x);
+            const double theirs = value_by_deal(text, x[0], x[1]);
+            const double size   = std::max(std::abs(ours), std::abs(theirs));
+            ++n_values;
+            if (size > 0. && !(ours == theirs))
+              raise(worst,
+                    std::abs(ours - theirs) /
+                      (std::nextafter(size, 2. * size) - size));
+          }
+      }
+    deallog << n_values << " values, to 4 units in the last place "
+            << (worst <= 4.) << std::endl;
   }
 
 
@@ -120,7 +214,40 @@ namespace
     else
       deallog << " column "
               << caret - line - 1 - std::string("  here:    ").size()
+              << (message.find("did you mean") == std::string::npos ?
+                    "" :
+                    ", " + message.substr(message.find("did you mean"),
+                                   message.find('?') -
+                                     message.find("did you mean")))
               << std::endl;
+  }
+
+
+
+  void
+  test_derivatives(const std::string &text, const double time)
+  {
+    const Expression expression("Sources/Heat source", text, names);
+    const NumberJet  variables[] = {NumberJet(3.), NumberJet(time, 1., 0.)};
+    const NumberJet  jet         = expression.evaluate(variables);
+    deallog << text << ": " << jet.value << ' ' << jet.first << ' '
+            << jet.second << std::endl;
+  }
+
+
+
+  void
+  test_units()
+  {
+    ExpressionNames of_scene = names;
+    of_scene.variable_units  = {2., 0.5};
+    of_scene.unit            = 4.;
+    of_scene.origin          = 1.;
+    const double variables[] = {1., 3.};
+    deallog << "in units: "
+            << Expression("Sources/Heat source", "3*x + t", of_scene)
+                 .evaluate(variables)
+            << std::endl;
   }
 } // namespace
 
@@ -131,10 +258,18 @@ main()
 {
   initlog();
   test_names();
+  test_values();
   test_place("x + y");
   test_place("sin   (x) + foo*2");
   test_place("exp \t(sin  (x)) + 2*exp (y)");
   test_place("x +");
   test_place("(x + 1");
   test_place("pow(x)");
+  test_place("2*sin(omga*t)");
+  test_place("x + sn(t)");
+  test_derivatives("t^3", 2.);
+  test_derivatives("if(t<1,sin(2*t),5)", 0.5);
+  test_derivatives("if(t<1,sin(2*t),5)", 3.);
+  test_derivatives("x^t", 0.);
+  test_units();
 }

@@ -140,7 +140,7 @@ namespace
             << ", errors below 1e-13";
     for (const Discretization<dim> *space : {&alone, &together})
       for (const auto *parts : {&by_one, &by_both})
-        deallog << ' ' << (error_of_restored(*space, *parts) < 1e-13);
+        deallog << ' ' << within(error_of_restored(*space, *parts), 1e-13);
     deallog << std::endl;
   }
 

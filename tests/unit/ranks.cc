@@ -74,7 +74,7 @@ namespace
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       deallog << dim << "-D, " << name << ": contact occurs " << (n_contact > 0)
               << ", one rank equals two to " << bound << ' '
-              << (difference <= bound) << std::endl;
+              << within(difference, bound) << std::endl;
   }
 } // namespace
 

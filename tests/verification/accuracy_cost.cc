@@ -129,12 +129,13 @@ main(int argc, char **argv)
   const Rows table = read_table();
 
   const Measured fine = run(table, 4e-6);
-  deallog << "tolerance 4e-6: u(1) to 1e-6 " << (fine.displacement <= 1e-6)
-          << ", times of contact to 1e-6 " << (fine.event_time <= 1e-6)
-          << ", at most 1800 solves " << (fine.n_solves <= 1800) << std::endl;
+  deallog << "tolerance 4e-6: u(1) " << within(fine.displacement, 1e-6)
+          << ", times of contact " << within(fine.event_time, 1e-6)
+          << ", at most 1800 solves " << within(fine.n_solves, 1800)
+          << std::endl;
 
   const Measured coarse = run(table, 1.5e-2);
-  deallog << "tolerance 1.5e-2: u(1) to 2e-3 " << (coarse.displacement <= 2e-3)
-          << ", force to 6e-2 " << (coarse.force <= 6e-2)
-          << ", at most 400 solves " << (coarse.n_solves <= 400) << std::endl;
+  deallog << "tolerance 1.5e-2: u(1) " << within(coarse.displacement, 2e-3)
+          << ", force " << within(coarse.force, 6e-2) << ", at most 400 solves "
+          << within(coarse.n_solves, 400) << std::endl;
 }

@@ -141,8 +141,8 @@ namespace
     deallog << title << ": " << name << " (warnings " << n_warnings << "), "
             << direct_name << " (" << n_of_direct << "), steps "
             << (rows.size() == direct.size())
-            << (bound == 1e-11 ? ", 1e-11 " : ", 1e-10 ") << (error <= bound)
-            << std::endl;
+            << (bound == 1e-11 ? ", 1e-11 " : ", 1e-10 ")
+            << within(error, bound) << std::endl;
   }
 } // namespace
 

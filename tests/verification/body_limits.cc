@@ -98,7 +98,7 @@ namespace
         if (difference > 0.)
           raise(error, difference / largest);
       }
-    deallog << "  " << name << ": within 1e-8 " << (error <= 1e-8);
+    deallog << "  " << name << ": " << within(error, 1e-8);
     if (!(error <= 1e-8))
       deallog << " (" << error << ')';
     deallog << std::endl;
@@ -201,7 +201,7 @@ namespace
     deallog << (scene.is_round ? "round rod" : "strip")
             << (scene.is_pulse ? ", pulse" : ", impact")
             << ", nu = " << scene.poisson_ratio << ": within 2 % "
-            << (error <= 0.02) << ", waves arrive " << (late > 0.02)
+            << within(error, 0.02) << ", waves arrive " << (late > 0.02)
             << std::endl;
   }
 
@@ -260,9 +260,8 @@ namespace
              is_partial |= n_active > 0 && n_active < nodes.size();
            });
     deallog << "symmetric block, " << solver << ": partial contact "
-            << is_partial << ", symmetric to 1e-10 "
-            << (error <= 1e-10 * largest) << ' ' << (warm_error <= 1e-10 * warm)
-            << std::endl;
+            << is_partial << ", symmetric " << within(error / largest, 1e-10)
+            << ' ' << within(warm_error / warm, 1e-10) << std::endl;
   }
 } // namespace
 

@@ -95,11 +95,12 @@ namespace
     const double  q           = (s11 * r2 - s12 * r1) / determinant;
     const Complex found =
       std::log(0.5 * (s + std::sqrt(Complex(s * s - 4. * q)))) / step;
-    deallog << name << ", " << series.size() << " values within 1e-6 "
-            << (error <= 1e-6 * std::abs(amplitude)) << ", decay "
-            << (std::abs(found.real() / rate.real() - 1.) <= 1e-6)
+    deallog << name << ", " << series.size() << " values "
+            << within(error / std::abs(amplitude), 1e-6) << ", decay "
+            << within(std::abs(found.real() / rate.real() - 1.), 1e-6)
             << ", frequency "
-            << (std::abs(found.imag() / rate.imag() - 1.) <= 1e-6) << std::endl;
+            << within(std::abs(found.imag() / rate.imag() - 1.), 1e-6)
+            << std::endl;
   }
 
 

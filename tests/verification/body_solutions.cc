@@ -177,8 +177,8 @@ namespace
                 << rounded(std::log2(coarse[1] / fine[1])) << std::endl;
       }
     const auto errors = errors_of_full_contact(8, 2);
-    deallog << "full contact, degree 8: within 1e-6 " << (errors[0] <= 1e-6)
-            << ' ' << (errors[1] <= 1e-6) << std::endl;
+    deallog << "full contact, degree 8: " << within(errors[0], 1e-6) << ' '
+            << within(errors[1], 1e-6) << std::endl;
   }
 
 
@@ -228,8 +228,8 @@ namespace
             raise(stress,
                   std::abs(v[PointValues<2>::stress * places.size() + i]) / a);
         });
-    deallog << "Dundurs: displacement within 1e-6 " << (error <= 1e-6)
-            << ", no stress within 1e-6 " << (stress <= 1e-6) << std::endl;
+    deallog << "Dundurs: displacement " << within(error, 1e-6) << ", no stress "
+            << within(stress, 1e-6) << std::endl;
   }
 } // namespace
 

@@ -232,7 +232,7 @@ namespace
             const double expected =
               2. * std::sqrt(2. * top.displacement * 1e-5 / -top.curvature);
             deallog << ", duration "
-                    << (std::abs(duration / expected - 1.) < 0.05);
+                    << within(std::abs(duration / expected - 1.), 0.05);
           }
         deallog << std::endl;
       }
@@ -254,7 +254,7 @@ main(int argc, char **argv)
   test_start("closed at the start", closed);
   const ContactEvent first = run(closed, 1e-6).events.at(0);
   deallog << "  begins at t = 0 " << (first.time == 0.) << ", with velocity 0 "
-          << (std::abs(first.velocity) < 1e-12) << std::endl;
+          << within(std::abs(first.velocity), 1e-12) << std::endl;
   for (const double gap : {0.05, 0.})
     {
       Parameters parameters              = scene(1, gap);

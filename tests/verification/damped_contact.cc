@@ -201,7 +201,7 @@ namespace
                              name == "creep" || name == "static" ? 1e-9 :
                                                                    1e-6;
         deallog << name << ": " << counts[name] << " values to " << bound << ' '
-                << (error < bound) << std::endl;
+                << within(error, bound) << std::endl;
         if (!(error < bound))
           deallog << error << std::endl;
       }

@@ -112,7 +112,7 @@ namespace
           ++n;
         }
     deallog << "periodic heat: many rows " << (n > 20)
-            << ", temperature and flux to 1e-7 " << (error < 1e-7) << std::endl;
+            << ", temperature and flux " << within(error, 1e-7) << std::endl;
   }
 
 
@@ -168,7 +168,7 @@ namespace
                   std::abs(r.velocity_end - w * u.real()) / (w * largest));
           }
       }
-    deallog << "shaken base: two resonances to 1e-7 " << (error < 1e-7)
+    deallog << "shaken base: two resonances " << within(error, 1e-7)
             << std::endl;
   }
 
@@ -302,7 +302,7 @@ namespace
         .displacement_end -
       end_of_pushed_rod(0.5);
     deallog << "jump, pulse and kink to 30 tolerances "
-            << (std::abs(jump) < 3e-5) << (std::abs(pulse) < 3e-5 * 20.)
+            << within(std::abs(jump), 3e-5) << (std::abs(pulse) < 3e-5 * 20.)
             << (std::abs(kink) < 3e-5 * 0.5) << std::endl;
   }
 
@@ -347,7 +347,7 @@ namespace
       for (const double velocity : state.velocity)
         raise(error, std::abs(velocity - 2. * state.time - 3.));
     }});
-    deallog << "no inertia: moves with its end to 1e-9 " << (error < 1e-9)
+    deallog << "no inertia: moves with its end " << within(error, 1e-9)
             << std::endl;
   }
 } // namespace

@@ -134,14 +134,12 @@ namespace
       {
         const Result result = run("elastic-impact-rigid", mesh(cells));
         deallog << "rigid, " << cells << " cells: energy "
-                << 2. * result.energy / (d * d)
-                << " d^2/2, drift at most 1e-11 " << (result.drift <= 1e-11)
-                << ", error of u(1) falls "
+                << 2. * result.energy / (d * d) << " d^2/2, drift "
+                << within(result.drift, 1e-11) << ", error of u(1) falls "
                 << (result.displacement_error < last_error);
         if (cells == 200)
-          deallog << ", at most 0.035 " << (result.displacement_error <= 0.035)
-                  << ", of the force at most 3e-4 "
-                  << (result.force_error <= 3e-4);
+          deallog << " " << within(result.displacement_error, 0.035)
+                  << ", of the force " << within(result.force_error, 3e-4);
         deallog << std::endl;
         last_error = result.displacement_error;
       }
@@ -158,11 +156,10 @@ namespace
                                   {entry("Contact/Compliance", compliance)});
         const double end =
           2. + compliance * std::log(2. - std::exp(-1. / compliance));
-        deallog << "compliance " << compliance << ": drift at most 1e-11 "
-                << (result.drift <= 1e-11)
-                << ", error of the force at most 3e-4 "
-                << (result.force_error <= 3e-4) << ", contact ends in time "
-                << (std::abs(result.end_of_contact - end) <= 0.015);
+        deallog << "compliance " << compliance << ": drift "
+                << within(result.drift, 1e-11) << ", error of the force "
+                << within(result.force_error, 3e-4) << ", contact ends in time "
+                << within(std::abs(result.end_of_contact - end), 0.015);
         deallog << std::endl;
       }
   }
@@ -211,7 +208,7 @@ namespace
               }
           deallog << scheme << ", degree " << degree
                   << ", massless: energy at most 1.001 of the initial one "
-                  << (largest <= 1.001) << std::endl;
+                  << within(largest, 1.001) << std::endl;
         }
   }
 
@@ -244,7 +241,7 @@ namespace
             }
         deallog << "sdirk4, error control, degree " << degree
                 << ": energy at most 1.001 of the initial one "
-                << (largest <= 1.001) << ", 4 events " << (n_events == 4)
+                << within(largest, 1.001) << ", 4 events " << (n_events == 4)
                 << std::endl;
       }
   }

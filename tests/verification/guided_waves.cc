@@ -184,7 +184,7 @@ namespace
             double       error = 1.;
             for (const double omega : found)
               error = std::min(error, std::abs(omega / exact - 1.));
-            deallog << ' ' << (error <= 1e-5);
+            deallog << ' ' << within(error, 1e-5);
             if (!(error <= 1e-5))
               deallog << " (" << error << ')';
           }

@@ -117,7 +117,7 @@ namespace
         deallog << ' ' << states[i].is_stable;
         raise(error, std::abs(states[i].temperature_end - 10. * drops[i]));
       }
-    deallog << ", theta(1) to 1e-12 " << (error < 1e-12) << std::endl;
+    deallog << ", theta(1) " << within(error, 1e-12) << std::endl;
 
     for (const auto &[start, drop] :
          {std::pair("0.35", drops[0]), std::pair("0.36", drops[2])})
@@ -131,10 +131,12 @@ namespace
         const double expansion = 0.085 * drop;
         const double force     = std::max(0., (expansion - 0.03) / 1.01);
         deallog << "switch from c = " << start << ": in contact "
-                << end.in_contact << ", theta(1), force, u(1) to 1e-6 "
-                << (std::abs(end.temperature_end - 10. * drop) < 1e-6) << ' '
-                << (std::abs(end.contact_force - force) < 1e-6) << ' '
-                << (std::abs(end.displacement_end - expansion + force) < 1e-6)
+                << end.in_contact << ", theta(1), force, u(1) "
+                << within(std::abs(end.temperature_end - 10. * drop), 1e-6)
+                << ' ' << within(std::abs(end.contact_force - force), 1e-6)
+                << ' '
+                << within(std::abs(end.displacement_end - expansion + force),
+                          1e-6)
                 << std::endl;
       }
   }
@@ -156,11 +158,11 @@ namespace
         const auto       states     = steady_state(Scene(parameters)).states;
         const StepRecord end        = run<1>(parameters).back();
         deallog << "imperfect contact: states " << states.size()
-                << ", theta(1) forecast to 1e-12 "
-                << (std::abs(states[0].temperature_end - theta) < 1e-12)
-                << ", reached to 1e-6 "
-                << (std::abs(end.temperature_end - theta) < 1e-6) << ", flux "
-                << end.heat_flux_end / (10. - theta) << std::endl;
+                << ", theta(1) forecast "
+                << within(std::abs(states[0].temperature_end - theta), 1e-12)
+                << ", reached "
+                << within(std::abs(end.temperature_end - theta), 1e-6)
+                << ", flux " << end.heat_flux_end / (10. - theta) << std::endl;
       }
   }
 
@@ -195,15 +197,15 @@ namespace
     const auto      in_plane =
       difference(run<2>(read_parameters("", scene + strip)),
                  run<2>(read_parameters("", scene + strip + expression)));
-    deallog << "constant expression equals number: rod to 1e-13 "
-            << (rod.first < 1e-13) << ", its energies to 1e-12 "
-            << (rod.second < 1e-12) << ", strip to 1e-12 "
-            << (std::max(in_plane.first, in_plane.second) < 1e-12);
+    deallog << "constant expression equals number: rod "
+            << within(rod.first, 1e-13) << ", its energies "
+            << within(rod.second, 1e-12) << ", strip "
+            << within(std::max(in_plane.first, in_plane.second), 1e-12);
     const auto one_by_one =
       difference(run<2>(read_parameters("", closing)),
                  run<2>(read_parameters("", closing + expression)));
-    deallog << ", closing nodes to 1e-9 "
-            << (std::max(one_by_one.first, one_by_one.second) < 1e-9)
+    deallog << ", closing nodes "
+            << within(std::max(one_by_one.first, one_by_one.second), 1e-9)
             << std::endl;
   }
 
@@ -238,8 +240,8 @@ namespace
         ++(r.in_contact ? n_closed : n_open);
       }
     deallog << "law, " << scheme << ": rows in contact and not "
-            << (n_closed > 0) << (n_open > 0) << ", flux to 1e-12 "
-            << (error < 1e-12 * scale) << std::endl;
+            << (n_closed > 0) << (n_open > 0) << ", flux "
+            << within(error / scale, 1e-12) << std::endl;
   }
 
 
@@ -271,7 +273,7 @@ namespace
               raise(increase, r.energy - rows[i - 1].energy);
           }
         deallog << "audit, " << dim << "-D, theta_obs = " << theta_obs
-                << ": closes to 1e-11 " << (defect < 1e-11 * scale)
+                << ": closes " << within(defect / scale, 1e-11)
                 << (theta_obs == "1" ? ", no work, never increases " :
                                        ", work ")
                 << (theta_obs == "1" ? work == 0. && increase <= 1e-14 * scale :
@@ -300,9 +302,10 @@ namespace
     const auto in_space =
       difference(run<1>(read_parameters("", thrown + mesh + short_rod)),
                  run<3>(read_parameters("", thrown + mesh + block)));
-    deallog << "strip and block equal the rod to 1e-9: "
-            << (std::max(in_plane.first, in_plane.second) < 1e-9) << ' '
-            << (std::max(in_space.first, in_space.second) < 1e-9) << std::endl;
+    deallog << "strip and block equal the rod: "
+            << within(std::max(in_plane.first, in_plane.second), 1e-9) << ' '
+            << within(std::max(in_space.first, in_space.second), 1e-9)
+            << std::endl;
   }
 
 
@@ -343,7 +346,7 @@ namespace
       }
     const double ratio = miss / (0.01 * tolerance * largest);
     deallog << "misses of events, several " << (n_events >= 4)
-            << ", within their bound " << (ratio <= 1.) << std::endl;
+            << ", within their bound " << within(ratio, 1.) << std::endl;
     if (!(ratio <= 1.))
       deallog << ratio << std::endl;
   }
@@ -385,8 +388,8 @@ namespace
         const double coarse = temperature_end(scheme, 40) - reference;
         const double fine   = temperature_end(scheme, 80) - reference;
         const double rate   = std::log2(std::abs(coarse / fine));
-        deallog << "order of " << scheme << " within 0.15 "
-                << (std::abs(rate - order) < 0.15) << std::endl;
+        deallog << "order of " << scheme << " "
+                << within(std::abs(rate - order), 0.15) << std::endl;
       }
   }
 } // namespace

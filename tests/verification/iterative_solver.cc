@@ -206,8 +206,9 @@ namespace
       raise(largest, value);
     const double states = difference_of_states(a.simulation, b.simulation);
     deallog << dim << "-D, " << name << ": in contact "
-            << (n_in_contact(a.records) > 0) << ", columns " << (largest < 1e-8)
-            << ", states " << (states < 1e-8) << std::endl;
+            << (n_in_contact(a.records) > 0) << ", columns "
+            << within(largest, 1e-8) << ", states " << within(states, 1e-8)
+            << std::endl;
   }
 
 

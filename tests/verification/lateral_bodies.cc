@@ -59,8 +59,8 @@ namespace
     const double before = rows[rows.size() - 2].temperature_mean;
     const double rate   = before / rows.back().temperature_mean - 1.;
     const double lambda = 0.25 * numbers::PI * numbers::PI + shift;
-    deallog << "decay, " << name << ": rate to 1e-10 "
-            << (std::abs(rate - lambda) < 1e-10 * lambda);
+    deallog << "decay, " << name << ": rate "
+            << within(std::abs(rate - lambda) / lambda, 1e-10);
     if (dim == 1)
       deallog << ", lateral part of the dissipation "
               << rows.back().lateral_dissipation / rows.back().dissipation *
@@ -141,10 +141,11 @@ namespace
     const auto in_contact = [](const StepRecord &r) { return r.in_contact; };
     deallog << "thin: contact "
             << std::any_of(rows.begin(), rows.end(), in_contact)
-            << ", strip, round rod, block equal the rod to 1e-9: "
-            << (difference(rod, thin<2>({})) < 1e-9)
-            << (difference(rod, thin<2>({"Mesh/Geometry=axisymmetric"})) < 1e-9)
-            << (difference(rod, thin<3>({})) < 1e-9) << std::endl;
+            << ", strip, round rod, block equal the rod: "
+            << within(difference(rod, thin<2>({})), 1e-9)
+            << within(difference(rod, thin<2>({"Mesh/Geometry=axisymmetric"})),
+                      1e-9)
+            << within(difference(rod, thin<3>({})), 1e-9) << std::endl;
   }
 
 
@@ -171,13 +172,13 @@ namespace
       }
     const double part =
       rows.back().lateral_dissipation / rows.back().dissipation;
-    deallog << "audit, " << name << ": closes to 1e-11 "
-            << (defect < 1e-11 * scale) << ", work " << (work > 1e-3 * scale)
+    deallog << "audit, " << name << ": closes " << within(defect / scale, 1e-11)
+            << ", work " << (work > 1e-3 * scale)
             << ", lateral part of the dissipation is one " << (part > 0.01)
-            << (part < 0.99)
+            << within(part, 0.99)
             << ", energy less work never "
                "increases "
-            << (increase <= 1e-13 * scale) << ", scheme takes "
+            << within(increase / scale, 1e-13) << ", scheme takes "
             << (lost > 1e-11 * scale) << std::endl;
   }
 

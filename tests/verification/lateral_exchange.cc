@@ -93,14 +93,16 @@ namespace
     raise(others, std::abs(end.temperature_mean - fin.integral()));
     raise(others,
           std::abs(end.heat_flux_end - k * (fin.value(1.) - theta_obs)));
-    deallog << "rest: " << points.size() << " nodes to 1e-10 "
-            << (nodes < 1e-10) << ", forecast, mean and flux to 1e-10 "
-            << (others < 1e-10) << ", lateral flux is m (mean - theta_inf) "
-            << (std::abs(end.lateral_heat_flux -
-                         m * (end.temperature_mean - theta_inf)) < 1e-11)
-            << ", what enters leaves to 1e-9 "
-            << (std::abs(fin.mu * fin.B - end.heat_flux_end -
-                         end.lateral_heat_flux) < 1e-9)
+    deallog << "rest: " << points.size() << " nodes " << within(nodes, 1e-10)
+            << ", forecast, mean and flux " << within(others, 1e-10)
+            << ", lateral flux is m (mean - theta_inf) "
+            << within(std::abs(end.lateral_heat_flux -
+                               m * (end.temperature_mean - theta_inf)),
+                      1e-11)
+            << ", what enters leaves "
+            << within(std::abs(fin.mu * fin.B - end.heat_flux_end -
+                               end.lateral_heat_flux),
+                      1e-9)
             << std::endl;
   }
 
@@ -124,11 +126,11 @@ namespace
                std::abs(none.displacement_end - little.displacement_end));
     // k = 1, theta_obs = 1/2
     const double mu = 1e6, far = -2. + 2.5 / (mu + 1.);
-    deallog << "limits: little loss is none to 1e-9 "
-            << (difference(run<1>(with("0")), run<1>(with("1e-12"))) < 1e-9)
-            << ", forecast to 1e-11 " << (near < 1e-11)
-            << ", of a large one to 1e-12 "
-            << (std::abs(rest("1e12").temperature_end - far) < 1e-12)
+    deallog << "limits: little loss is none "
+            << within(difference(run<1>(with("0")), run<1>(with("1e-12"))),
+                      1e-9)
+            << ", forecast " << within(near, 1e-11) << ", of a large one "
+            << within(std::abs(rest("1e12").temperature_end - far), 1e-12)
             << std::endl;
   }
 
@@ -168,7 +170,7 @@ namespace
         raise(error,
               std::abs(states[i].temperature_end - fin(drops[i]).value(1.)));
       }
-    deallog << ", theta(1) to 1e-10 " << (error < 1e-10);
+    deallog << ", theta(1) " << within(error, 1e-10);
     for (const int side : {-1, 1})
       {
         const Fin   start   = fin(drops[1] + 0.02 * side);
@@ -200,8 +202,8 @@ namespace
       return run<1>(read_parameters(
         "", thrown + steps + Overrides{"Solver/Step solver=" + solver}));
     };
-    deallog << "iteration of the paper to 1e-8 "
-            << (difference(with("monolithic"), with("fixed point")) < 1e-8)
+    deallog << "iteration of the paper "
+            << within(difference(with("monolithic"), with("fixed point")), 1e-8)
             << std::endl;
   }
 } // namespace

@@ -119,10 +119,11 @@ namespace
             raise(error, std::abs(r.velocity_end));
             raise(error, std::abs(r.gap));
           });
-        deallog << "rigid, " << solver << ": force and rest to 1e-7 "
-                << (error < 1e-7) << ", begins once " << (n_events == 1)
+        deallog << "rigid, " << solver << ": force and rest "
+                << within(error, 1e-7) << ", begins once " << (n_events == 1)
                 << ", in time "
-                << (std::abs(begin + std::log(1. - 0.013 / 0.8)) < 1e-4 * begin)
+                << within(std::abs(begin + std::log(1. - 0.013 / 0.8)) / begin,
+                          1e-4)
                 << std::endl;
       }
   }
@@ -155,9 +156,9 @@ namespace
              has_jumped = s.loads().break_at(r.time) != nullptr;
              force      = r.contact_force;
            });
-    deallog << "heat: begins once " << (n_events == 1)
-            << ", force goes on to 1e-3 " << (change < 1e-3) << ", jumps seen "
-            << (n_jumps > 0) << std::endl;
+    deallog << "heat: begins once " << (n_events == 1) << ", force goes on "
+            << within(change, 1e-3) << ", jumps seen " << (n_jumps > 0)
+            << std::endl;
   }
 
 
@@ -219,8 +220,8 @@ namespace
                   std::abs(a->record().*value - b->record().*value) /
                     std::max(std::abs(a->record().*value), 1e-9));
           deallog << "massless nodes" << (has_heat ? ", heated" : "")
-                  << ": contact " << (a->record().contact_force > 0.)
-                  << ", to 1e-6 " << (error < 1e-6) << std::endl;
+                  << ": contact " << (a->record().contact_force > 0.) << " "
+                  << within(error, 1e-6) << std::endl;
           if (error >= 1e-6)
             deallog << error << std::endl;
         }
@@ -281,7 +282,7 @@ namespace
              if (r.time > 0.3 - 1e-9)
                raise(error, std::abs(r.velocity_end - 1. / 22.));
            });
-    deallog << "listed time without a jump: u_t(1) to 1e-9 " << (error < 1e-9)
+    deallog << "listed time without a jump: u_t(1) " << within(error, 1e-9)
             << std::endl;
   }
 

@@ -167,8 +167,9 @@ namespace
           std::make_pair(Field::displacement, "strain")})
       if (simulation.discretization().has_field(field))
         deallog << file << ", " << name << ": to 3 % "
-                << (std::abs(sampled.error(field) / all.error(field) - 1.) <=
-                    0.03)
+                << within(std::abs(sampled.error(field) / all.error(field) -
+                                   1.),
+                          0.03)
                 << std::endl;
   }
 } // namespace
@@ -204,7 +205,7 @@ main(int argc, char **argv)
           << std::endl;
   Watched straight(mesh(4, 4), [](const double x) { return x; });
   deallog << "straight: error below rounding "
-          << (straight.watch.error(Field::displacement) < 1e-12)
+          << within(straight.watch.error(Field::displacement), 1e-12)
           << ", warned of " << !straight.watch.take_warning().empty()
           << std::endl;
   deallog << "degree 3: warned of " << !cubic.watch.take_warning().empty()

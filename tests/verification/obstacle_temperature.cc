@@ -80,8 +80,8 @@ namespace
                 std::abs(r.heat_flux_end - k * (theta - std::sin(w * r.time))));
           ++n;
         }
-    deallog << "periodic: many rows " << (n > 20)
-            << ", temperature and flux to 1e-7 " << (error < 1e-7) << std::endl;
+    deallog << "periodic: many rows " << (n > 20) << ", temperature and flux "
+            << within(error, 1e-7) << std::endl;
   }
 
 
@@ -108,7 +108,7 @@ namespace
     raise(error, std::abs(varying.energy / flux.energy - 1.));
     raise(error, std::abs(varying.work / flux.work - 1.));
     raise(error, std::abs(varying.heat_flux_end - flux.heat_flux_end + 4.));
-    deallog << "jump: that of a heat flux to 1e-12 " << (error < 1e-12)
+    deallog << "jump: that of a heat flux " << within(error, 1e-12)
             << std::endl;
   }
 
@@ -133,7 +133,7 @@ namespace
               std::abs(rows[0].energy + r.work - r.energy - r.dissipation -
                        r.numerical_dissipation));
       }
-    deallog << "audit to 1e-11 " << (defect < 1e-11 * largest) << ", work "
+    deallog << "audit " << within(defect / largest, 1e-11) << ", work "
             << (std::abs(rows.back().work) > 1e-3) << std::endl;
   }
 
@@ -153,10 +153,12 @@ namespace
                                "Mesh/Cells across=2",
                                "Boundary/Obstacle temperature=20*y*t"})
         .back();
-    deallog << "strip: means of the rod to 1e-10 "
-            << (std::abs(strip.temperature_end - rod.temperature_end) < 1e-10)
-            << (std::abs(strip.temperature_mean - rod.temperature_mean) < 1e-10)
-            << (std::abs(strip.heat_flux_end - rod.heat_flux_end) < 1e-10)
+    deallog << "strip: means of the rod "
+            << within(std::abs(strip.temperature_end - rod.temperature_end),
+                      1e-10)
+            << within(std::abs(strip.temperature_mean - rod.temperature_mean),
+                      1e-10)
+            << within(std::abs(strip.heat_flux_end - rod.heat_flux_end), 1e-10)
             << std::endl;
   }
 } // namespace

@@ -107,12 +107,12 @@ namespace
     simulation.run({observe});
 
     deallog << "experiment " << experiment << ": " << n_rows << " of "
-            << table.size() << " rows, all within 1e-9: " << (error < 1e-9)
-            << std::endl;
+            << table.size() << " rows: " << within(error, 1e-9) << std::endl;
     const double exact = experiment == 1 ? 0.1849692017564 : 0.1109600618893;
     const double late  = experiment == 1 ? 1.211e-4 : 8.928e-4;
-    deallog << "  first contact within 1e-7: "
-            << (std::abs(simulation.events().at(0).time - exact - late) < 1e-7)
+    deallog << "  first contact: "
+            << within(std::abs(simulation.events().at(0).time - exact - late),
+                      1e-7)
             << std::endl;
     const SolverCounters counters = simulation.counters();
     deallog << "  steps " << simulation.record().step << ", factorizations "
@@ -152,10 +152,11 @@ namespace
     const StepRecord &r = simulation.record();
     deallog << "  degree " << degree << ": u(1) = " << G - p
             << ", force = " << p << "; within 1e-9: u(1) "
-            << (std::abs(r.displacement_end - (G - p)) < 1e-9) << ", force "
-            << (std::abs(r.contact_force - p) < 1e-9) << ", theta(1) "
-            << (std::abs(r.temperature_end - theta_A * (1. - c)) < 1e-9)
-            << ", energy " << (std::abs(r.energy - E) < 1e-9) << std::endl;
+            << within(std::abs(r.displacement_end - (G - p)), 1e-9)
+            << ", force " << within(std::abs(r.contact_force - p), 1e-9)
+            << ", theta(1) "
+            << within(std::abs(r.temperature_end - theta_A * (1. - c)), 1e-9)
+            << ", energy " << within(std::abs(r.energy - E), 1e-9) << std::endl;
   }
 
 
@@ -185,7 +186,8 @@ namespace
     simulation.run({observe});
     deallog << name << ": contact occurs " << (n_contacts > 0)
             << ", work is done " << (simulation.record().work != 0.)
-            << ", audit closes within 1e-11 E(0) " << (defect < 1e-11 * initial)
+            << ", audit closes within 1e-11 E(0) "
+            << within(defect / initial, 1e-11)
             << ", numerical dissipation of every step >= 0 "
             << (smallest_dissipation > -1e-14 * initial) << std::endl;
   }

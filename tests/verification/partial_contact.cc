@@ -205,22 +205,23 @@ namespace
     const unsigned int n_steps   = coarse.rows.size() - 1;
     deallog << title << ": at most 20 rejections in 100 steps "
             << (5 * coarse.n_rejected <= n_steps)
-            << ", at most 60 factorisations " << (coarse.n_factorizations <= 60)
-            << std::endl;
+            << ", at most 60 factorisations "
+            << within(coarse.n_factorizations, 60) << std::endl;
 
     const Errors u       = compare(coarse, reference, &Row::displacement);
     const Errors impulse = compare(coarse, reference, &Row::impulse);
     const Errors force   = compare(coarse, reference, &Row::force);
     deallog << title << ": ten tolerances for u(1) "
-            << (u.largest <= 10. * tolerance) << ", impulse "
-            << (impulse.largest <= 10. * tolerance)
-            << ", integral of the force " << (force.integral <= 10. * tolerance)
+            << within(u.largest / tolerance, 10.) << ", impulse "
+            << within(impulse.largest / tolerance, 10.)
+            << ", integral of the force "
+            << within(force.integral / tolerance, 10.)
             << ", every row of the force within a tenth of its peak "
-            << (force.largest <= 0.1) << std::endl;
+            << within(force.largest, 0.1) << std::endl;
     if (!has_inertia)
       deallog << title << ": stays in contact "
-              << (std::abs(coarse.rows.back().displacement - gap) <=
-                  1e-12 * gap)
+              << within(std::abs(coarse.rows.back().displacement - gap) / gap,
+                        1e-12)
               << std::endl;
   }
 
@@ -242,11 +243,12 @@ namespace
     const Row         &x = a.rows.back(), &y = b.rows.back();
     deallog << title << ", iterative: at most 20 rejections in 100 steps "
             << (5 * b.n_rejected <= n_steps) << ", at most 60 preconditioners "
-            << (b.n_factorizations <= 60) << ", ten tolerances for u(1) "
-            << (std::abs(x.displacement - y.displacement) <=
-                1e-3 * x.displacement)
+            << within(b.n_factorizations, 60) << ", ten tolerances for u(1) "
+            << within(std::abs(x.displacement - y.displacement) /
+                        x.displacement,
+                      1e-3)
             << ", impulse "
-            << (std::abs(x.impulse - y.impulse) <= 1e-3 * x.impulse)
+            << within(std::abs(x.impulse - y.impulse) / x.impulse, 1e-3)
             << std::endl;
   }
 } // namespace

@@ -132,8 +132,8 @@ namespace
         raise(creep_error, std::abs(r.displacement_end - u));
       }
     deallog << "m = " << m << ": in contact " << (largest > 0.5)
-            << ", equilibrium to 1e-11 " << (error < 1e-11)
-            << ", creep to 1e-7 " << (creep_error < 1e-7) << std::endl;
+            << ", equilibrium " << within(error, 1e-11) << ", creep "
+            << within(creep_error, 1e-7) << std::endl;
   }
 
 
@@ -210,11 +210,12 @@ namespace
           }
         has_contact |= r.in_contact;
       }
-    deallog << title << ": contact " << has_contact << ", audit to 1e-11 "
-            << (defect < 1e-11 * largest);
+    deallog << title << ": contact " << has_contact << ", audit "
+            << within(defect / largest, 1e-11);
     if (is_backward_euler)
-      deallog << ", energy never increases " << (increase < 1e-12 * largest)
-              << ", none created " << (created < 1e-12 * largest);
+      deallog << ", energy never increases "
+              << within(increase / largest, 1e-12) << ", none created "
+              << within(created / largest, 1e-12);
     deallog << std::endl;
   }
 
@@ -252,7 +253,7 @@ namespace
           }
         raise(error, change / largest);
       }
-    deallog << "strip equals rod to 1e-9 " << (error < 1e-9) << ", contact "
+    deallog << "strip equals rod " << within(error, 1e-9) << ", contact "
             << (rod.rows.back().contact_impulse > 0.) << std::endl;
   }
 
@@ -292,7 +293,7 @@ namespace
         const double fine   = end_of_preload(scheme, 1. / 160.) - exact;
         const double rate   = std::log2(std::abs(coarse / fine));
         deallog << scheme << ": order " << order << ' '
-                << (std::abs(rate - order) < 0.15) << std::endl;
+                << within(std::abs(rate - order), 0.15) << std::endl;
         if (!(std::abs(rate - order) < 0.15))
           deallog << rate << std::endl;
       }

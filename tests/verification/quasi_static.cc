@@ -61,9 +61,8 @@ namespace
       events.size() == 2 && events[1].kind == ContactEvent::end;
     const double late = is_released ? events[1].time - release : INFINITY;
     deallog << "creep: rows in contact and not " << (n_contact > 1)
-            << (n_rows - n_contact > 1) << ", u(1) to 1e-8 " << (error < 1e-8)
-            << ", end of contact to 1e-8 " << (std::abs(late) < 1e-8)
-            << std::endl;
+            << (n_rows - n_contact > 1) << ", u(1) " << within(error, 1e-8)
+            << ", end of contact " << within(std::abs(late), 1e-8) << std::endl;
   }
 
 
@@ -101,8 +100,8 @@ namespace
                       return event.kind == ContactEvent::begin;
                     });
     deallog << "equilibrium, " << title << ": contact begins " << n_begins
-            << ", ends " << events.size() - n_begins << ", u(1) and p to 1e-11 "
-            << (error < 1e-11) << std::endl;
+            << ", ends " << events.size() - n_begins << ", u(1) and p "
+            << within(error, 1e-11) << std::endl;
   }
 
 
@@ -157,7 +156,7 @@ namespace
           }
         deallog << "b to " << inertia << ": times " << limit.size()
                 << ", in contact " << n_contact << ", rates 1 within " << bound
-                << ' ' << (worst <= bound) << std::endl;
+                << ' ' << within(worst, bound) << std::endl;
       }
   }
 } // namespace

@@ -190,7 +190,7 @@ namespace
     const double force = largest_layer_force() * rigid.events.at(0).velocity *
                          std::cbrt(b * zeta / 1e-6);
     deallog << "  largest force of the layer, C = " << largest_layer_force()
-            << ", to 5e-4 " << (std::abs(last.force - force) < 5e-4 * force)
+            << " " << within(std::abs(last.force - force) / force, 5e-4)
             << std::endl;
   }
 
@@ -272,8 +272,9 @@ namespace
         deallog << "elastic rod, " << scheme << ", eps = " << eps
                 << ": one contact " << has_one_contact(elastic)
                 << ", penetration to 0.5 per cent "
-                << (std::abs(elastic.penetration - largest) < 0.005 * largest)
-                << ", u(1) to 1e-4 " << (error < 1e-4);
+                << within(std::abs(elastic.penetration - largest) / largest,
+                          0.005)
+                << ", u(1) " << within(error, 1e-4);
         if (last_penetration > 0.)
           deallog << "; rate 1 of penetration "
                   << has_rate(last_penetration, elastic.penetration, 1.)

@@ -105,8 +105,8 @@ namespace
     double            force = 0.;
     for (const auto &row : rod)
       raise(force, row[8]);
-    deallog << name << ": in contact " << (force > 0.)
-            << ", the rod within 1e-9 " << (d <= 1e-9) << std::endl;
+    deallog << name << ": in contact " << (force > 0.) << ", the rod "
+            << within(d, 1e-9) << std::endl;
     if (!(d <= 1e-9))
       deallog << "  difference " << d << std::endl;
   }

@@ -98,8 +98,8 @@ namespace
     const double peak_error = std::abs(contact.pressure[0] / peak - 1.);
     deallog << name << ": one patch " << is_open_beyond << ", its size "
             << is_radius << ", peak within " << peak_bound << ' '
-            << (peak_error <= peak_bound) << ", profile within 0.02 "
-            << (error <= 0.02) << std::endl;
+            << within(peak_error, peak_bound) << ", profile "
+            << within(error, 0.02) << std::endl;
     if (!is_radius || !(peak_error <= peak_bound) || !(error <= 0.02))
       deallog << "  a = " << a << ", " << n << " nodes to "
               << contact.y[n > 0 ? n - 1 : 0] << ", peak " << peak_error

@@ -97,9 +97,9 @@ namespace
             start += state.temperature;
           }});
           deallog << name << ", " << scheme << ", " << solver
-                  << ": velocities within the bound " << (worst <= 1.);
+                  << ": velocities within the bound " << within(worst, 1.);
           if (end_velocity == 0.)
-            deallog << ", theta to 1e-9 " << (drift <= 1e-9);
+            deallog << ", theta " << within(drift, 1e-9);
           deallog << std::endl;
         }
   }

@@ -94,7 +94,7 @@ namespace
     };
     simulation.run({observe});
     deallog << name << ": unknowns " << simulation.n_factorized_unknowns()
-            << ", theta(1) and mean to 1e-8 " << (error < 1e-8) << std::endl;
+            << ", theta(1) and mean " << within(error, 1e-8) << std::endl;
   }
 
 
@@ -171,9 +171,9 @@ namespace
     deallog << "modes of displacement";
     for (const unsigned int n : modes)
       deallog << ' ' << n;
-    deallog << ": unknowns " << simulation.n_factorized_unknowns()
-            << ", u(1) to 1e-8 " << (error_u < 1e-8) << ", u_t(1) to 1e-8 "
-            << (error_v < 1e-8) << std::endl;
+    deallog << ": unknowns " << simulation.n_factorized_unknowns() << ", u(1) "
+            << within(error_u, 1e-8) << ", u_t(1) " << within(error_v, 1e-8)
+            << std::endl;
   }
 
 
@@ -301,7 +301,7 @@ namespace
             << " of " << simulation.discretization().dof_handler().n_dofs()
             << ", contact occurs and ends "
             << (n_contact > 0 && !simulation.record().in_contact)
-            << ", whole matrix to 1e-11 " << (error < 1e-11) << std::endl;
+            << ", whole matrix " << within(error, 1e-11) << std::endl;
   }
 
 
@@ -349,10 +349,10 @@ namespace
                 std::abs(uncoupled.at(i)[q + 2] -
                          displacement_alone.at(i)[q + 2]));
         }
-    deallog << "heating off and a = 0: temperature of heat alone to 1e-11 "
-            << (error_heat < 1e-11)
-            << "; a = 0: displacement without heat to 1e-11 "
-            << (error_displacement < 1e-11) << std::endl;
+    deallog << "heating off and a = 0: temperature of heat alone "
+            << within(error_heat, 1e-11)
+            << "; a = 0: displacement without heat "
+            << within(error_displacement, 1e-11) << std::endl;
   }
 } // namespace
 

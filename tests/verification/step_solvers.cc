@@ -89,8 +89,8 @@ namespace
                               "Solver/Fixed point tolerance=1e-14"}));
     deallog << "experiment " << experiment << ": contact occurs "
             << (n_in_contact(monolithic) > 0)
-            << ", fixed point equals monolithic to 1e-10 "
-            << (difference(monolithic, fixed_point) < 1e-10) << std::endl;
+            << ", fixed point equals monolithic "
+            << within(difference(monolithic, fixed_point), 1e-10) << std::endl;
   }
 
 
@@ -112,8 +112,8 @@ namespace
       std::pow(dt, 1.5) * std::tanh(1. / l) /
       (parameters.contact.compliance * std::sqrt(b * (dt + zeta)));
     deallog << "dt = " << dt << ": contraction factor within 1 % "
-            << (std::abs(solver.contraction_factor(dt) / rho - 1.) < 0.01)
-            << ", below 1 " << (rho < 1.) << std::endl;
+            << within(std::abs(solver.contraction_factor(dt) / rho - 1.), 0.01)
+            << " " << within(rho, 1.) << std::endl;
   }
 
 
@@ -166,8 +166,9 @@ namespace
     const auto rod_records   = run<1>(read_parameters("", rod));
     const auto strip_records = run<dim>(read_parameters("", strip));
     deallog << dim << "-D: contact occurs " << (n_in_contact(rod_records) > 0)
-            << ", equals the rod to 1e-9 "
-            << (difference(rod_records, strip_records) < 1e-9) << std::endl;
+            << ", equals the rod "
+            << within(difference(rod_records, strip_records), 1e-9)
+            << std::endl;
   }
 } // namespace
 
@@ -187,8 +188,9 @@ main(int argc, char **argv)
   for (const double dt : {0.001, 0.02, 0.03})
     check_contraction_factor(dt);
   const double critical = critical_step_size(1., 0.2, 0.01);
-  deallog << "critical step is the root to 1e-14: "
-          << (std::abs(std::pow(critical, 3) - 1e-4 * (critical + 0.2)) < 1e-14)
+  deallog << "critical step is the root: "
+          << within(std::abs(std::pow(critical, 3) - 1e-4 * (critical + 0.2)),
+                    1e-14)
           << std::endl;
   for (const double dt : {0.02, 0.03})
     run_fixed_point(dt);

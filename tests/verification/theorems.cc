@@ -265,11 +265,11 @@ namespace
                          const unsigned int            bound)
   {
     deallog << name << ": at most " << bound << ' '
-            << (largest(runs, estimate) <= bound)
+            << within(largest(runs, estimate), bound)
             << "; largest over smallest at most 1.5, largest over n "
-            << (spread(runs, estimate, &LeftHandSide::largest) <= 1.5)
+            << within(spread(runs, estimate, &LeftHandSide::largest), 1.5)
             << ", n = N "
-            << (spread(runs, estimate, &LeftHandSide::last) <= 1.5)
+            << within(spread(runs, estimate, &LeftHandSide::last), 1.5)
             << std::endl;
   }
 
@@ -296,13 +296,14 @@ namespace
                            runs,
                            &Estimates::corollary_4_2,
                            2383);
-    deallog << "Theorem 4.3: at most 79209 "
-            << (largest(runs, &Estimates::theorem_4_3) <= 79209.)
-            << "; largest over smallest at fixed dt at most 1.05 "
-            << (spread_over_h <= 1.05) << "; terms of u at most 1.5 "
-            << (spread(runs,
-                       &Estimates::theorem_4_3_displacement,
-                       &LeftHandSide::largest) <= 1.5)
+    deallog << "Theorem 4.3: "
+            << within(largest(runs, &Estimates::theorem_4_3), 79209.)
+            << "; largest over smallest at fixed dt "
+            << within(spread_over_h, 1.05) << "; terms of u "
+            << within(spread(runs,
+                             &Estimates::theorem_4_3_displacement,
+                             &LeftHandSide::largest),
+                      1.5)
             << std::endl;
   }
 
@@ -324,8 +325,8 @@ namespace
         last_growth = growth;
       }
     deallog << "Theorem 4.3, " << n_halvings << " halvings of dt: growth "
-            << "smaller than before " << n_smaller << ", at last at most 1.05 "
-            << (last_growth <= 1.05) << ", at most 79209 " << (last <= 79209.)
+            << "smaller than before " << n_smaller << ", at last "
+            << within(last_growth, 1.05) << " " << within(last, 79209.)
             << std::endl;
   }
 } // namespace

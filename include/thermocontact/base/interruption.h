@@ -6,6 +6,7 @@
 #include <thermocontact/base/exceptions.h>
 
 #include <string>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -37,6 +38,25 @@ namespace ThermoContact
     /** The signal that has come, or 0. */
     int
     signal() const;
+  };
+
+
+
+  /**
+   * The signals among these that the caller ignores, as nohup does, when it is
+   * made. Libraries that start with MPI let them end the program again.
+   */
+  class IgnoredSignals
+  {
+  public:
+    IgnoredSignals();
+
+    /** Ignores them again. */
+    void
+    restore() const;
+
+  private:
+    std::vector<int> signals;
   };
 
 

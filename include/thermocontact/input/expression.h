@@ -3,81 +3,160 @@
 #ifndef thermocontact_input_expression_h
 #define thermocontact_input_expression_h
 
-#include <thermocontact/base/types.h>
-
-#include <deal.II/base/function_parser.h>
+#include <thermocontact/input/jet.h>
 
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace ThermoContact
 {
-  /** An expression of the parameter file and the entry it comes from. */
-  struct Expression
-  {
-    std::string path;
-    std::string text;
-
-    bool
-    is_zero() const;
-  };
-
-
-
-  /** True if the name occurs in the text of an expression. */
-  bool
-  depends_on(const std::string &text, const std::string &name);
-
-
-
-  /** The names that an expression of a scene may use. */
+  /** What the names in an expression mean, and in which units it is. */
   struct ExpressionNames
   {
-    std::map<std::string, double> constants;
-    bool                          has_time = false; ///< t is known
-
-    /** In place of x, y, z, as many as there are. */
+    /**
+     * In the order of the values with which it is evaluated; an empty name is
+     * none that could be used.
+     */
     std::vector<std::string> variables;
 
-    std::string example = "20*x*(x-1)^2"; ///< for messages
+    std::map<std::string, double> constants; ///< beside pi
+
+    std::string example; ///< for messages
+
+    /** Variables are multiplied by these before: none, or one for each. */
+    std::vector<double> variable_units = {};
+
+    /** Its value is that of the text, less @p origin, over @p unit. */
+    double unit   = 1.;
+    double origin = 0.;
   };
 
 
 
-  /** Those of the temperature of the obstacle: x, y, z, t and pi. */
-  ExpressionNames
-  obstacle_names();
-
-
-
   /**
-   * The function with the components that @p text separates by ';', not
-   * checked.
-   */
-  template <int dim>
-  std::unique_ptr<FunctionParser<dim>>
-  make_function(const std::string &text, const ExpressionNames &names);
-
-  /**
-   * Checks an expression: parses it and evaluates each component at 17 points
-   * of the axis, the first variable from 0 to 1, at $t=0$.
+   * An expression of the parameter file in the language of deal.II's
+   * FunctionParser, read once. It is evaluated with numbers, or with jets for
+   * derivatives in time and for all that it does in a span of time; that
+   * allocates nothing.
    *
-   * @param n_components largest number of components
-   * @return its text, filled up with zeros to @p n_components: one component
-   *   alone is the axial one
-   * @throw InputError naming entry and expression, and the column of the fault,
-   *   if it cannot be parsed, assigns or separates what is no argument
-   * (muParser
-   *   would do so), has neither one nor @p n_components components, or is not
-   *   finite
+   * Operators, from the last to the first that binds: `? :`; `||` and `|`; `&&`
+   * and `&`; `< <= > >= == !=`; `+ -`; `* /` and signs; `^` from the right.
+   * What is true has an absolute value of 1/2 for `if`, `|` and `&`, of 1 for
+   * `||` and `&&`, and any but 0 before `?`. Where the formula has branches its
+   * derivatives are those of the branch that holds; that of a step is 0.
    */
-  template <int dim>
-  std::string
-  check_expression(const Expression      &expression,
-                   const unsigned int     n_components,
-                   const ExpressionNames &names);
+  class Expression
+  {
+  public:
+    /**
+     * @param path of the entry, for messages
+     * @throw InputError with the place of the fault and the names that there
+     *   are, if it cannot be read
+     */
+    Expression(const std::string     &path,
+               const std::string     &text,
+               const ExpressionNames &names);
+
+    /** As it was written. */
+    const std::string &
+    text() const
+    {
+      return text_;
+    }
+
+    const std::string &
+    path() const
+    {
+      return path_;
+    }
+
+    /** Whether it is made of the same operations on the same numbers. */
+    bool
+    operator==(const Expression &other) const;
+
+    /** Whether it names a variable that there is. */
+    bool
+    depends_on(const std::string &variable) const;
+
+    /** Whether it names none. */
+    bool
+    is_constant() const;
+
+    /**
+     * @tparam Number double, NumberJet or IntervalJet
+     * @param variables one value for each
+     */
+    template <typename Number>
+    Number
+    evaluate(const Number *variables) const
+    {
+      return evaluate_part(parts.size() - 1, variables);
+    }
+
+  private:
+    enum class Operation;
+
+    /** A number, a variable, or an operation on earlier parts. */
+    struct Part
+    {
+      Operation    operation;
+      double       number;      ///< of a constant
+      unsigned int operands[3]; ///< positions; of a variable its index
+      unsigned int n_levels;
+    };
+
+    class Reader;
+
+    friend std::vector<Expression>
+    read_components(const std::string     &path,
+                    const std::string     &text,
+                    const unsigned int     n_components,
+                    const ExpressionNames &names);
+
+    Expression() = default;
+
+    /** What stands between two positions of the text. */
+    Expression(const std::string     &path,
+               const std::string     &text,
+               const ExpressionNames &names,
+               const std::size_t      begin,
+               const std::size_t      end);
+
+    std::string              path_;
+    std::string              text_;
+    std::vector<std::string> variable_names;
+    std::vector<bool>        is_named;
+    std::vector<Part>        parts; ///< the whole at the end
+
+    /**
+     * @param position of what is not finite, for messages
+     * @throw InputError if it is not finite at one of 17 points of the first
+     *   variable from 0 to 1, where all others are 0
+     */
+    void
+    check_values(const std::size_t position) const;
+
+    template <typename Number>
+    Number
+    evaluate_part(const unsigned int index, const Number *variables) const;
+  };
+
+
+
+  /**
+   * Components of a vector that @p text separates by ';'.
+   *
+   * @param n_components largest number of components: one alone is the first
+   *   one, the others are 0
+   * @throw InputError as Expression, or if there are neither one nor
+   *   @p n_components
+   */
+  std::vector<Expression>
+  read_components(const std::string     &path,
+                  const std::string     &text,
+                  const unsigned int     n_components,
+                  const ExpressionNames &names);
 } // namespace ThermoContact
 
 #endif

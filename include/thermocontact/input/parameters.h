@@ -4,6 +4,7 @@
 #define thermocontact_input_parameters_h
 
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/input/expression.h>
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/scheme.h>
@@ -323,6 +324,24 @@ namespace ThermoContact
     ScalesParameters        scales;
     RodParameters           rod;
     StudyParameters         study;
+
+    /**
+     * What an expression of the entry @p path may name.
+     *
+     * @param variables of which it may be a function
+     * @param example for messages
+     */
+    ExpressionNames
+    names(const std::string              &path,
+          const std::vector<std::string> &variables,
+          const std::string              &example) const;
+
+    /**
+     * The names of x, y, z, as far as there are such coordinates, and t;
+     * without a name if it is not known.
+     */
+    std::vector<std::string>
+    coordinates(const bool has_time) const;
 
     /**
      * Binds every member to an entry of @p prm. Parsing or `prm.set` then

@@ -5,52 +5,56 @@
 
 #include <thermocontact/input/expression.h>
 
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
+#include <deal.II/base/point.h>
+
+#include <array>
 
 namespace ThermoContact
 {
-  /** A function of time with its first derivatives. */
-  struct TimeDerivatives
-  {
-    double value  = 0.;
-    double first  = 0.; ///< 0 where it is not finite
-    double second = 0.; ///< likewise
-  };
+  using TimeDerivatives = NumberJet;
 
-
-
-  /**
-   * A function of time that an expression of the parameter file says. Its value
-   * is muParser's; its derivatives are those of the formula, found by the rules
-   * of differentiation and exact to rounding. Where the formula has branches
-   * they are those of the branch that holds.
-   */
+  /** An expression at one place, as a function of time. */
   class TimeFunction
   {
   public:
     /**
-     * @param expression in t; pi is known
-     * @param place values of other names, such as y
-     * @throw InputError if it cannot be read, or not be differentiated
+     * @param expression whose variables are x, y, z, t
+     * @param place values of the first ones
      */
-    explicit TimeFunction(const Expression                    &expression,
-                          const std::map<std::string, double> &place = {});
+    template <int dim = 1>
+    explicit TimeFunction(
+      const Expression         &expression,
+      const dealii::Point<dim> &place = dealii::Point<dim>())
+      : expression_(expression)
+      , place{}
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        this->place[d] = place[d];
+    }
 
-    double
-    value(const double time) const;
-
-    TimeDerivatives
-    derivatives(const double time) const;
+    const Expression &
+    expression() const
+    {
+      return expression_;
+    }
 
     /** As it was written. */
     const std::string &
     text() const
     {
-      return expression.text;
+      return expression_.text();
     }
+
+    double
+    value(const double time) const;
+
+    /** With the derivatives in time; one that is not finite is 0. */
+    TimeDerivatives
+    derivatives(const double time) const;
+
+    /** What it does at all times of @p span. */
+    IntervalJet
+    enclosure(const Interval &span) const;
 
     /** Whether the first derivative has no limit at the start, as of sqrt(t):
      * whether it grows towards zero on scales far below $T$. */
@@ -61,45 +65,15 @@ namespace ThermoContact
     double
     largest_value(const double end_time) const;
 
-    /**
-     * Refuses an expression whose formula is not read as muParser reads it:
-     * compares the values at times of $[0,T]$.
-     */
-    void
-    check(const double end_time) const;
-
   private:
-    const Expression                         expression;
-    const std::map<std::string, double>      place;
-    std::unique_ptr<const FunctionParser<1>> function;
+    Expression            expression_;
+    std::array<double, 3> place;
+
+    /** Evaluates at the place and @p time. */
+    template <typename Number>
+    Number
+    evaluate(const Number &time) const;
   };
-
-
-
-  /**
-   * The formula and its derivatives at @p time.
-   *
-   * @param constants values of names other than t and pi
-   * @throw std::invalid_argument saying what of it cannot be differentiated
-   */
-  TimeDerivatives
-  differentiate(const std::string                   &formula,
-                const double                         time,
-                const std::map<std::string, double> &constants = {});
-
-
-
-  /**
-   * Times at which a formula may jump or bend, or have a pulse: where parts of
-   * it that are linear in time are zero, or two of them are equal that it
-   * compares, as 2 in if(3*t<6,1,0) and exp(-((t/4-0.5)/0.1)^2).
-   *
-   * @param formula components separated by ";"; other variables than t may
-   *   stand there. What cannot be read is left out.
-   * @param time at which parts are looked at; far from those where they bend
-   */
-  std::vector<double>
-  zeros_of_linear_parts(const std::string &formula, const double time);
 } // namespace ThermoContact
 
 #endif

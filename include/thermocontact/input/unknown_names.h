@@ -15,6 +15,10 @@ namespace ThermoContact
   std::string
   section_of(const std::string &path);
 
+  /** "; did you mean NAME?" with the nearest of those, or nothing. */
+  std::string
+  did_you_mean(const std::string &name, const std::vector<std::string> &known);
+
   /**
    * @throw InputError, with the nearest name, if none of the entries is in
    *   @p section

@@ -22,12 +22,15 @@ namespace ThermoContact
 
 
 
-  /** How contact nodes move. */
-  enum class ContactNodes
+  /**
+   * The order in time of the equation of motion, of a body or at its contact
+   * nodes: what an event leaves as it is, and what it changes at once.
+   */
+  enum class NodeOrder
   {
-    with_mass,
-    massless,      ///< they follow the pressure at once
-    of_static_body ///< so does the whole body, and velocities say nothing
+    inertial, ///< mass: displacement and temperature go on, the velocity jumps
+    viscous,  ///< no mass: displacement and temperature go on
+    quasi_static ///< neither: they are in equilibrium at every time
   };
 
 

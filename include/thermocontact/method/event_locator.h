@@ -118,17 +118,19 @@ namespace ThermoContact
     /**
      * @param law borrowed
      * @param is_active false: all steps are unilateral
-     * @param nodes those of a static body have margins that are interpolated
-     *   linearly
+     * @param nodes their order
      * @param tolerance relative accuracy of an event
      * @param has_small_changes false: more than the contact force changes at
      *   an event, so that a miss by a small impulse is not a small one
+     * @param has_velocity false: velocities of a static body say nothing, so
+     *   that margins are interpolated linearly
      */
-    EventLocator(const ContactLaw  &law,
-                 const bool         is_active,
-                 const ContactNodes nodes,
-                 const double       tolerance,
-                 const bool         has_small_changes = true);
+    EventLocator(const ContactLaw &law,
+                 const bool        is_active,
+                 const NodeOrder   nodes,
+                 const double      tolerance,
+                 const bool        has_small_changes = true,
+                 const bool        has_velocity      = true);
 
     /** Forgets all and takes the initial state. */
     void
@@ -201,14 +203,23 @@ namespace ThermoContact
      * @param stopped the nodes with mass, after the impact on a rigid obstacle
      */
     void
-    let_go(const ContactValues &stopped);
+    release(const ContactValues &stopped);
+
+    /** Takes back the events that are pending; the next attempt is unilateral.
+     */
+    void
+    drop_event()
+    {
+      pending.clear();
+      leave_to_law();
+    }
 
     /**
      * The next attempt is unilateral: nodes do not change together, or zeros
      * are not to be had.
      */
     void
-    hold_nothing();
+    leave_to_law();
 
     /**
      * The step to @p next is accepted; appends the event that it begins with
@@ -243,7 +254,7 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &mode_ &present &is_in_contact &side &largest;
+      archive &mode_ &present &is_in_contact &pending &side &largest;
     }
 
   private:
@@ -266,13 +277,14 @@ namespace ThermoContact
 
     const ContactLaw         &law;
     const bool                is_active;
-    const ContactNodes        nodes;
+    const NodeOrder           nodes;
     const double              tolerance;
     const bool                has_small_changes;
+    const bool                has_velocity;
     ContactMode               mode_;
     ContactValues             present;       ///< seen from the stop
     bool                      is_in_contact; ///< as the events say
-    std::vector<ContactEvent> waiting;       ///< at the start of the step
+    std::vector<ContactEvent> pending;       ///< at the start of the step
     Scales                    largest;
     int                       side = 1; ///< the stop of the last contact
 

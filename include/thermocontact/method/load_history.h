@@ -3,7 +3,6 @@
 #ifndef thermocontact_method_load_history_h
 #define thermocontact_method_load_history_h
 
-#include <functional>
 #include <vector>
 
 namespace ThermoContact
@@ -37,13 +36,13 @@ namespace ThermoContact
 
 
 
-  /** A stretch of time in which loads are nearly linear. */
+  /** A stretch of time in which steps are not to be longer than its width. */
   struct LoadStretch
   {
     double begin = 0.;
     double end   = 0.;
 
-    /** Over this time loads are nearly linear around the stretch. */
+    /** Over this time loads are nearly parabolas around the stretch. */
     double width = 0.;
   };
 
@@ -54,7 +53,7 @@ namespace ThermoContact
   {
     std::vector<LoadBreak> breaks; ///< in order of time
 
-    /** Cover all of the time, in order. */
+    /** In order, none within another; steps elsewhere may be of any length. */
     std::vector<LoadStretch> stretches;
 
     /** Loads that all steps see the same way need no stretches. */
@@ -96,61 +95,11 @@ namespace ThermoContact
 
     /**
      * The largest step from @p time on, not above @p size, that is no longer
-     * than some widths of the stretches that it crosses.
+     * than the widths of the stretches that it crosses.
      */
     double
     largest_step(const double time, const double size) const;
   };
-
-
-
-  /** Values of a load at several places: out; as many at every time. */
-  using LoadSample =
-    std::function<void(const double time, std::vector<double> &values)>;
-
-
-
-  /**
-   * Finds the jumps of the slope to the last digit, where the slope is known;
-   * also those that are too close to each other for the samples of the load.
-   *
-   * @param rate of the load
-   * @param history in, out: of the load
-   */
-  void
-  sharpen_bends(const LoadSample &rate,
-                const double      end_time,
-                LoadHistory      &history);
-
-
-
-  /** A load as it was seen. */
-  struct ScannedLoad
-  {
-    LoadHistory history;
-    bool        is_resolved = true; ///< false: it has no history
-
-    /** If it is not resolved: a time near which it is not. */
-    double time = 0.;
-
-    /** The value there is not finite. */
-    bool is_infinite = false;
-  };
-
-
-
-  /**
-   * Looks at a load over $[0,T]$: at times with the spacing $T/2^{15}$ and,
-   * ever closer, around those that are named; then between them where the load
-   * changes. Jumps are found to the last digit, jumps of the slope nearly so.
-   *
-   * @param end_time $T>0$
-   * @param named_times such as those in the expression
-   */
-  ScannedLoad
-  scan_load(const LoadSample          &load,
-            const double               end_time,
-            const std::vector<double> &named_times);
 } // namespace ThermoContact
 
 #endif

@@ -77,11 +77,20 @@ namespace ThermoContact
       return has_thermal_stress() && !has_heating();
     }
 
+    /** Of the body, by $b$ and $\zeta$. */
+    NodeOrder
+    order() const
+    {
+      return has_inertia()   ? NodeOrder::inertial :
+             has_viscosity() ? NodeOrder::viscous :
+                               NodeOrder::quasi_static;
+    }
+
     /** True if displacements are in equilibrium at every time, $b=\zeta=0$. */
     bool
     is_static() const
     {
-      return !has_inertia() && !has_viscosity();
+      return order() == NodeOrder::quasi_static;
     }
   };
 
@@ -104,6 +113,10 @@ namespace ThermoContact
 
     /** $\theta_{obs}$; of one that varies that at $t=0$ and $y=z=0$. */
     double obstacle_temperature;
+
+    /** $\theta_{obs}$ of the coordinates and t if it is no number; else null.
+     */
+    std::unique_ptr<const Expression> obstacle_drive;
 
     /**
      * $k_s$ of the steady profile: $k$ at the gap of the undeformed body, or at
@@ -202,17 +215,11 @@ namespace ThermoContact
     /** $g_2$ of a stop behind the end, (M.107); none if there is no such. */
     std::optional<double> rear_gap;
 
-    /** How the contact nodes move; meaningless without obstacle. */
-    ContactNodes nodes;
+    /** Of the contact nodes; meaningless without obstacle. */
+    NodeOrder order;
 
     /** The mass of the contact nodes is moved to others, (M.36). */
     bool has_massless_nodes;
-
-    /**
-     * The contact nodes are in equilibrium at all times, since they, or the
-     * whole body, have neither mass nor viscous stress.
-     */
-    bool is_in_equilibrium;
 
     /** Steps end where contact begins or ends. */
     bool locates_events;
@@ -226,7 +233,14 @@ namespace ThermoContact
     bool
     has_mass() const
     {
-      return nodes == ContactNodes::with_mass;
+      return order == NodeOrder::inertial;
+    }
+
+    /** The contact nodes are in equilibrium with the obstacle at all times. */
+    bool
+    is_in_equilibrium() const
+    {
+      return law->is_active() && order == NodeOrder::quasi_static;
     }
 
     /** A node that meets the obstacle loses its velocity at once. */
@@ -308,8 +322,8 @@ namespace ThermoContact
   {
     /**
      * @param parameters may be ones that check_scene() refuses
-     * @throw InputError if the heat exchange or a drive of the fixed end is no
-     *   valid expression
+     * @throw InputError if the heat exchange, the gap, the temperature of the
+     *   obstacle or a drive of the fixed end is no valid expression
      */
     explicit Scene(const Parameters &parameters);
 
@@ -317,7 +331,11 @@ namespace ThermoContact
     const SceneFields fields;
     const std::unique_ptr<const BodyGeometry> geometry;
     const Material                            material;
-    const SceneHeat                           heat;
+
+    /** $g$ of the coordinates and t, if it is no number; else null. */
+    const std::unique_ptr<const Expression> gap_expression;
+
+    const SceneHeat heat;
 
     /** $u_A(t)$ of a fixed end that moves; else null. */
     const std::unique_ptr<const TimeFunction> fixed_end_motion;

@@ -5,7 +5,7 @@
 
 #include <thermocontact/method/event_locator.h>
 #include <thermocontact/method/load_history.h>
-#include <thermocontact/simulation/contact_transition.h>
+#include <thermocontact/simulation/reset.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/step_controller.h>
 #include <thermocontact/time/time_integrator.h>
@@ -45,7 +45,7 @@ namespace ThermoContact
   {
   public:
     /** Both are borrowed. */
-    ContactTracker(Body<dim> &body, QuasiStaticStart<dim> &quasi_static);
+    ContactTracker(Body<dim> &body, Reset<dim> &reset);
 
     /** Forgets all and takes the initial state. */
     void
@@ -95,6 +95,14 @@ namespace ThermoContact
           const double       mechanical_energy);
 
     /**
+     * The event at the start of the step that was judged last cannot be
+     * finished: it is taken back, and the next attempt leaves contact to the
+     * law.
+     */
+    void
+    drop_event();
+
+    /**
      * The step that was judged last is accepted: makes its end a state that the
      * next one can start from, books what impacts have cost, and appends its
      * events.
@@ -132,14 +140,7 @@ namespace ThermoContact
      * @param result in, out: of the step, whose costs are added
      */
     void
-    turn(const LoadBreak &at, StepResult &result);
-
-    /** What impacts have spent. */
-    const SolverCounters &
-    counters() const
-    {
-      return transition.counters();
-    }
+    pass_slope_discontinuity(const LoadBreak &at, StepResult &result);
 
     /** What changes during a run, for checkpoints; after accept(). */
     template <class Archive>
@@ -149,24 +150,17 @@ namespace ThermoContact
       archive &locator;
     }
 
-    /** Makes again what impacts need and goes on counting from there. */
-    void
-    restore(const SolverCounters &counters)
-    {
-      transition.restore(counters);
-    }
-
   private:
     /** A state after an impact at its time, and what that has cost. */
     struct Impacted
     {
       State       state;
       EnergyTerms energy;
-      ImpactCost  cost;
+      ResetCost   cost;
     };
 
     const Body<dim>        &body;
-    ContactTransition<dim>  transition;
+    Reset<dim>             &reset;
     EventLocator            locator;
     EventLocator::Finding   finding;   ///< of the step that was judged last
     ContactValues           next;      ///< at its end
@@ -181,11 +175,11 @@ namespace ThermoContact
     switch_state(const State &accepted, const EnergyTerms &energy);
 
     ContactVerdict
-    hold_nothing();
+    leave_to_law();
 
     /** Adds what impacts have cost to a step. */
     static void
-    book(const ImpactCost &cost, StepResult &result);
+    book(const ResetCost &cost, StepResult &result);
   };
 } // namespace ThermoContact
 

@@ -3,7 +3,7 @@
 #ifndef thermocontact_simulation_initial_state_h
 #define thermocontact_simulation_initial_state_h
 
-#include <thermocontact/simulation/quasi_static_start.h>
+#include <thermocontact/simulation/reset.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
 
@@ -19,7 +19,7 @@ namespace ThermoContact
    * Without inertia it is completed, and contact nodes that are to be in
    * equilibrium are put there, doc/model.md sections 12 and 13.
    *
-   * @param quasi_static of the body, lent
+   * @param reset of the body, lent
    * @param first_step_size of the paper's first step, if the scene has it
    * @param warnings appended to: a corner layer of the temperature, contact at
    *   the start, a preload
@@ -30,7 +30,7 @@ namespace ThermoContact
   template <int dim>
   State
   initial_state(Body<dim>                &body,
-                QuasiStaticStart<dim>    &quasi_static,
+                Reset<dim>               &reset,
                 const double              first_step_size,
                 std::vector<std::string> &warnings);
 } // namespace ThermoContact

@@ -4,7 +4,7 @@
 #define thermocontact_simulation_load_jump_h
 
 #include <thermocontact/method/load_history.h>
-#include <thermocontact/simulation/quasi_static_start.h>
+#include <thermocontact/simulation/reset.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/stage_solver.h>
 #include <thermocontact/time/time_integrator.h>
@@ -33,7 +33,7 @@ namespace ThermoContact
    * numerical dissipation. Collective.
    *
    * @param body of a scene that moves_at_jumps()
-   * @param quasi_static of the body, for (M.34)
+   * @param reset of the body, for (M.34)
    * @param solver of the stages
    * @param is_closed nodes that are in contact before the jump: only they may
    *   have a pressure in (M.34), where all nodes stay where they are; not used
@@ -49,7 +49,7 @@ namespace ThermoContact
   template <int dim>
   bool
   apply_load_jump(Body<dim>               &body,
-                  QuasiStaticStart<dim>   &quasi_static,
+                  Reset<dim>              &reset,
                   StageSolver             &solver,
                   const std::vector<bool> &is_closed,
                   const LoadBreak         &at,

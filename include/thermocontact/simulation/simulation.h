@@ -87,6 +87,16 @@ namespace ThermoContact
     void
     run(const Observers &observers = {});
 
+    /**
+     * One step that is accepted, from the present state on; run() without
+     * observers does nothing else.
+     *
+     * @return false if the run is at its end time
+     * @throw ComputationError as run() does
+     */
+    bool
+    step();
+
     /** All that changes during a run, after a step or at the start. */
     SavedRun
     save() const;
@@ -191,7 +201,7 @@ namespace ThermoContact
     Body<dim>                             body_;
     Measurements<dim>                     measurements;
     const std::unique_ptr<TimeIntegrator> integrator;
-    QuasiStaticStart<dim>                 quasi_static;
+    Reset<dim>                            reset;
     ContactTracker<dim>                   tracker;
     StepController                        controller;
     ErrorNorm                             error_norm;
@@ -199,6 +209,7 @@ namespace ThermoContact
     MeshWatch                             mesh_watch;
     State                                 state_;
     RunHistory                            history_;
+    StepResult                            result; ///< of the present attempt
     bool                                  is_restored = false;
 
     void
@@ -236,13 +247,29 @@ namespace ThermoContact
     relative_error(const StepResult &result);
 
     /**
-     * Asks the tracker about an accurate step.
+     * Computes a step and judges it; prepares the next attempt if it is not to
+     * be accepted.
      *
-     * @return true if contact at its end is what was supposed; then the step is
-     *   finished. False with a failure in @p result: it could not be finished
+     * @param error out: relative to the tolerance, if it is known
+     * @param verdict out: with which the step is to be accepted
+     * @return empty if it is; else why not, as steps.csv has it
      */
-    bool
-    fits_contact(const TimeStep &time_step, StepResult &result);
+    std::string
+    judge(const TimeStep &time_step,
+          StepResult     &result,
+          double         &error,
+          ContactVerdict &verdict);
+
+    /**
+     * A step that is to be accepted is finished: with what events and
+     * discontinuities of inputs at its end make of its state.
+     *
+     * @throw ComputationError naming step and time if that cannot be found
+     */
+    void
+    commit(const TimeStep       &time_step,
+           const ContactVerdict &verdict,
+           StepResult           &result);
 
     /** Where loads may jump and move something at once, or nullptr. */
     const LoadBreak *

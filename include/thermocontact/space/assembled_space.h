@@ -3,7 +3,7 @@
 #ifndef thermocontact_space_assembled_space_h
 #define thermocontact_space_assembled_space_h
 
-#include <thermocontact/scene/scene.h>
+#include <thermocontact/scene/spatial_scene.h>
 #include <thermocontact/space/discretization.h>
 #include <thermocontact/space/field_matrices.h>
 
@@ -12,25 +12,23 @@
 namespace ThermoContact
 {
   /**
-   * Mesh, spaces and matrices of a scene, which are those of every scene that
-   * differs from it in entries that changes_matrices() denies. Constant.
+   * Mesh, spaces and matrices of a scene, which are those of every scene with
+   * the same SpatialScene. Constant.
    */
   template <int dim>
   struct AssembledSpace
   {
-    /**
-     * Collective.
-     *
-     * @param scene borrowed
-     */
-    AssembledSpace(const Scene &scene, const MPI_Comm communicator)
-      : discretization(scene, communicator)
+    /** Collective. */
+    AssembledSpace(const SpatialScene &scene, const MPI_Comm communicator)
+      : scene(scene)
+      , discretization(scene, communicator)
       , matrices(
-          scene.linear_solver.has_matrices() ?
+          scene.has_matrices ?
             std::make_unique<const FieldMatrices<dim>>(scene, discretization) :
             nullptr)
     {}
 
+    const SpatialScene        scene;
     const Discretization<dim> discretization;
 
     /** Null for scenes that have none. */

@@ -4,7 +4,7 @@
 #define thermocontact_space_discretization_h
 
 #include <thermocontact/base/types.h>
-#include <thermocontact/scene/scene.h>
+#include <thermocontact/scene/spatial_scene.h>
 #include <thermocontact/space/contact_end.h>
 #include <thermocontact/space/geometry.h>
 #include <thermocontact/space/state.h>
@@ -45,7 +45,7 @@ namespace ThermoContact
   {
   public:
     /** @param all the ranks, of which communicator() shares the mesh */
-    Discretization(const Scene &scene, const MPI_Comm all);
+    Discretization(const SpatialScene &scene, const MPI_Comm all);
 
     ~Discretization();
 

@@ -4,7 +4,7 @@
 #define thermocontact_space_field_matrices_h
 
 #include <thermocontact/base/types.h>
-#include <thermocontact/scene/scene.h>
+#include <thermocontact/scene/spatial_scene.h>
 #include <thermocontact/space/discretization.h>
 #include <thermocontact/space/rod_cells.h>
 
@@ -33,12 +33,12 @@ namespace ThermoContact
   template <int dim>
   struct FieldMatrices
   {
-    /** Both references are borrowed. */
-    FieldMatrices(const Scene               &scene,
+    /** @param discretization borrowed */
+    FieldMatrices(const SpatialScene        &scene,
                   const Discretization<dim> &discretization);
 
   private:
-    const Scene               &scene;
+    const SpatialScene         scene;
     const Discretization<dim> &discretization;
 
   public:

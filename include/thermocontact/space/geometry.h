@@ -3,7 +3,7 @@
 #ifndef thermocontact_space_geometry_h
 #define thermocontact_space_geometry_h
 
-#include <thermocontact/scene/scene.h>
+#include <thermocontact/scene/spatial_scene.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/quadrature.h>
@@ -34,8 +34,7 @@ namespace ThermoContact
   class Geometry
   {
   public:
-    /** @param scene borrowed */
-    explicit Geometry(const Scene &scene);
+    explicit Geometry(const SpatialScene &scene);
 
     /** Area of the contact end (1 in 1-D), by which results are scaled. */
     double
@@ -57,8 +56,8 @@ namespace ThermoContact
     weight(const dealii::FEValuesBase<dim> &values, const unsigned int q) const
     {
       if constexpr (dim > 1)
-        if (!body.has_uniform_weight())
-          return values.JxW(q) * body.weight(values.quadrature_point(q)[1]);
+        if (!body->has_uniform_weight())
+          return values.JxW(q) * body->weight(values.quadrature_point(q)[1]);
       return values.JxW(q);
     }
 
@@ -66,21 +65,21 @@ namespace ThermoContact
     bool
     has_uniform_weight() const
     {
-      return body.has_uniform_weight();
+      return body->has_uniform_weight();
     }
 
     /** What an area or length of the mesh at a point stands for. */
     double
     weight_at(const dealii::Point<dim> &point) const
     {
-      return dim > 1 ? body.weight(point[dim > 1 ? 1 : 0]) : 1.;
+      return dim > 1 ? body->weight(point[dim > 1 ? 1 : 0]) : 1.;
     }
 
     /** Strain across a mesh of two dimensions per unit displacement along y. */
     double
     strain_per_displacement(const dealii::Point<dim> &point) const
     {
-      return dim == 2 ? body.strain_across(0., 1., point[dim - 1]) : 0.;
+      return dim == 2 ? body->strain_across(0., 1., point[dim - 1]) : 0.;
     }
 
     /**
@@ -89,6 +88,20 @@ namespace ThermoContact
      */
     dealii::Quadrature<dim - 1>
     node_weight_quadrature(const unsigned int degree) const;
+
+    /** Area of the cross-section over the length of its boundary. */
+    double
+    area_over_perimeter() const
+    {
+      return body->area_over_perimeter();
+    }
+
+    /** True if the side y = 0 of the mesh is an axis of symmetry. */
+    bool
+    has_axis_at_side() const
+    {
+      return body->has_axis_at_side();
+    }
 
     /** True if the normal displacement of a lateral face vanishes. */
     bool
@@ -107,16 +120,16 @@ namespace ThermoContact
             d == e ? gradient[d][d] : 0.5 * (gradient[d][e] + gradient[e][d]);
       if constexpr (dim == 2)
         strain.tensor[2][2] =
-          body.strain_across(gradient[1][1], value[1], point[1]);
+          body->strain_across(gradient[1][1], value[1], point[1]);
       strain.trace = dealii::trace(strain.tensor);
       return strain;
     }
 
   private:
-    const BodyGeometry &body;
-    const bool          has_rollers;
-    const double        width;
-    const double        cross_section_;
+    const std::unique_ptr<const BodyGeometry> body;
+    const bool                                has_rollers;
+    const double                              width;
+    const double                              cross_section_;
   };
 
 

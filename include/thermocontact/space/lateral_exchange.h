@@ -4,7 +4,7 @@
 #define thermocontact_space_lateral_exchange_h
 
 #include <thermocontact/base/types.h>
-#include <thermocontact/scene/scene.h>
+#include <thermocontact/scene/spatial_scene.h>
 #include <thermocontact/space/discretization.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -24,8 +24,8 @@ namespace ThermoContact
   class LateralExchange
   {
   public:
-    /** Both references are borrowed. */
-    LateralExchange(const Scene               &scene,
+    /** @param discretization borrowed */
+    LateralExchange(const SpatialScene        &scene,
                     const Discretization<dim> &discretization);
 
     /**

@@ -22,17 +22,16 @@ namespace ThermoContact
 
   /**
    * What steps are to follow of the loads of a scene: the break points that are
-   * listed and, for error-controlled steps, what the expressions in t show up
-   * to the end time, each at some places. Costs nothing where nothing depends
-   * on t. The same on all ranks.
+   * listed and, for error-controlled steps, what the expressions in t do up to
+   * the end time: where they depend on the place, at 61 places. Costs nothing
+   * where nothing depends on t. The same on all ranks.
    *
-   * @param data whose time is changed
    * @param warnings out: loads that could not be resolved are appended
    */
   template <int dim>
   LoadHistory
   load_history(const Scene              &scene,
-               ProblemData<dim>         &data,
+               const ProblemData<dim>   &data,
                std::vector<std::string> &warnings);
 } // namespace ThermoContact
 

@@ -7,26 +7,10 @@
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/contact_end.h>
 
-#include <map>
-#include <string>
 #include <vector>
 
 namespace ThermoContact
 {
-  /** x, y, z of a place, by their names in expressions. */
-  template <int dim>
-  std::map<std::string, double>
-  named_coordinates(const Point<dim> &place)
-  {
-    const std::string             names[] = {"x", "y", "z"};
-    std::map<std::string, double> coordinates;
-    for (unsigned int d = 0; d < dim; ++d)
-      coordinates[names[d]] = place[d];
-    return coordinates;
-  }
-
-
-
   /**
    * An obstacle that moves: gaps $g(t)$ of the contact nodes, or $g(y,z,t)$ at
    * their places, with their rates; doc/model.md section 25. Those of an
@@ -37,17 +21,14 @@ namespace ThermoContact
   class ObstacleMotion
   {
   public:
-    /**
-     * @param end of the body
-     * @throw InputError if the rate of the gap cannot be found
-     */
+    /** @param end of the body */
     ObstacleMotion(const Scene &scene, const ContactEnd<dim> &end);
 
     /** False: everything here does nothing. */
     bool
     is_active() const
     {
-      return !places.empty();
+      return !gaps.empty();
     }
 
     /**
@@ -71,13 +52,10 @@ namespace ThermoContact
     set_rates(const double time, State &state) const;
 
   private:
-    using Place = std::map<std::string, double>;
-
-    const std::string  formula;
     const unsigned int n_nodes;
 
-    /** Names and values of the coordinates; of all nodes, or the same one. */
-    std::vector<Place> places;
+    /** The gaps at all nodes, or the same one; empty if it rests. */
+    std::vector<TimeFunction> gaps;
 
     mutable std::vector<TimeDerivatives> scratch;
   };

@@ -4,10 +4,10 @@
 #define thermocontact_space_problem_data_h
 
 #include <thermocontact/base/types.h>
-#include <thermocontact/scene/scene.h>
+#include <thermocontact/scene/spatial_scene.h>
+#include <thermocontact/space/expression_function.h>
 
 #include <deal.II/base/function.h>
-#include <deal.II/base/function_parser.h>
 
 #include <memory>
 
@@ -16,17 +16,15 @@ namespace ThermoContact
   /**
    * $g$ of the undeformed body at the places of its contact end, doc/model.md
    * (M.4); its time is 0.
-   *
-   * @throw InputError naming the expression, if it cannot be parsed
    */
   template <int dim>
   std::unique_ptr<Function<dim>>
-  contact_gap(const Scene &scene);
+  contact_gap(const SpatialScene &scene);
 
 
 
   /**
-   * The functions of a scene, parsed from its expressions: initial values and
+   * The functions of a scene, read from its expressions: initial values and
    * sources. A source whose expression is 0 is absent, so that nothing is
    * integrated for it.
    */
@@ -35,9 +33,9 @@ namespace ThermoContact
   {
   public:
     /**
-     * Parses and evaluates every expression once.
+     * Reads and evaluates every expression once.
      *
-     * @throw InputError naming entry and expression if one cannot be parsed,
+     * @throw InputError naming entry and expression if one cannot be read,
      *   has the wrong number of components, or is not finite at a sample of
      *   points at $t=0$
      */
@@ -56,26 +54,26 @@ namespace ThermoContact
     initial_velocity() const;
 
     /** Heat source $q$, or nullptr. */
-    const Function<dim> *
+    const ExpressionFunction<dim> *
     heat_source() const;
 
     /** Body force $f$, dim components, or nullptr. */
-    const Function<dim> *
+    const ExpressionFunction<dim> *
     body_force() const;
 
     /** End traction $t$, or nullptr. */
-    const Function<dim> *
+    const ExpressionFunction<dim> *
     end_traction() const;
 
     /** End heat flux $h$, or nullptr. */
-    const Function<dim> *
+    const ExpressionFunction<dim> *
     end_heat_flux() const;
 
     /**
      * By how much the obstacle is warmer than SceneHeat::obstacle_temperature;
      * or nullptr if its temperature does not vary.
      */
-    const Function<dim> *
+    const ExpressionFunction<dim> *
     obstacle_warming() const;
 
     /** True if any source is present. */
@@ -87,13 +85,13 @@ namespace ThermoContact
     set_time(const double time);
 
   private:
-    std::unique_ptr<FunctionParser<dim>> initial_fields_;
-    std::unique_ptr<FunctionParser<dim>> initial_velocity_;
-    std::unique_ptr<FunctionParser<dim>> heat_source_;
-    std::unique_ptr<FunctionParser<dim>> body_force_;
-    std::unique_ptr<FunctionParser<dim>> end_traction_;
-    std::unique_ptr<FunctionParser<dim>> end_heat_flux_;
-    std::unique_ptr<FunctionParser<dim>> obstacle_warming_;
+    std::unique_ptr<ExpressionFunction<dim>> initial_fields_;
+    std::unique_ptr<ExpressionFunction<dim>> initial_velocity_;
+    std::unique_ptr<ExpressionFunction<dim>> heat_source_;
+    std::unique_ptr<ExpressionFunction<dim>> body_force_;
+    std::unique_ptr<ExpressionFunction<dim>> end_traction_;
+    std::unique_ptr<ExpressionFunction<dim>> end_heat_flux_;
+    std::unique_ptr<ExpressionFunction<dim>> obstacle_warming_;
   };
 } // namespace ThermoContact
 

@@ -179,6 +179,21 @@ namespace ThermoContact
               Vector       &heat,
               Vector       &momentum) const;
 
+    /**
+     * What is left of the momentum equation (M.12) without contact,
+     * $\ell_u-Su+aD^T\theta-\zeta S_\zeta v-bM_uv'$, in all rows: in
+     * constrained ones it is minus the force that moves them.
+     *
+     * @param velocity,acceleration null: their terms are left out
+     */
+    void
+    momentum_residual(const Vector &temperature,
+                      const Vector &displacement,
+                      const Vector *velocity,
+                      const Vector *acceleration,
+                      const Vector &momentum_load,
+                      Vector       &residual) const;
+
     /** @p heat $-= aDv$, with zero constrained rows. */
     void
     subtract_heating(const Vector &velocity, Vector &heat) const;

@@ -3,9 +3,7 @@
 #ifndef thermocontact_study_shared_spaces_h
 #define thermocontact_study_shared_spaces_h
 
-#include <thermocontact/scene/spatial_entries.h>
 #include <thermocontact/space/assembled_space.h>
-#include <thermocontact/study/scene_reader.h>
 
 #include <memory>
 #include <tuple>
@@ -20,49 +18,25 @@ namespace ThermoContact
   class SharedSpaces
   {
   public:
-    /**
-     * Those of the scene with @p overrides, on this rank alone; until the next
-     * call.
-     *
-     * @param parameters of that scene
-     * @throw InputError if an expression cannot be evaluated
-     */
+    /** Those of @p scene, on this rank alone; until the next call. */
     template <int dim>
     const AssembledSpace<dim> &
-    get(const Parameters &parameters, const Overrides &overrides)
+    get(const SpatialScene &scene)
     {
-      Overrides spatial;
-      for (const auto &[path, value] : overrides)
-        if (changes_matrices(path))
-          spatial.emplace_back(path, value);
       auto &kept = std::get<dim - 1>(all_kept);
-      if (!kept || present != spatial)
+      if (!kept || !(kept->scene == scene))
         {
           all_kept = decltype(all_kept)();
-          kept     = std::make_unique<const Kept<dim>>(parameters);
-          present  = spatial;
+          kept =
+            std::make_unique<const AssembledSpace<dim>>(scene, MPI_COMM_SELF);
         }
-      return kept->space;
+      return *kept;
     }
 
   private:
-    template <int dim>
-    struct Kept
-    {
-      explicit Kept(const Parameters &parameters)
-        : scene(parameters)
-        , space(scene, MPI_COMM_SELF)
-      {}
-
-      const Scene               scene;
-      const AssembledSpace<dim> space;
-    };
-
-    /** Overrides that change matrices, of what is kept. */
-    Overrides present;
-    std::tuple<std::unique_ptr<const Kept<1>>,
-               std::unique_ptr<const Kept<2>>,
-               std::unique_ptr<const Kept<3>>>
+    std::tuple<std::unique_ptr<const AssembledSpace<1>>,
+               std::unique_ptr<const AssembledSpace<2>>,
+               std::unique_ptr<const AssembledSpace<3>>>
       all_kept;
   };
 } // namespace ThermoContact

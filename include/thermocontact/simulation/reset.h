@@ -1,31 +1,28 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_simulation_contact_transition_h
-#define thermocontact_simulation_contact_transition_h
+#ifndef thermocontact_simulation_reset_h
+#define thermocontact_simulation_reset_h
 
 #include <thermocontact/method/event_locator.h>
-#include <thermocontact/simulation/quasi_static_start.h>
 #include <thermocontact/space/body.h>
-#include <thermocontact/space/direct_solver.h>
-#include <thermocontact/time/stage_solver.h>
+#include <thermocontact/space/state.h>
+#include <thermocontact/time/equilibrium.h>
 #include <thermocontact/time/time_integrator.h>
-
-#include <deal.II/lac/full_matrix.h>
 
 #include <memory>
 #include <vector>
 
 namespace ThermoContact
 {
-  /** What impacts cost, per unit cross-section. */
-  struct ImpactCost
+  /** What a reset costs, per unit cross-section. */
+  struct ResetCost
   {
     double impulse               = 0.;
     double work                  = 0.; ///< of an obstacle that moves
     double numerical_dissipation = 0.;
 
-    ImpactCost &
-    operator+=(const ImpactCost &other)
+    ResetCost &
+    operator+=(const ResetCost &other)
     {
       impulse += other.impulse;
       work += other.work;
@@ -37,23 +34,35 @@ namespace ThermoContact
 
 
   /**
-   * What happens to a state where contact begins or ends: the velocity that a
-   * rigid obstacle takes away, and pressures that no stage has seen.
+   * The reset map $x^+=R(x^-)$ of the hybrid system: what a state becomes where
+   * contact begins or ends, where inputs have a discontinuity, and at the
+   * start. Everywhere forces are in equilibrium, $Ky+Np=r$, with the laws of
+   * the contact nodes; what y is follows from the order of the equation at the
+   * nodes: an impulse changes the velocity of inertial ones, viscous ones get a
+   * velocity, static ones a place.
    */
   template <int dim>
-  class ContactTransition
+  class Reset
   {
   public:
-    /** Both are borrowed. */
-    ContactTransition(Body<dim> &body, QuasiStaticStart<dim> &quasi_static);
+    /** @param body borrowed */
+    explicit Reset(Body<dim> &body);
 
     /**
-     * Pressures and velocities at the end of a step within which nodes without
-     * mass closed at a rigid obstacle: those of the stages stand for the jump
-     * of the velocity there and have its impulse, (M.63).
+     * Completes the state of a body without inertia, doc/model.md section 12:
+     * with viscosity the velocity follows from the displacement, (M.34);
+     * without, the displacement is in equilibrium with the temperature, (M.35),
+     * and the velocity, which has no value yet, is left at zero.
+     *
+     * @param state in: temperature and, with viscosity, displacement and
+     *   pressure of the compliance law
+     * @param is_closed with viscosity, at a rigid obstacle: the nodes in
+     *   contact; empty: those that do not lie before it
+     * @throw ComputationError if the stiffness matrix cannot be factorised or
+     *   the contact nodes do not settle
      */
     void
-    settle_closed_nodes(StepResult &result);
+    complete(State &state, const std::vector<bool> &is_closed = {});
 
     /**
      * Impact of all contact nodes on a rigid obstacle: they are put on it, and
@@ -67,7 +76,15 @@ namespace ThermoContact
      * @throw ComputationError if the mass matrix cannot be factorised
      */
     void
-    impact(State &state, EnergyTerms &energy, ImpactCost &cost);
+    impact(State &state, EnergyTerms &energy, ResetCost &cost);
+
+    /**
+     * Pressures and velocities at the end of a step within which nodes without
+     * mass closed at a rigid obstacle: those of the stages stand for the jump
+     * of the velocity there and have its impulse, (M.63).
+     */
+    void
+    settle_closed_nodes(StepResult &result);
 
     /**
      * The pressures become those with which nodes with mass that a rigid
@@ -86,7 +103,7 @@ namespace ThermoContact
      * do not jump, the velocity does by which it follows.
      */
     void
-    follow_turn(State &state);
+    set_pressures_of_velocity(State &state);
 
     /**
      * Pressures of a step that is accepted: none pulls, and where contact
@@ -101,6 +118,7 @@ namespace ThermoContact
                     const EventLocator::Finding &finding,
                     StepResult                  &result);
 
+    /** Factors and responses so far, and what an iterative solver made. */
     const SolverCounters &
     counters() const
     {
@@ -109,14 +127,35 @@ namespace ThermoContact
 
     /**
      * Makes again what was kept and goes on counting from there, for a run that
-     * goes on. Collective.
+     * goes on, whose initial state has been made. Collective.
      */
     void
     restore(const SolverCounters &counters);
 
   private:
+    Body<dim>         &body;
+    SolverCounters     counters_;
+    Equilibrium<dim>   inertia;
+    Equilibrium<dim>   stiffness;
+    FullMatrix<double> contact_stiffness_; ///< computed when needed
+
     /**
-     * No pressure pulls: of nodes that are held closed none at the stop
+     * An IterativeSolver, without matrices; only its levels are kept, and
+     * preconditioners made anew each time, so that a run that is resumed makes
+     * the same.
+     */
+    std::unique_ptr<StageSolver> iterative;
+
+    /** Forces on a body that rests, with constrained rows zero. */
+    Vector
+    forces_at_rest(const State &state) const;
+
+    /** (M.34). */
+    void
+    set_quasi_static_velocity(const std::vector<bool> &is_closed, State &state);
+
+    /**
+     * No pressure pulls: of nodes that are held closed none at the obstacle
      * @p held_at, though they may have left it for the other one, of the others
      * none at the nearer one.
      *
@@ -125,22 +164,6 @@ namespace ThermoContact
      */
     bool
     remove_pull(const int held_at, State &state) const;
-
-    Body<dim>                    &body;
-    QuasiStaticStart<dim>        &quasi_static;
-    SolverCounters                counters_;
-    std::unique_ptr<DirectSolver> mass_solver;
-    std::vector<Vector>           impulse_responses;
-    FullMatrix<double>            inverse_receptance;
-    FullMatrix<double>            contact_stiffness_; ///< computed when needed
-
-    /** Velocities, and those of the contact nodes, per unit impulse. */
-    void
-    compute_impulse_responses();
-
-    /** Takes the velocity into the obstacle away; adds impulse and work. */
-    void
-    stop_contact_nodes(State &state, ImpactCost &cost);
   };
 } // namespace ThermoContact
 

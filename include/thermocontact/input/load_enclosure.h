@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_input_load_enclosure_h
+#define thermocontact_input_load_enclosure_h
+
+#include <thermocontact/input/time_function.h>
+#include <thermocontact/method/load_history.h>
+
+namespace ThermoContact
+{
+  /** What a function of time does up to the end of a run. */
+  struct EnclosedLoad
+  {
+    LoadHistory history;
+    bool        is_resolved = true; ///< false: it has no history
+
+    /** If it is not resolved: a time near which it is not. */
+    double time = 0.;
+
+    /** The value there is not finite. */
+    bool is_infinite = false;
+
+    unsigned int n_evaluations = 0; ///< enclosures of a span of time
+  };
+
+
+
+  /**
+   * Encloses a function over $[0,T]$ in spans of time, which are halved until
+   * it is smooth in them and nearly a parabola. What is left when a span cannot
+   * be halved any more is a jump, between two neighbouring doubles, or a jump
+   * of the slope. Since the values in a span are enclosed, nothing in it is
+   * overlooked, however short.
+   *
+   * @param end_time $T>0$
+   */
+  EnclosedLoad
+  enclose_load(const TimeFunction &load, const double end_time);
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_scene_spatial_scene_h
+#define thermocontact_scene_spatial_scene_h
+
+#include <thermocontact/scene/scene.h>
+
+#include <optional>
+
+namespace ThermoContact
+{
+  /**
+   * All that mesh, spaces and matrices are made of: their constructors are
+   * given nothing else of a scene, so that scenes whose SpatialScene is the
+   * same have the same ones, bit for bit. A value.
+   */
+  struct SpatialScene
+  {
+    /** Implicit: a scene goes where this is asked for. */
+    SpatialScene(const Scene &scene);
+
+    unsigned int   dimension;
+    MeshParameters mesh;
+    SceneFields    fields;
+    Material       material;
+    bool           has_rollers;
+    bool           has_sliding_end;
+    bool           has_lumped_mass;
+    bool           has_midpoint_mass;
+    bool           has_massless_nodes;
+    bool           has_elastic_contact_nodes;
+    bool           has_matrices;
+    double      exchange_coefficient; ///< $k$ of the contact end, if constant
+    double      lateral_exchange;     ///< $m$, (M.101)
+    double      gap;                  ///< $g$ of all nodes; 0 with a shape
+    std::optional<Expression> gap_expression; ///< of a shape or a motion
+
+    bool
+    operator==(const SpatialScene &other) const;
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/input/load_enclosure.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    /**
+     * A load is nearly a parabola in a span if it is off by that part of its
+     * change there.
+     */
+    constexpr double nearly_parabolic = 0.25;
+
+    /** Parts of the variation of a load that do not matter. */
+    constexpr double negligible = 1e-7;
+
+    /** More enclosures are not worth their time. */
+    constexpr unsigned int max_evaluations = 1 << 20;
+
+    /** Parts of $T$ below which times are the start: epsilon twice. */
+    constexpr double start = std::numeric_limits<double>::epsilon() *
+                             std::numeric_limits<double>::epsilon();
+
+
+
+    /** Thrown where a load has no history. */
+    struct Unresolved
+    {
+      double time;
+      bool   is_infinite;
+    };
+
+
+
+    class LoadEncloser
+    {
+    public:
+      LoadEncloser(const TimeFunction &load,
+                   const double        end_time,
+                   EnclosedLoad       &result)
+        : load(load)
+        , end_time(end_time)
+        , result(result)
+      {}
+
+
+
+      void
+      enclose()
+      {
+        constexpr unsigned int n_samples = 64;
+        for (unsigned int i = 0; i <= n_samples; ++i)
+          note_value(load.value(end_time * i / n_samples));
+        // level by level, so that the variation is known before what is small
+        std::vector<Interval> level{{0., end_time}}, halves;
+        while (!level.empty())
+          {
+            halves.clear();
+            for (const Interval &span : level)
+              enclose(span, halves);
+            level.swap(halves);
+          }
+        find_breaks();
+      }
+
+    private:
+      const TimeFunction   &load;
+      const double          end_time;
+      EnclosedLoad         &result;
+      Interval              range{infinity, -infinity}; ///< of values seen
+      std::vector<Interval> left; ///< spans that cannot be halved
+
+
+
+      void
+      note_value(const double value)
+      {
+        if (std::isfinite(value))
+          range = hull(range, value);
+      }
+
+
+
+      /** What is negligible: a part of the variation, but not of its rounding.
+       */
+      double
+      threshold() const
+      {
+        return range.low > range.high ?
+                 0. :
+                 negligible *
+                   std::max(range.width(), negligible * range.magnitude());
+      }
+
+
+
+      void
+      enclose(const Interval &span, std::vector<Interval> &halves)
+      {
+        const double middle = 0.5 * (span.low + span.high);
+        if (++result.n_evaluations > max_evaluations)
+          throw Unresolved{middle, false};
+        const IntervalJet     all = load.enclosure(span);
+        const TimeDerivatives at  = load.derivatives(middle);
+        note_value(at.value);
+        if (all.value.is_finite() && all.first.is_finite() &&
+            all.second.is_finite() && is_smooth(all, at, span))
+          return;
+        if (!(middle > span.low && middle < span.high) ||
+            span.width() < start * end_time)
+          left.push_back(span);
+        else
+          {
+            halves.emplace_back(span.low, middle);
+            halves.emplace_back(middle, span.high);
+          }
+      }
+
+
+
+      /** If so, its width is kept where it limits steps. */
+      bool
+      is_smooth(const IntervalJet     &all,
+                const TimeDerivatives &at,
+                const Interval        &span)
+      {
+        const double h    = span.width();
+        const double miss = all.second.width() * h * h / 8.;
+        const double change =
+          std::abs(at.first) * h + std::abs(at.second) * h * h / 8.;
+        if (miss > nearly_parabolic * change && miss > threshold() &&
+            all.first.width() * h / 4. > threshold())
+          return false;
+        if (all.first.width() * h / 4. > threshold() && miss > 0.)
+          {
+            // the same of a longer span, in which the third derivative is
+            const double third = all.second.width() / h;
+            const double half  = nearly_parabolic * std::abs(at.second) / 2.;
+            const double width =
+              (half + std::sqrt(half * half + 8. * third * nearly_parabolic *
+                                                std::abs(at.first))) /
+              third;
+            if (width < end_time)
+              result.history.stretches.push_back(
+                {span.low,
+                 span.high,
+                 std::max({width, h, std::cbrt(8. * threshold() / third)})});
+          }
+        return true;
+      }
+
+
+
+      /** Neighbouring spans that are left hold one break. */
+      void
+      find_breaks()
+      {
+        std::sort(left.begin(),
+                  left.end(),
+                  [](const Interval &a, const Interval &b) {
+                    return a.low < b.low;
+                  });
+        for (unsigned int i = 0; i < left.size();)
+          {
+            Interval span = left[i];
+            while (++i < left.size() && is_same_time(span.high, left[i].low))
+              span.high = left[i].high;
+            add_break(span);
+          }
+      }
+
+
+
+      static bool
+      is_same_time(const double a, const double b)
+      {
+        return b - a <= 8. * std::numeric_limits<double>::epsilon() * b;
+      }
+
+
+
+      /**
+       * The last double from @p a on at which a quantity is nearly that of
+       * @p a, if it changes before @p b.
+       */
+      template <typename Quantity>
+      static double
+      last_like(double a, double b, const Quantity &quantity)
+      {
+        const double old  = quantity(a);
+        const double near = 0.1 * std::abs(quantity(b) - old);
+        while (true)
+          {
+            const double middle = 0.5 * (a + b);
+            if (middle == a || middle == b)
+              return a;
+            (std::abs(quantity(middle) - old) <= near ? a : b) = middle;
+          }
+      }
+
+
+
+      void
+      add_break(const Interval &span)
+      {
+        const auto value = [&](const double t) { return load.value(t); };
+        const auto slope = [&](const double t) {
+          return load.derivatives(t).first;
+        };
+        for (const double t :
+             {span.low, 0.5 * (span.low + span.high), span.high})
+          if (!std::isfinite(value(t)))
+            throw Unresolved{t, true};
+        const bool is_jump =
+          std::abs(value(span.high) - value(span.low)) > threshold();
+        if (!is_jump &&
+            std::abs(slope(span.high) - slope(span.low)) * end_time <=
+              threshold())
+          return; // it is smooth there
+        LoadBreak found(is_jump ? last_like(span.low, span.high, value) :
+                                  last_like(span.low, span.high, slope),
+                        is_jump);
+        found.old_time = found.time;
+        found.new_time = is_jump ? last_like(span.high, span.low, value) :
+                                   last_like(span.high, span.low, slope);
+        result.history.breaks.push_back(found);
+      }
+    };
+  } // namespace
+
+
+
+  EnclosedLoad
+  enclose_load(const TimeFunction &load, const double end_time)
+  {
+    EnclosedLoad result;
+    try
+      {
+        LoadEncloser(load, end_time, result).enclose();
+        result.history.add({}); // in order
+      }
+    catch (const Unresolved &fault)
+      {
+        result.history     = {};
+        result.is_resolved = false;
+        result.time        = fault.time;
+        result.is_infinite = fault.is_infinite;
+      }
+    return result;
+  }
+} // namespace ThermoContact

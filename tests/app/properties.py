@@ -1,0 +1,603 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What holds for the files of every scene: columns and keys from each other, from the
+entries and from the snapshots.
+
+Ties that hold to rounding have the bound EXACT; what is read from snapshots, which are in
+single precision, SINGLE; sums over steps in place of integrals, ROUGH.
+"""
+import math
+import re
+
+import numpy
+
+from falsify import Checks
+from polynomials import Element
+from run_files import differences, nearly
+
+EXACT, SINGLE, ROUGH = 1e-10, 2e-5, 0.1
+TIMES = ("set_up_seconds", "loop_seconds", "step_seconds", "factorization_seconds",
+         "solve_seconds", "contact_seconds", "output_seconds", "wall_seconds")
+check = Checks()
+
+
+def column(*names):
+    return check(*(f"contact.csv/{name}" for name in names))
+
+
+def key(*names):
+    return check(*(f"summary.json/{name}" for name in names))
+
+
+class Scene:
+    """What the entries of a run say, named as in doc/model.md."""
+
+    def __init__(self, run):
+        s = self.settings = run.settings
+        self.is_rod = s["Dimension"] == "1"
+        self.has_heat, self.moves = s.has("temperature"), s.has("displacement")
+        self.condition = s.get("Contact/Condition", "none") if self.moves else "none"
+        self.has_obstacle = self.condition != "none"
+        self.b, self.zeta = s.number("Model/Inertia"), s.number("Model/Viscosity")
+        self.a = s.number("Model/Coupling") if self.has_heat and self.moves else 0.
+        self.epsilon = s.number("Contact/Compliance")
+        self.m = s.number("Contact/Exponent") if self.condition == "power law" else 1.
+        self.c = s.number("Contact/Damping")
+        self.drive = s["Boundary/Fixed end temperature"] if self.has_heat else "0"
+        rear = s.get("Contact/Rear gap", "none")
+        self.rear_gap = math.inf if rear == "none" else float(rear)
+        self.is_euler = s["Time/Scheme"] == "backward euler"
+        sources = ("Heat source", "Body force", "End traction", "End heat flux")
+        self.is_driven = any(s.get(f"Sources/{name}", "0") != "0" for name in sources) or \
+            s.get("Boundary/Fixed end displacement", "0") != "0" or "t" in self.drive or \
+            "t" in s.get("Contact/Gap", "0") or "t" in s.get(
+                "Boundary/Obstacle temperature", "0")
+        self.works = self.is_driven or self.a and s["Model/Thermoelastic heating"] == \
+            "false" or "pressure" in s.get("Boundary/Heat exchange", "0")
+
+    def at_end(self, entry, times):
+        """An expression at the contact end."""
+        function = self.settings.expression(entry)
+        return numpy.array([function(numpy.ones(1), t)[0] for t in times])
+
+
+def scene_of(run):
+    if "scene" not in run.__dict__:
+        run.scene = Scene(run)
+    return run.scene
+
+
+def compare(run, expected, bound=0.):
+    """Faults of the keys that do not have the expected values."""
+    for name, value in expected.items():
+        found = run.summary[name]
+        same = (nearly(found, value, bound) if isinstance(value, float) else
+                found == value and isinstance(found, type(value)))
+        if not same:
+            yield f"{name} is {found} instead of {value}"
+
+
+@column("step", "time", "step_size")
+def check_times(run):
+    """A row for each step, whose sizes lead from row to row to T."""
+    c = run.contact
+    yield differences(c["step"], numpy.arange(len(c)), 0)
+    yield differences(numpy.diff(c["time"], prepend=0.), c["step_size"], EXACT, 1.)
+    if c["time"][-1] != run.settings.number("Time/End time"):
+        yield "the last row is not at the end time"
+
+
+@column("displacement_end", "displacement_mid", "velocity_end", "gap", "penetration",
+        "contact_force", "in_contact", "stress_end")
+def check_contact_law(run):
+    """The law at the nearer stop in each row of a rod; signs, in a body."""
+    c, scene = run.contact, scene_of(run)
+    if not scene.moves:
+        for name in ("displacement_end", "displacement_mid", "velocity_end", "stress_end",
+                     "gap", "penetration", "contact_force"):
+            yield differences(c[name], numpy.full(len(c), math.nan), 0)
+        yield differences(c["in_contact"], 0 * c["time"], 0)
+        return
+    p, traction = c["contact_force"], scene.at_end("Sources/End traction", c["time"])
+    yield differences(c["stress_end"], traction - p, EXACT, 1.)
+    if not scene.has_obstacle:
+        yield differences(p, 0 * p, 0)
+        return
+    if scene.condition != "rigid":
+        # a large tolerance leaves a bit of pressure where contact begins and ends
+        yield differences(c["penetration"], numpy.maximum(0, -c["gap"]), 1e-3, 1.)
+    elif (c["gap"] < -1e-9).any():
+        yield "penetration of a rigid obstacle"
+    if not scene.is_rod:
+        if scene.rear_gap == math.inf and (p < 0).any():
+            yield "a negative force"
+        return
+    yield differences(c["in_contact"], p != 0, 0)
+    g, u = scene.at_end("Contact/Gap", c["time"]), c["displacement_end"]
+    yield differences(c["gap"], numpy.minimum(g - u, scene.rear_gap + u), EXACT, 1.)
+    side = numpy.where(g - u < scene.rear_gap + u, 1., -1.)
+    if (side * p < 0).any():
+        yield "a force from the other stop"
+    if scene.condition == "rigid":
+        yield differences(p * c["gap"], 0 * p, EXACT, 1.)
+    elif scene.c == 0:
+        yield differences(p, side * (c["penetration"] / scene.epsilon)**scene.m, 1e-9)
+    else:  # at t = 0 the law is without it
+        rate = scene.at_end("Contact/Gap", c["time"] + 1e-6) - g
+        v = c["velocity_end"] - rate * 1e6
+        yield differences(p[1:], (side * (numpy.maximum(0, -c["gap"]) / scene.epsilon) **
+                                  scene.m * numpy.maximum(0, 1 + scene.c * side * v))[1:],
+                          1e-5, 1.)
+
+
+@column("heat_flux_end", "temperature_end", "temperature_mean")
+def check_heat_flux(run):
+    """k (theta_end - theta_obs)"""
+    c, scene, s = run.contact, scene_of(run), run.settings
+    if not scene.has_heat:
+        for name in ("temperature_end", "temperature_mean", "heat_flux_end"):
+            yield differences(c[name], numpy.full(len(c), math.nan), 0)
+        return
+    obstacle = scene.at_end("Boundary/Obstacle temperature", c["time"])
+    k = s["Boundary/Heat exchange"]
+    if "pressure" in k and not scene.is_rod:
+        return
+    k = eval(k, {"pressure": abs(numpy.nan_to_num(c["contact_force"]))})
+    yield differences(c["heat_flux_end"], k * (c["temperature_end"] - obstacle), 1e-8)
+
+
+@column("lateral_heat_flux", "lateral_dissipation")
+def check_lateral(run):
+    """m (mean theta - theta_inf); a part of the dissipation"""
+    c, s = run.contact, run.settings
+    if "lateral_heat_flux" not in c.names:
+        return
+    m, outside = (s.number("Boundary/" + name) for name in (
+        "Lateral heat exchange", "Ambient temperature"))
+    expected = m * (c["temperature_mean"] - outside)  # in a body that of the faces
+    yield differences(c["lateral_heat_flux"], expected,
+                      1e-9 if scene_of(run).is_rod else ROUGH)
+    part = numpy.diff(c["lateral_dissipation"])
+    if (part < 0).any() or (part > numpy.diff(c["dissipation"]) + 1e-12).any() or \
+            c["lateral_dissipation"][0] != 0:
+        yield "not a part of the dissipation"
+
+
+@column("energy", "work", "dissipation", "numerical_dissipation", "contact_dissipation",
+        "algebraic")
+def check_audit(run):
+    """(M.22) in each row; what cannot fall; no work where nothing does any."""
+    c, scene = run.contact, scene_of(run)
+    zero = 0 * c["time"]
+    taken = c["contact_dissipation"] if "contact_dissipation" in c.names else zero
+    left = c["algebraic"] if "algebraic" in c.names else zero
+    sums = c["energy"] + c["dissipation"] + c["numerical_dissipation"] + taken - \
+        c["work"] - left
+    scale = abs(c["energy"]).max() + c["dissipation"].max()
+    yield differences(sums, numpy.full(len(c), c["energy"][0]), EXACT, scale)
+    for name, values in (("dissipation", c["dissipation"]), ("contact_dissipation", taken)):
+        if (numpy.diff(values) < -1e-13 * scale).any() or values[0] != 0:
+            yield f"{name} falls, or does not begin at 0"
+    if scene.is_euler and (scene.condition in ("none", "normal compliance")) and \
+            not scene.works and (numpy.diff(c["numerical_dissipation"]) < -EXACT * scale).any():
+        yield "numerical dissipation of backward Euler falls"
+    if not scene.works:
+        yield differences(c["work"], zero, 0)
+
+
+@column("displacement_end", "velocity_end", "contact_impulse", "contact_force")
+def check_rates(run):
+    """Differences of u(1) are those of its velocity, of the impulse those of the force: of
+    backward Euler exactly, else by the rule of trapezoids, where no impact makes it jump."""
+    c, scene = run.contact, scene_of(run)
+    if not scene.moves:
+        return
+    dt, is_step = c["step_size"][1:], c["time"][1:] > 0.02
+    for values, rate in (("displacement_end", "velocity_end"),
+                         ("contact_impulse", "contact_force")):
+        if scene.condition == "rigid" and values == "contact_impulse":
+            continue
+        found, ends = numpy.diff(c[values]), c[rate][1:] * dt
+        if scene.is_euler:
+            yield differences(found[1:], ends[1:], 1e-9, abs(ends).max() + 1e-3)
+        else:
+            error = (found - (ends + c[rate][:-1] * dt) / 2)[is_step]
+            if scene.condition != "rigid" and numpy.linalg.norm(error) > ROUGH * numpy.linalg.norm(found) + 1e-6:
+                yield f"{values}: not the integral of {rate}"
+
+
+@check(*(f"probes.csv/{field}_{i}" for i in (1, 2) for field in (
+    "temperature", "displacement", "velocity", "stress")), "probes.csv/time",
+       "contact.csv/displacement_mid", "contact.csv/temperature_end",
+       "contact.csv/displacement_end", "contact.csv/velocity_end")
+def check_probes(run):
+    """The middle and the end of a rod are those of contact.csv, and of the snapshots."""
+    c, q = run.contact, run.probes
+    yield differences(q["time"], c["time"], 0)
+    pairs = [("displacement_1", "displacement_mid")] + ([
+        (f"{name}_2", f"{name}_end") for name in ("temperature", "displacement", "velocity")]
+        if scene_of(run).is_rod else [])
+    for one, two in pairs:
+        fault = differences(q[one], c[two], EXACT, 1.)
+        yield fault and f"{one}: {fault}"
+    for i in (1, 2):
+        for field in ("temperature", "displacement", "velocity", "stress"):
+            is_there = run.settings.has("temperature" if field == "temperature" else
+                                        "displacement")
+            if numpy.isnan(q[f"{field}_{i}"][1:]).any() == is_there:
+                yield f"{field}_{i}: not a number"
+    for time, mesh in run.snapshots():
+        row, = numpy.flatnonzero(abs(c["time"] - time) < 1e-12)[:1]
+        points = mesh.points[:, :3].copy()
+        for i, place in enumerate(run.probe_positions(), 1):
+            place = numpy.pad(numpy.array(place), (0, 3 - len(place)))
+            distance = numpy.linalg.norm(points - place, axis=1)
+            if distance.min() > 1e-6:
+                continue
+            at = numpy.flatnonzero(distance < 1e-6)
+            for field, values in mesh.point_data.items():
+                x = values.reshape(len(points), -1)[at, 0]
+                found, scale = q[f"{field}_{i}"][row], abs(values).max() + 1e-3
+                if not (x.min() - SINGLE * scale <= found <= x.max() + SINGLE * scale) and \
+                        not (math.isnan(found) and field == "velocity"):
+                    yield f"{field}_{i} at {time:g} is {found}, not {x}"
+
+
+@column("energy", "dissipation", "temperature_mean")
+def check_snapshots(run):
+    """Mean temperature, energy (M.8), and of backward Euler the dissipation (M.23), by the
+    polynomials of a rod's snapshots."""
+    c, scene, s = run.contact, scene_of(run), run.settings
+    if not scene.is_rod or not run.snapshots():
+        return
+    k, theta_obs = s.get("Boundary/Heat exchange", "0"), s.get(
+        "Boundary/Obstacle temperature", "0")
+    is_steady = not s.number("Boundary/Lateral heat exchange") and not (
+        re.search("[a-z]", scene.drive + k + theta_obs))
+    e = Element(numpy.linspace(0, 1, int(s["Mesh/Degree"]) + 1))
+    B, G = e.values(e.points), e.derivatives(e.points)
+    energies, rates, rows = [], [], []
+    for time, mesh in run.snapshots():
+        x = mesh.points[:, 0].reshape(-1, e.n).astype(float)
+        h = (x[:, -1] - x[:, 0])[:, None]
+        fields = {name: values.reshape(len(mesh.points), -1)[:, 0].reshape(-1, e.n).astype(
+            float) for name, values in mesh.point_data.items()}
+
+        def integral(values):
+            return float(((values @ e.weights)[:, None] * h).sum())
+        row = int(numpy.argmin(abs(c["time"] - time)))
+        rows.append(row)
+        energy, rate = 0., 0.
+        if scene.has_heat:
+            theta = fields["temperature"]
+            if abs(integral(theta @ B.T) - c["temperature_mean"][row]) > SINGLE * (
+                    abs(theta).max()):
+                yield f"temperature_mean in row {row}"
+            if not is_steady:
+                continue
+            k_s, inner, outer = float(k), float(scene.drive), float(theta_obs)
+            drop = k_s / (k_s + 1) * (inner - outer)
+            away = theta @ B.T - inner + drop * (x[:, :1] + h * e.points)
+            energy += integral(away**2) / 2
+            rate += integral((theta @ G.T / h + drop)**2) + k_s * (
+                theta[-1, -1] - inner + drop)**2
+        if scene.moves:
+            strain = fields["displacement"] @ G.T / h
+            energy += integral(strain**2) / 2 + scene.b / 2 * integral(
+                (fields["velocity"] @ B.T)**2)
+            if scene.has_heat:
+                energy -= scene.a * integral(
+                    (inner - drop * (x[:, :1] + h * e.points)) * strain)
+            rate += scene.zeta * integral((fields["velocity"] @ G.T / h)**2)
+            if scene.has_obstacle and scene.condition != "rigid":
+                energy += scene.epsilon / (scene.m + 1) * (
+                    max(0., -c["gap"][row]) / scene.epsilon)**(scene.m + 1)
+        energies.append(energy)
+        rates.append(rate)
+    has_masses = "massless contact nodes" not in run.summary["terms"]
+    if energies and has_masses and not (scene.b == 0 and math.isnan(c["velocity_end"][0])):
+        yield differences(c["energy"][rows], energies, 1e-4, max(map(abs, energies)) + 1e-6)
+        if scene.is_euler and len(rows) == len(c) and scene.condition != "rigid":
+            expected = numpy.cumsum(numpy.array(rates) * c["step_size"]) - rates[0] * \
+                c["step_size"][0]
+            yield differences(c["dissipation"], expected, 1e-3)
+
+
+@check(*(f"poincare.csv/{name}" for name in (
+    "step", "time", "step_size", "displacement_end", "displacement_mid", "velocity_end",
+    "stress_end", "gap", "penetration", "contact_force", "contact_impulse",
+    "temperature_end", "heat_flux_end", "energy", "dissipation", "numerical_dissipation",
+    "in_contact", "iterations", "work", "temperature_mean", "lateral_heat_flux",
+    "lateral_dissipation", "contact_dissipation", "contact_area", "max_pressure", "min_gap",
+    "moment_y", "moment_z")))
+def check_poincare(run):
+    """The rows at the multiples of the period, all of them."""
+    if not run.has_table("poincare"):
+        return
+    period, c = run.settings.number("Output/Period"), run.contact
+    if run.poincare.names != c.names:
+        yield "other columns than contact.csv"
+    times = period * numpy.arange(math.floor(c["time"][-1] / period + 1e-9) + 1)
+    yield differences(run.poincare["time"], times, 1e-9, 1.)
+    rows = [int(numpy.argmin(abs(c["time"] - time))) for time in times]
+    for name in c.names:
+        fault = differences(run.poincare[name], c[name][rows], 0)
+        yield fault and f"poincare.csv/{name}: {fault}"
+
+
+@column("contact_area", "max_pressure", "min_gap", "moment_y", "moment_z", "iterations")
+def check_face(run):
+    """Of a body: areas and pressures that can make the force; counts."""
+    c, s = run.contact, run.settings
+    counts = c["iterations"]
+    if (counts < 0).any() or (counts != numpy.round(counts)).any():
+        yield "iterations"
+    if "contact_area" not in c.names:
+        return
+    force, area, largest = abs(c["contact_force"]), c["contact_area"], c["max_pressure"]
+    width = s.number("Mesh/Width")
+    if not scene_of(run).moves:
+        for name in ("contact_area", "max_pressure", "min_gap", "moment_y", "moment_z"):
+            yield differences(c[name], 0 * counts, 0)
+        return
+    yield differences(c["min_gap"], c["gap"], 0)
+    if (area < 0).any() or (area > 1 + 1e-12).any() or ((area > 0) != (
+            c["in_contact"] == 1)).any():
+        yield "contact_area"
+    if (force > abs(largest) * area * (1 + 1e-9) + 1e-14).any() or \
+            (abs(largest) > 0)[area == 0].any():
+        yield "max_pressure"
+    for name in ("moment_y", "moment_z"):
+        if (abs(c[name]) > width / 2 * force * (1 + 1e-9) + 1e-14).any() and \
+                scene_of(run).rear_gap == math.inf:
+            yield name
+
+
+def sides_of(events):
+    """1 of the front stop, -1 of the rear one."""
+    return numpy.array([-1. if side == "rear" else 1. for side in events["side"]]
+                       if "side" in events.names else numpy.ones(len(events)))
+
+
+@check("events.csv/time", "events.csv/kind", "events.csv/velocity", "events.csv/duration",
+       "events.csv/side")
+def check_events(run):
+    """Begin and end in turn, where in_contact changes; durations; velocities of the rows
+    beside, towards the stop at a begin."""
+    c, e, scene = run.contact, run.events, scene_of(run)
+    if e["kind"] != (["begin", "end"] * len(e))[:len(e)]:
+        yield "not begin and end in turn"
+    if not len(e):
+        return
+    if "side" in e.names and not set(e["side"]) <= {"front", "rear"}:
+        yield f"{e['side']}"
+    is_end = numpy.array([kind == "end" for kind in e["kind"]])
+    yield differences(e["duration"], numpy.where(is_end, numpy.diff(
+        e["time"], prepend=numpy.nan), numpy.nan), EXACT, 1.)
+    if not scene.is_rod or scene.b == 0:
+        return
+    side, v = sides_of(e), e["velocity"]
+    g = scene.at_end("Contact/Gap", e["time"])
+    rate = (scene.at_end("Contact/Gap", e["time"] + 1e-6) - g) * 1e6
+    u = numpy.interp(e["time"], c["time"], c["displacement_end"])
+    place = numpy.where(side > 0, g, -scene.rear_gap)
+    if (abs(u - place) > 2e-3).any():
+        yield f"events where u(1) is {u}, not {place}"
+    if ((side * v < -1e-3) & ~is_end & (e["time"] > 0)).any():
+        yield "contact begins by moving away"
+    for time, velocity, offset in zip(e["time"], v, rate):
+        row = int(numpy.argmin(abs(c["time"] - time)))
+        near = c["velocity_end"][max(row - 2, 0):row + 3] - offset
+        slack = 0.02 + numpy.ptp(near) / 2
+        if time > 0 and not near.min() - slack <= velocity <= near.max() + slack:
+            yield f"velocity {velocity} at {time}"
+
+
+@check("steps.csv/time", "steps.csv/step_size", "steps.csv/accepted", "steps.csv/error",
+       "steps.csv/reason", "steps.csv/wall_seconds")
+def check_attempts(run):
+    """Attempts start where the last accepted one ended, at the rows of contact.csv."""
+    if not run.has_table("steps"):
+        return
+    a, c, e = run.steps, run.contact, run.events
+    accepted = a["accepted"] == 1
+    yield differences(a["accepted"], accepted, 0)
+    yield differences(a["step_size"][accepted], c["step_size"][1:], 0)
+    starts = numpy.concatenate([[0], c["time"][1:]])[numpy.cumsum(accepted) - accepted]
+    yield differences(a["time"], starts, EXACT, 1.)
+    if (a["wall_seconds"] <= 0).any():
+        yield "wall_seconds"
+    yield differences([a["wall_seconds"].sum()], [run.summary["step_seconds"]], 1e-4)
+    ends, T = a["time"] + a["step_size"], run.settings.number("Time/End time")
+    period = run.settings.number("Output/Period")
+    for i, (reason, error) in enumerate(zip(a["reason"], a["error"])):
+        is_known = reason in (("ok", "load", "event", "output", "end") if accepted[i] else
+                              ("tolerance", "contact", "failed"))
+        good = {"end": abs(ends[i] - T) < 1e-9, "tolerance": error > 0.2,
+                "ok": error <= 1 and abs(ends[i] - T) > 1e-9,
+                "event": not scene_of(run).is_rod or (  # of a body that of any node
+                    len(e) and abs(ends[i] - e["time"]).min() < 0.02),
+                "output": period and abs(math.remainder(ends[i], period)) < 1e-9,
+                "contact": i + 1 < len(a) and a["step_size"][i + 1] < a["step_size"][i] * 1.0001
+                }.get(reason, True)
+        at_event = scene_of(run).is_rod and len(e) and accepted[i] and abs(
+            ends[i] - e["time"]).min() < 1e-12
+        if at_event and reason == "ok":
+            yield f"row {i}: an event, {reason}"
+        if not is_known or not good or reason != "failed" and not error >= 0 and \
+                not math.isnan(error):
+            yield f"row {i}: {reason}, error {error}"
+
+
+@key("title", "status", "version", "dimension", "ranks", "fields", "scheme", "terms",
+     "warnings")
+def check_names(run):
+    """Entries of the file, heads of the tables, lines of the log; terms that act."""
+    s, scene, terms = run.settings, scene_of(run), run.summary["terms"]
+    version = run.contact.comments[1].split(",")[0].removeprefix("thermocontact ")
+    yield from compare(run, {
+        "title": s["Title"], "status": "done", "version": version,
+        "dimension": int(s["Dimension"]), "scheme": s["Time/Scheme"],
+        "fields": [name for name in ("temperature", "displacement") if s.has(name)],
+        "ranks": int(re.search(r"ranks: (\d+)", run.log)[1]),
+        "warnings": re.findall(r"^  warning:  (.*)$", run.log, re.MULTILINE)})
+    for table in run.tables.values():
+        if table.comments[0] != s["Title"] or version not in table.comments[1]:
+            yield "the head of a table"
+    for name, is_there in {
+            "heat conduction": scene.has_heat, "elasticity": scene.moves,
+            "inertia": scene.moves and scene.b > 0, "thermal stress": scene.a != 0,
+            "viscosity": scene.moves and scene.zeta > 0,
+            "rigid contact": scene.condition == "rigid",
+            "two stops": scene.has_obstacle and scene.rear_gap < math.inf,
+            "body force": scene.moves and s["Sources/Body force"] != "0"}.items():
+        if (name in terms) != bool(is_there):
+            yield f"terms: {name}"
+    words = re.search(r"^  terms +(.*(?:\n {12,}\S.*)*)", run.log, re.MULTILINE)
+    if words and ", ".join(terms) != re.sub(r"\s+", " ", words[1]):
+        yield f"terms of the log: {words[1]}"
+
+
+@key("dofs", "factorized_unknowns", "steps", "rejected_steps", "solves", "factorizations",
+     "responses", "linear_solver", "linear_iterations", "max_linear_iterations",
+     "active_set_iterations")
+def check_counts(run):
+    """Nodes and components; rows; a solve for each stage of each attempt."""
+    s, scene, m = run.settings, scene_of(run), run.summary
+    dim, degree = int(s["Dimension"]), int(s["Mesh/Degree"])
+    nodes = int(s["Mesh/Cells"]) * degree + 1
+    if dim > 1:
+        nodes *= (int(s["Mesh/Cells across"]) * degree + 1)**(dim - 1)
+    sizes = [nodes] * scene.has_heat + [dim * nodes] * scene.moves
+    heats = scene.a and s["Model/Thermoelastic heating"] == "true"
+    rejected = int((run.steps["accepted"] == 0).sum()) if run.has_table("steps") else 0
+    stages = {"backward euler": 1, "sdirk2": 2, "sdirk3": 3, "sdirk4": 5}[s["Time/Scheme"]]
+    attempts = len(run.contact) - 1 + rejected
+    yield from compare(run, {
+        "dofs": sum(sizes), "factorized_unknowns": sum(sizes) if heats else max(sizes),
+        "steps": len(run.contact) - 1, "rejected_steps": rejected, "linear_iterations": 0,
+        "linear_solver": "block tridiagonal" if dim == 1 else "direct",
+        "max_linear_iterations": 0, "active_set_iterations": 0})
+    if not attempts <= m["solves"] <= 2 * stages * attempts + 1:
+        yield f"{m['solves']} solves of {attempts} attempts"
+    if not 1 <= m["factorizations"] <= m["solves"] + 4 or m["responses"] < 0 or (
+            m["responses"] > 0 and not scene.has_obstacle and dim == 1):
+        yield f"{m['factorizations']} factorisations, {m['responses']} responses"
+
+
+@key("contact_begins", "first_contact_time", "contact_duration", "restitution",
+     "contact_impulse", "max_penetration", "max_contact_force", "max_energy_increase",
+     "final_time", "final_displacement_end", "final_energy", "final_contact_force",
+     "final_temperature_end", "final_in_contact")
+def check_results(run):
+    """From events.csv and the rows: counts, sums, largest and last values."""
+    c, e, scene = run.contact, run.events, scene_of(run)
+    is_begin = numpy.array([kind == "begin" for kind in e["kind"]], bool)
+    begins, ends = (e["time"][mask] if len(e) else e["time"] for mask in (
+        is_begin, ~is_begin))
+    is_open = [c["time"][-1]] * (len(begins) - len(ends))
+    yield from compare(run, {
+        "contact_begins": len(begins), "final_in_contact": bool(c["in_contact"][-1]),
+        "first_contact_time": float(begins[0]) if len(begins) else None})
+    towards = e["velocity"] * sides_of(e)
+    impact, release = (towards[mask] if len(e) else [] for mask in (is_begin, ~is_begin))
+    ratio = -release[-1] / impact[0] if len(release) and impact[0] > 0 else math.nan
+    created = numpy.diff(c["energy"]) - numpy.diff(c["work"])
+    last = {f"final_{name}": float(c[name][-1]) for name in (
+        "time", "displacement_end", "energy", "contact_force", "temperature_end")}
+    yield from compare(run, {
+        "contact_duration": float(sum([*ends, *is_open]) - sum(begins)),
+        "restitution": float(ratio),
+        "contact_impulse": float(c["contact_impulse"][-1]), **last,
+        "max_energy_increase": max(0., float(max(created)))}, 1e-9)
+    yield from compare(run, {
+        "max_contact_force": float(max(abs(c["contact_force"]))),
+        "max_penetration": float(max(c["penetration"]))}, 1e-9)
+
+
+@key("predicted_displacement_end", "predicted_contact_force", "predicted_temperature_end",
+     "predicted_in_contact", "predicted_remark", "difference_displacement_end",
+     "difference_contact_force", "difference_temperature_end",
+     "predicted_first_contact_time", "predicted_first_penetration",
+     "predicted_critical_step_size", "predicted_steps")
+def check_forecast(run):
+    """How far the last row is from rest, which is that of the law and the heat exchange;
+    the first contact and the steps of the run itself."""
+    m, c, scene, s = run.summary, run.contact, scene_of(run), run.settings
+    for name in ("displacement_end", "contact_force", "temperature_end"):
+        rest, found = m[f"predicted_{name}"], m[f"difference_{name}"]
+        expected = math.nan if rest is None else float(c[name][-1] - rest)
+        if not (nearly(found, expected, 1e-9) or rest is not None and found is not None and
+                abs(found - expected) < 1e-12):
+            yield f"difference_{name} is {found} instead of {expected}"
+    u, p, theta = (m[f"predicted_{name}"] for name in (
+        "displacement_end", "contact_force", "temperature_end"))
+    if (u is None and p is None and theta is None) != bool(m["predicted_remark"]) and (
+            m["predicted_remark"] or scene.moves):
+        yield f"remark {m['predicted_remark']!r}"
+    if p is None and (m["predicted_in_contact"] is None) != bool(m["predicted_remark"]):
+        yield "predicted_in_contact"
+    if p is not None and (m["predicted_in_contact"] != (p != 0) or (
+            scene.is_rod and scene.condition == "normal compliance" and abs(
+                p - max(0, u - s.number("Contact/Gap")) / scene.epsilon + max(
+                    0, -u - scene.rear_gap) / scene.epsilon) > 1e-9)):
+        yield f"predicted_contact_force {p}"
+    if theta is not None and "pressure" not in s["Boundary/Heat exchange"] and not s.number(
+            "Boundary/Lateral heat exchange"):
+        k = s.number("Boundary/Heat exchange")
+        inner, outer = float(scene.drive), s.number("Boundary/Obstacle temperature")
+        yield differences([theta], [inner - k / (k + 1) * (inner - outer)], EXACT)
+    time, first = m["predicted_first_contact_time"], m["first_contact_time"]
+    if time is not None and first is not None and abs(time - first) > 0.05 * first + 0.02:
+        yield f"predicted_first_contact_time {time}, found {first}"
+    deep = m["predicted_first_penetration"]
+    if deep is not None and (time is None or deep < 0 or len(run.events) > 1 and
+                             deep > 3 * m["max_penetration"] + 0.02):
+        yield f"predicted_first_penetration {deep}"
+    steps = m["predicted_steps"]
+    is_at_rest = not abs(c["energy"]).max() > 0
+    if steps is not None and not is_at_rest and not 0.1 < steps / m["steps"] < 10:
+        yield f"predicted_steps {steps}"
+    size = m["predicted_critical_step_size"]
+    if size is not None and not 1e-6 < size < 10:
+        yield f"predicted_critical_step_size {size}"
+
+
+@key("states_of_rest", "reached_state_of_rest")
+def check_states(run):
+    """Each is at rest with its own heat exchange; the one that the end has come to."""
+    m, scene, s = run.summary, scene_of(run), run.settings
+    k, states = s.get("Boundary/Heat exchange", "0"), m.get("states_of_rest")
+    if ("pressure" in k) != (states is not None) or states == [] and scene.is_rod and \
+            not scene.is_driven:
+        yield "states_of_rest"
+    for state in states or []:
+        theta, p = state["temperature_end"], state["contact_force"]
+        inner = scene.drive
+        if not scene.is_driven and not s.number("Boundary/Lateral heat exchange"):
+            rate = eval(k, {"pressure": abs(p or 0.)})
+            yield differences([theta], [float(inner) / (rate + 1)], 1e-7)
+    if states is not None:
+        reached = m["reached_state_of_rest"]
+        near = [i for i, state in enumerate(states, 1) if abs(
+            state["temperature_end"] - m["final_temperature_end"]) < 1e-3 * abs(
+                state["temperature_end"])]
+        if reached is not None and reached not in near:
+            yield f"reached {reached}"
+
+
+@key(*TIMES, "peak_memory_mb", "peak_memory_mb_per_rank")
+def check_costs(run):
+    """Parts of the whole; megabytes of each rank and their sum."""
+    m = run.summary
+    if not all(isinstance(m[name], float) and m[name] >= 0 for name in TIMES):
+        yield "not a time"
+        return
+    parts = m["set_up_seconds"] + m["loop_seconds"] + m["output_seconds"]
+    if not -0.01 < m["wall_seconds"] - parts < 0.5 or m["step_seconds"] > \
+            m["loop_seconds"] or m["solve_seconds"] + m["contact_seconds"] > \
+            m["step_seconds"] or m["factorization_seconds"] > m["solve_seconds"]:
+        yield "a part is longer than the whole"
+    ranks = m["peak_memory_mb_per_rank"]
+    if len(ranks) != m["ranks"] or not all(10 < part < 2000 for part in ranks) or \
+            not nearly(m["peak_memory_mb"], float(sum(ranks)), 1e-12):
+        yield "not megabytes of each rank, and their sum"
