@@ -135,35 +135,26 @@ namespace ThermoContact
     Assigner assigner(entries, prm);
     for (const Assignment &assignment : assignments)
       assigner.check_name(assignment);
-    const auto assign_if = [&](const auto &is_one, const auto &value) {
-      for (const Assignment &assignment : assignments)
-        if (!assignment.is_section() && is_one(assignment))
-          assigner.assign(assignment, value(assignment));
-    };
-    const auto is_of_rod = [](const Assignment &assignment) {
-      return assignment.path.rfind("Rod/", 0) == 0;
-    };
-    if (!is_in_si(assignments))
+    std::vector<Assignment> scene = assignments;
+    if (is_in_si(assignments))
       {
-        refuse_units(assignments);
-        return assign_if([](const Assignment &) { return true; },
-                         [](const Assignment &assignment) {
-                           return assignment.value;
-                         });
+        RodParameters    rod; // first, since the scales follow from it
+        ParameterHandler rod_prm;
+        rod.add_parameters(rod_prm);
+        for (const Assignment &given : assignments)
+          if (given.path.rfind("Rod/", 0) == 0 && !given.is_section())
+            {
+              assigner.assign(given, without_unit(given));
+              set_entry({"", given.path, without_unit(given)}, rod_prm);
+            }
+        scene = without_units(assignments, entries, rod);
       }
-    assign_if(is_of_rod, without_unit);
-    RodParameters    rod;
-    ParameterHandler rod_prm;
-    rod.add_parameters(rod_prm);
-    for (const Assignment &assignment : assignments)
-      if (is_of_rod(assignment) && !assignment.is_section())
-        set_entry({"", assignment.path, without_unit(assignment)}, rod_prm);
-    const SiScene scene(assignments, entries, rod);
-    assign_if(
-      [&](const Assignment &assignment) { return !is_of_rod(assignment); },
-      [&](const Assignment &assignment) { return scene.value(assignment); });
-    for (const Assignment &assignment : scene.derived())
-      assigner.assign(assignment, assignment.value);
+    else
+      refuse_units(assignments);
+    for (std::size_t i = 0; i < scene.size(); ++i)
+      if (!scene[i].is_section())
+        assigner.assign(i < assignments.size() ? assignments[i] : scene[i],
+                        scene[i].value);
   }
 
 
