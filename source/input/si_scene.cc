@@ -288,7 +288,7 @@ namespace ThermoContact
         conversions = conversions_by_kind(scales);
         check_area();
         for (const Assignment &assignment : assignments)
-          if (is_decided(assignment.path))
+          if (is_decided(assignment.path) && !assignment.is_section())
             refuse_value(assignment,
                          "section Rod decides it",
                          "no such entry",
@@ -417,17 +417,24 @@ namespace ThermoContact
       ScalesParameters                  scales;
       ConversionsByKind                 conversions; ///< to SI base units
 
-      /** The last value that an entry is given. */
-      std::optional<std::string>
-      given(const std::string &path) const
+      /** The last one of an entry, or null. */
+      const Assignment *
+      find(const std::string &path) const
       {
         const auto found = std::find_if(assignments.rbegin(),
                                         assignments.rend(),
                                         [&](const Assignment &assignment) {
                                           return assignment.path == path;
                                         });
-        return found == assignments.rend() ? std::nullopt :
-                                             std::optional(found->value);
+        return found == assignments.rend() ? nullptr : &*found;
+      }
+
+      /** The last value that an entry is given. */
+      std::optional<std::string>
+      given(const std::string &path) const
+      {
+        const Assignment *const last = find(path);
+        return last == nullptr ? std::nullopt : std::optional(last->value);
       }
 
       /** All that the scales, and entries without a default, need. */
@@ -546,10 +553,10 @@ namespace ThermoContact
       double
       number(const std::string &path) const
       {
-        const auto text = given(path);
-        return text ? parse_number(value({"", path, *text}))
-                        .value_or(std::numeric_limits<double>::quiet_NaN()) :
-                      std::numeric_limits<double>::quiet_NaN();
+        const Assignment *const last = find(path);
+        const auto              number =
+          last == nullptr ? std::nullopt : parse_number(value(*last));
+        return number.value_or(std::numeric_limits<double>::quiet_NaN());
       }
 
       /** One of the values of an entry that ';' or ',' separate. */
