@@ -692,6 +692,16 @@ namespace ThermoContact
 
 
 
+    static bool
+    is_function(const std::string &name)
+    {
+      return std::any_of(std::begin(functions),
+                         std::end(functions),
+                         [&](const Function &f) { return f.name == name; });
+    }
+
+
+
     void
     read()
     {
@@ -1358,6 +1368,106 @@ namespace ThermoContact
   Expression::evaluate_part(const unsigned int, const NumberJet *) const;
   template IntervalJet
   Expression::evaluate_part(const unsigned int, const IntervalJet *) const;
+
+
+
+  std::vector<std::string>
+  names_in(const std::string &text)
+  {
+    const auto is_in_word = [&text](const std::size_t i) {
+      return i < text.size() &&
+             (std::isalnum(static_cast<unsigned char>(text[i])) != 0 ||
+              text[i] == '_' || text[i] == '.');
+    };
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (is_in_word(i))
+        {
+          const std::size_t begin = i;
+          while (is_in_word(i))
+            ++i;
+          if (std::isdigit(static_cast<unsigned char>(text[begin])) == 0)
+            names.push_back(text.substr(begin, i - begin));
+        }
+    return names;
+  }
+
+
+
+  bool
+  can_name_constant(const std::string &name)
+  {
+    static const std::vector<std::string> taken{
+      "x", "y", "z", "t", "gap", "pressure", "theta_A", "pi", "_pi", "_e"};
+    return names_in(name) == std::vector<std::string>{name} &&
+           name.find('.') == std::string::npos &&
+           std::find(taken.begin(), taken.end(), name) == taken.end() &&
+           !Expression::Reader::is_function(name);
+  }
+
+
+
+  namespace
+  {
+    /** Constants whose values follow from each other. */
+    class ConstantEvaluator
+    {
+    public:
+      explicit ConstantEvaluator(
+        const std::map<std::string, std::string> &texts)
+        : texts(texts)
+      {}
+
+      std::map<std::string, double>
+      values()
+      {
+        for (const auto &constant : texts)
+          evaluate(constant.first);
+        return known;
+      }
+
+    private:
+      const std::map<std::string, std::string> &texts;
+      std::map<std::string, double>             known;
+      std::vector<std::string>                  open; ///< being evaluated
+
+      void
+      evaluate(const std::string &name)
+      {
+        if (known.count(name) > 0)
+          return;
+        const std::string &text  = texts.at(name);
+        const auto         first = std::find(open.begin(), open.end(), name);
+        if (first != open.end())
+          {
+            std::string path;
+            for (auto other = first; other != open.end(); ++other)
+              path += *other + " -> ";
+            path += name;
+            throw InputError("Constants/" + name + " = " + quote(text) +
+                             ": it depends on itself: " + path +
+                             "\n  allowed: numbers, or expressions in other "
+                             "constants");
+          }
+        open.push_back(name);
+        for (const std::string &other : names_in(text))
+          if (texts.count(other) > 0)
+            evaluate(other);
+        known[name] =
+          Expression("Constants/" + name, text, {{}, known, "2*pi/3"})
+            .evaluate<double>(nullptr);
+        open.pop_back();
+      }
+    };
+  } // namespace
+
+
+
+  std::map<std::string, double>
+  evaluate_constants(const std::map<std::string, std::string> &texts)
+  {
+    return ConstantEvaluator(texts).values();
+  }
 
 
 

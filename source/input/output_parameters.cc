@@ -84,12 +84,17 @@ namespace ThermoContact
   StudyParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Study");
-    prm.add_parameter("Vary",
-                      vary,
-                      "Runs the scene for all combinations of values: "
-                      "Section/Entry = value | value ; Section/Entry = value "
-                      "| ... ; several sets of combinations are separated by "
-                      "';;'. Values cannot hold '|' or ';'. Empty: runs once.");
+    prm.add_parameter(
+      "Vary",
+      vary,
+      "Runs the scene for all combinations of values: "
+      "Section/Entry = value | value ; Section/Entry = value "
+      "| ... . Values may be ranges, 0.6 .. 2.6 (61) or 1e-3 .. 1 "
+      "(7 log), and those of a constant, Constants/omega. "
+      "Entries that go together, as many values of each, are "
+      "separated by ',': A = a1 | a2 , B = b1 | b2. Several sets "
+      "of combinations are separated by ';;'. Values cannot hold "
+      "'|' or ';'. Empty: runs once.");
     prm.add_parameter("Reference",
                       reference,
                       "none, or overrides Section/Entry = value ; ... for the "

@@ -2,14 +2,18 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
+#include <thermocontact/input/constants.h>
 #include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/unknown_names.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 namespace ThermoContact
 {
@@ -41,8 +45,11 @@ namespace ThermoContact
     class Assigner
     {
     public:
-      Assigner(const std::vector<DeclaredEntry> &entries, ParameterHandler &prm)
+      Assigner(const std::vector<DeclaredEntry>    &entries,
+               const std::map<std::string, double> &constants,
+               ParameterHandler                    &prm)
         : entries(entries)
+        , constants(constants)
         , prm(prm)
       {}
 
@@ -70,11 +77,20 @@ namespace ThermoContact
           }
         catch (const dealii::ExceptionBase &)
           {
-            throw InputError(statement +
-                             "\n  allowed: " + describe_pattern(entry.pattern) +
-                             "\n  meaning: " + entry.text +
-                             "\n  default: " + entry.default_value);
+            refuse_value(assignment, entry);
           }
+      }
+
+      /** Whether it is one to an entry of the program. */
+      bool
+      knows(const Assignment &assignment) const
+      {
+        return std::any_of(entries.begin(),
+                           entries.end(),
+                           [&](const DeclaredEntry &entry) {
+                             return entry.path == assignment.path;
+                           }) &&
+               !is_constant_path(assignment.path);
       }
 
       /** Refuses a section, an entry that is unknown or is set twice. */
@@ -85,7 +101,8 @@ namespace ThermoContact
           return check_section(assignment.place,
                                section_of(assignment.path),
                                entries);
-        entry_of(assignment);
+        if (!is_constant_path(assignment.path))
+          entry_of(assignment);
         // The command line may override what a file sets, and itself.
         const bool is_override = assignment.place == command_line_place;
         const auto [earlier, is_new] =
@@ -97,9 +114,40 @@ namespace ThermoContact
       }
 
     private:
-      const std::vector<DeclaredEntry>  &entries;
-      ParameterHandler                  &prm;
-      std::map<std::string, std::string> places;
+      const std::vector<DeclaredEntry>    &entries;
+      const std::map<std::string, double> &constants;
+      ParameterHandler                    &prm;
+      std::map<std::string, std::string>   places;
+
+      /** Says what is wrong with it as an expression, if it looks like one. */
+      [[noreturn]] void
+      refuse_value(const Assignment    &assignment,
+                   const DeclaredEntry &entry) const
+      {
+        const std::string allowed = describe_pattern(entry.pattern);
+        std::string fault = assignment.path + " = " + quote(assignment.value);
+        if (is_of_numbers(entry) &&
+            (!constants.empty() ||
+             assignment.value.find_first_of("*/^(+") != std::string::npos))
+          try
+            {
+              fault += " = " + as_numbers(assignment, constants);
+            }
+          catch (const InputError &error)
+            {
+              fault = error.what();
+              fault.erase(fault.find("\n  allowed: "));
+            }
+        std::vector<std::string> words;
+        std::istringstream       list(allowed);
+        for (std::string word; std::getline(list, word, '|');)
+          words.push_back(dealii::Utilities::trim(word));
+        if (words.size() > 1)
+          fault += did_you_mean(assignment.value, words);
+        throw InputError(
+          assignment.place + ": " + fault + "\n  allowed: " + allowed +
+          "\n  meaning: " + entry.text + "\n  default: " + entry.default_value);
+      }
 
       const DeclaredEntry &
       entry_of(const Assignment &assignment) const
@@ -128,33 +176,61 @@ namespace ThermoContact
 
 
   void
-  assign_entries(const std::vector<Assignment>    &assignments,
+  assign_entries(const std::vector<Assignment>    &given,
                  const std::vector<DeclaredEntry> &entries,
                  ParameterHandler                 &prm)
   {
-    Assigner assigner(entries, prm);
+    const std::map<std::string, double> constants =
+      assign_constants(given, entries, prm);
+    Assigner                      assigner(entries, constants, prm);
+    std::vector<std::string>      faults;
+    const std::vector<Assignment> assignments =
+      with_numbers(given, entries, constants);
+    const auto collect = [&faults](const auto &action) {
+      try
+        {
+          action();
+        }
+      catch (const InputError &error)
+        {
+          faults.emplace_back(error.what());
+        }
+    };
     for (const Assignment &assignment : assignments)
-      assigner.check_name(assignment);
-    std::vector<Assignment> scene = assignments;
-    if (is_in_si(assignments))
+      collect([&]() { assigner.check_name(assignment); });
+    const auto assign_if = [&](const auto &is_one, const auto &value) {
+      for (unsigned int i = 0; i < assignments.size(); ++i)
+        if (const Assignment &assignment = assignments[i];
+            assigner.knows(assignment) && is_one(assignment))
+          collect([&]() { assigner.assign(given[i], value(assignment)); });
+    };
+    const auto is_of_rod = [](const Assignment &assignment) {
+      return assignment.path.rfind("Rod/", 0) == 0;
+    };
+    if (!is_in_si(assignments))
       {
-        RodParameters    rod; // first, since the scales follow from it
-        ParameterHandler rod_prm;
-        rod.add_parameters(rod_prm);
-        for (const Assignment &given : assignments)
-          if (given.path.rfind("Rod/", 0) == 0 && !given.is_section())
-            {
-              assigner.assign(given, without_unit(given));
-              set_entry({"", given.path, without_unit(given)}, rod_prm);
-            }
-        scene = without_units(assignments, entries, rod);
+        collect([&]() { refuse_units(assignments); });
+        assign_if([](const Assignment &) { return true; },
+                  [](const Assignment &assignment) {
+                    return assignment.value;
+                  });
+        return throw_faults(faults);
       }
-    else
-      refuse_units(assignments);
-    for (std::size_t i = 0; i < scene.size(); ++i)
-      if (!scene[i].is_section())
-        assigner.assign(i < assignments.size() ? assignments[i] : scene[i],
-                        scene[i].value);
+    assign_if(is_of_rod, without_unit);
+    throw_faults(faults);
+    RodParameters    rod;
+    ParameterHandler rod_prm;
+    rod.add_parameters(rod_prm);
+    for (const Assignment &assignment : assignments)
+      if (is_of_rod(assignment) && !assignment.is_section())
+        set_entry({"", assignment.path, without_unit(assignment)}, rod_prm);
+    const SiScene scene(assignments, entries, rod);
+    assign_if(
+      [&](const Assignment &assignment) { return !is_of_rod(assignment); },
+      [&](const Assignment &assignment) { return scene.value(assignment); });
+    throw_faults(faults);
+    for (const Assignment &assignment : scene.derived())
+      assigner.assign(assignment, assignment.value);
   }
 
 
@@ -251,7 +327,8 @@ namespace ThermoContact
     std::string open_section;
     for (const DeclaredEntry &entry : entries)
       {
-        if (omit.count(entry.path) != 0)
+        if (omit.count(entry.path) != 0 ||
+            entry.path == "Constants/" + name_of_constants)
           continue;
         const auto        slash = entry.path.find('/');
         const std::string section =

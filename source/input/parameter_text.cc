@@ -246,6 +246,7 @@ namespace ThermoContact
   {
     std::vector<Assignment>  statements;
     std::vector<OpenSection> open_sections;
+    std::vector<std::string> faults;
     std::string              line, physical_line;
     unsigned int             n_lines = 0;
 
@@ -278,10 +279,18 @@ namespace ThermoContact
             continue;
           }
         if (const std::string statement = trim(line); !statement.empty())
-          read_statement(statement, place(), open_sections, statements);
+          try
+            {
+              read_statement(statement, place(), open_sections, statements);
+            }
+          catch (const InputError &error)
+            {
+              faults.emplace_back(error.what());
+            }
         line.clear();
       }
 
+    throw_faults(faults);
     if (!trim(line).empty())
       fail(quote(name),
            "the last line ends in '\\'",
@@ -294,6 +303,21 @@ namespace ThermoContact
              quote(section.substr(0, section.size() - 1), 60),
            "close each subsection with 'end'");
     return statements;
+  }
+
+
+
+  void
+  throw_faults(const std::vector<std::string> &faults)
+  {
+    constexpr unsigned int max_faults = 20;
+    if (faults.empty())
+      return;
+    std::string message =
+      faults.size() == 1 ? "" : std::to_string(faults.size()) + " faults";
+    for (unsigned int i = 0; i < faults.size() && i < max_faults; ++i)
+      message += (message.empty() ? "" : "\n") + faults[i];
+    throw InputError(message);
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/text.h>
+#include <thermocontact/input/constants.h>
 #include <thermocontact/input/number_or_word.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/words_of_kinds.h>
@@ -57,8 +58,8 @@ namespace ThermoContact
                       signed_coefficient);
     prm.add_parameter("Thermoelastic heating",
                       heating,
-                      "The term -a div u_t of the heat equation; false: heat "
-                      "drives the rod, not the reverse.");
+                      "The term -a div u_t of the heat equation; false: motion "
+                      "does not heat the body.");
     prm.add_parameter("Poisson ratio",
                       poisson_ratio,
                       "Poisson ratio nu, for Dimension > 1; the P-wave modulus "
@@ -257,14 +258,14 @@ namespace ThermoContact
                       "Steps end where contact begins or ends, which keeps the "
                       "order of the scheme; automatic: with automatic steps.",
                       Selection("automatic|true|false"));
-    prm.add_parameter("Break points",
-                      break_points,
-                      "Times, separated by ';', at which steps end, for loads "
-                      "that jump or bend there. Automatic steps find those "
-                      "of expressions in t by themselves, but for pulses "
-                      "shorter than T/30000 whose times are not in the "
-                      "expression. Times after T have no effect.",
-                      List(duration, 0, 100000, ";"));
+    prm.add_parameter(
+      "Break points",
+      break_points,
+      "Times, separated by ';', at which steps end, for loads "
+      "that jump or bend there. Automatic steps find those "
+      "of expressions in t by themselves. Times after T have no "
+      "effect.",
+      List(duration, 0, 100000, ";"));
     prm.leave_subsection();
   }
 
@@ -324,6 +325,8 @@ namespace ThermoContact
     ExpressionNames names;
     names.variables = variables;
     names.example   = example;
+    names.constants = constants;
+    names.folder    = folder;
     return names;
   }
 
@@ -352,6 +355,19 @@ namespace ThermoContact
                       "or a round rod (Mesh/Geometry), in 3 a box, of length "
                       "1.",
                       Integer(1, 3));
+    prm.enter_subsection("Constants");
+    prm.declare_entry(
+      name_of_constants,
+      "",
+      Anything(),
+      "A constant of any name that means nothing else: a number, "
+      "or an expression in other constants, e.g. omega = 2.1, P "
+      "= 2*pi/omega. Every expression and every number of the "
+      "file may name it, e.g. Time/End time = 40*P.");
+    prm.add_action(name_of_constants, [this](const std::string &values) {
+      constants = constants_of(values);
+    });
+    prm.leave_subsection();
     model.add_parameters(prm);
     boundary.add_parameters(prm);
     contact.add_parameters(prm);

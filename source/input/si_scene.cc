@@ -4,7 +4,6 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/expression.h>
-#include <thermocontact/input/quantity_units.h>
 #include <thermocontact/input/scales.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/unit_text.h>
@@ -175,34 +174,6 @@ namespace ThermoContact
 
 
 
-  namespace
-  {
-    /** Faults of an expression where it is written. */
-    void
-    check_expression(const Assignment &assignment, const std::string &text)
-    {
-      const std::string section = section_of(assignment.path);
-      if (section != "Boundary" && section != "Contact" &&
-          section != "Initial values" && section != "Sources")
-        return;
-      ExpressionNames names;
-      names.variables = {"x", "y", "z", "t"};
-      if (assignment.path == "Boundary/Heat exchange")
-        names.variables = {"gap", "pressure"};
-      names.constants["theta_A"] = 1.;
-      try
-        {
-          Expression(assignment.path, text, names);
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(assignment.place + ": " + error.what());
-        }
-    }
-  } // namespace
-
-
-
   bool
   is_in_si(const std::vector<Assignment> &assignments)
   {
@@ -263,426 +234,414 @@ namespace ThermoContact
 
 
 
-  namespace
+  SiScene::SiScene(const std::vector<Assignment>    &assignments,
+                   const std::vector<DeclaredEntry> &entries,
+                   const RodParameters              &rod)
+    : assignments(assignments)
+    , entries(entries)
+    , rod(rod)
+    , dim(parse_number(given("Dimension").value_or("1")).value_or(1.))
+    , has_temperature(given("Model/Fields").value_or("") != "displacement")
+    , has_displacement(given("Model/Fields").value_or("") != "temperature")
   {
-    /**
-     * What a file in SI units makes of the values of its entries: a number is
-     * divided by the scale of its kind of quantity; so is an expression, whose
-     * variables become those of the scene times their scales.
-     */
-    class SiScene
-    {
-    public:
-      SiScene(const std::vector<Assignment>    &assignments,
-              const std::vector<DeclaredEntry> &entries,
-              const RodParameters              &rod)
-        : assignments(assignments)
-        , entries(entries)
-        , rod(rod)
-        , dim(parse_number(given("Dimension").value_or("1")).value_or(1.))
-        , has_temperature(given("Model/Fields").value_or("") != "displacement")
-        , has_displacement(given("Model/Fields").value_or("") != "temperature")
-      {
-        check_complete();
-        set_scales();
-        conversions = conversions_by_kind(scales);
-        check_area();
-        for (const Assignment &assignment : assignments)
-          if (is_decided(assignment.path) && !assignment.is_section())
-            refuse_value(assignment,
-                         "section Rod decides it",
-                         "no such entry",
-                         "change the rod, or the scene that --units prints");
-      }
+    check_complete();
+    set_scales();
+    conversions = conversions_by_kind(scales);
+    check_area();
+    for (const Assignment &assignment : assignments)
+      if (is_decided(assignment.path) && !assignment.is_section())
+        refuse_value(assignment,
+                     "section Rod decides it",
+                     "no such entry",
+                     "change the rod, or the scene that --units prints");
+  }
 
-      /** The value of an entry in the scene. */
-      std::string
-      value(const Assignment &assignment) const
-      {
-        if (find_kind(quantities, assignment.path).empty())
-          return assignment.value;
-        const bool  is_list = assignment.path == "Output/Probes";
-        std::string result, part;
-        int         depth  = 0;
-        const auto  finish = [&]() {
-          result += scaled(assignment, dealii::Utilities::trim(part));
-          part.clear();
-        };
-        for (const char letter : assignment.value)
-          {
-            depth += (letter == '(') - (letter == ')');
-            if (letter == ';' || (is_list && depth <= 0 && letter == ','))
-              {
-                finish();
-                result += std::string(1, letter) + ' ';
-              }
-            else
-              part += letter;
-          }
-        finish();
-        return result;
-      }
 
-      /** The entries that follow from the others. */
-      std::vector<Assignment>
-      derived() const
-      {
-        std::vector<Assignment> result;
-        const auto              set = [&](const std::string &path,
-                             const std::string &value) {
-          result.push_back({"section Rod", path, value});
-        };
-        const auto set_number = [&](const std::string           &path,
-                                    const std::optional<double> &value) {
-          if (value)
-            set(path, significant(*value, all_digits));
-        };
-        const double wave     = rod.length * std::sqrt(rod.density / modulus()),
-                     relaxing = rod.viscosity / modulus(),
-                     nu       = rod.poisson_ratio;
-        const bool is_static  = is_small(wave);
-        if (has_displacement)
-          {
-            set_number("Model/Inertia",
-                       is_static ? 0. : std::pow(wave / *scales.time, 2));
-            set_number("Model/Viscosity",
-                       is_static && is_small(relaxing) ?
-                         0. :
-                         relaxing / *scales.time);
-            if (dim > 1)
-              set_number("Model/Poisson ratio", nu);
-            if (!is_static && !given("Initial values/Velocity"))
-              set("Initial values/Velocity", "0");
-          }
-        if (has_displacement && has_temperature)
-          set_number("Model/Coupling",
-                     rod.linear_expansion * *scales.temperature *
-                       (modulus() == rod.youngs_modulus ?
-                          1. :
-                          (1. + nu) / (1. - nu)));
-        if (has_temperature && !given("Initial values/Temperature"))
-          set("Initial values/Temperature", "0");
-        if (given("Contact/Stiffness"))
-          set_number("Contact/Compliance",
-                     std::pow(*scales.stress * rod.area /
-                                number("Contact/Stiffness"),
-                              1. / law_exponent()) /
-                       rod.length);
-        const double end_time = number("Time/End time");
-        if (!given("Output/Fields interval"))
-          set_number("Output/Fields interval",
-                     round_to_digits(end_time / 20., 6));
-        set_number("Scales/Length", scales.length);
-        set_number("Scales/Time", scales.time);
-        set_number("Scales/Stress", scales.stress);
-        set_number("Scales/Area", scales.area);
-        set_number("Scales/Temperature", scales.temperature);
-        set_number("Scales/Reference temperature",
-                   scales.reference_temperature);
-        // the units that the file uses
-        const auto unit_of = [this](const std::string &path) {
-          const auto split = split_unit(given(path).value_or(""));
-          return split ? split->unit : "";
-        };
-        if (!given("Scales/Time unit"))
-          {
-            const std::string wanted = unit_of("Time/End time");
-            const auto       &units  = time_units();
-            const auto        found  = std::find_if(units.begin(),
-                                            units.end(),
-                                            [&](const TimeUnit &unit) {
-                                              return unit.name == wanted;
-                                            });
-            set("Scales/Time unit",
-                found != units.end() ?
-                  wanted :
-                  readable_time_unit(end_time * *scales.time).name);
-          }
-        const std::string degree = unit_of("Rod/Reference temperature");
-        if (has_temperature && !given("Scales/Temperature unit"))
-          set("Scales/Temperature unit",
-              !degree.empty() && convert_unit(0., degree, "K") ==
-                                   temperature_unit("C").zero_in_kelvin ?
-                "C" :
-                "K");
-        return result;
-      }
 
-    private:
-      const std::vector<Assignment>    &assignments;
-      const std::vector<DeclaredEntry> &entries;
-      const RodParameters              &rod;
-      const unsigned int                dim;
-      const bool                        has_temperature, has_displacement;
-      ScalesParameters                  scales;
-      ConversionsByKind                 conversions; ///< to SI base units
+  const Assignment *
+  SiScene::find(const std::string &path) const
+  {
+    const auto found = std::find_if(assignments.rbegin(),
+                                    assignments.rend(),
+                                    [&](const Assignment &assignment) {
+                                      return assignment.path == path;
+                                    });
+    return found == assignments.rend() ? nullptr : &*found;
+  }
 
-      /** The last one of an entry, or null. */
-      const Assignment *
-      find(const std::string &path) const
-      {
-        const auto found = std::find_if(assignments.rbegin(),
-                                        assignments.rend(),
-                                        [&](const Assignment &assignment) {
-                                          return assignment.path == path;
-                                        });
-        return found == assignments.rend() ? nullptr : &*found;
-      }
 
-      /** The last value that an entry is given. */
-      std::optional<std::string>
-      given(const std::string &path) const
-      {
-        const Assignment *const last = find(path);
-        return last == nullptr ? std::nullopt : std::optional(last->value);
-      }
 
-      /** All that the scales, and entries without a default, need. */
-      void
-      check_complete() const
-      {
-        const auto need = [this](const bool         is_needed,
-                                 const std::string &path) {
-          if (!is_needed || given(path))
-            return;
-          for (const DeclaredEntry &entry : entries)
-            if (entry.path == path)
-              throw InputError(
-                path + " is not given\n  allowed: " +
-                describe_pattern(entry.pattern) + "\n  meaning: " + entry.text +
-                "\n  remedy:  give it: a scene in SI units has no default of it");
-        };
-        const auto need_positive = [&](const bool         is_needed,
-                                       const double       value,
-                                       const std::string &path) {
-          need(is_needed, path);
-          if (is_needed && !(value > 0.))
-            throw InputError(path + " = " + *given(path) +
-                             "\n  allowed: a positive number");
-        };
-        need_positive(true, rod.length, "Rod/Length");
-        need_positive(true, rod.area, "Rod/Cross-section area");
-        need_positive(true, rod.density, "Rod/Density");
-        need_positive(has_displacement,
-                      rod.youngs_modulus,
-                      "Rod/Young's modulus");
-        need(has_displacement && (dim > 1 || rod.lateral_sides == "confined"),
-             "Rod/Poisson ratio");
-        need_positive(has_temperature, rod.conductivity, "Rod/Conductivity");
-        need_positive(has_temperature, rod.heat_capacity, "Rod/Heat capacity");
-        need_positive(has_temperature,
-                      rod.reference_temperature,
-                      "Rod/Reference temperature");
-        need(has_temperature && has_displacement, "Rod/Linear expansion");
-        need(has_temperature, "Boundary/Fixed end temperature");
-        need(has_temperature, "Boundary/Heat exchange");
-        const std::string condition =
-          given("Contact/Condition").value_or(contact_laws().front().name);
-        need(has_displacement && condition != no_obstacle().name,
-             "Contact/Gap");
-        if (given("Contact/Stiffness") && given("Contact/Compliance"))
+  std::optional<std::string>
+  SiScene::given(const std::string &path) const
+  {
+    const Assignment *const last = find(path);
+    return last == nullptr ? std::nullopt : std::optional(last->value);
+  }
+
+
+
+  void
+  SiScene::check_complete() const
+  {
+    const auto need = [this](const bool is_needed, const std::string &path) {
+      if (!is_needed || given(path))
+        return;
+      for (const DeclaredEntry &entry : entries)
+        if (entry.path == path)
           throw InputError(
-            "Contact/Stiffness = " + *given("Contact/Stiffness") +
-            ": Contact/Compliance is given, too\n  remedy:  one of "
-            "them");
-        for (const ContactLawKind &law : contact_laws())
-          need(has_displacement && condition == law.name &&
-                 std::find(law.entries.begin(),
-                           law.entries.end(),
-                           "Compliance") != law.entries.end() &&
-                 !given("Contact/Compliance"),
-               "Contact/Stiffness");
-        need(dim > 1, "Mesh/Width");
-        need(true, "Time/End time");
-      }
-
-      /** The area of the body is that of its mesh. */
-      void
-      check_area() const
-      {
-        const double width = scales.length.value() * number("Mesh/Width");
-        const bool   is_round =
-          given("Mesh/Geometry").value_or(geometries().front().name) !=
-          geometries().front().name;
-        const double area =
-          dim == 3 ? width * width : dealii::numbers::PI * width * width;
-        if ((dim == 3 || (dim == 2 && is_round)) &&
-            std::abs(rod.area - area) > 1e-3 * area)
-          throw InputError(
-            text("Rod/Cross-section area = ",
-                 *given("Rod/Cross-section area"),
-                 "\n  allowed: ",
-                 area,
-                 " m^2, as Mesh/Width says\n  remedy:  one of them: forces are "
-                 "pressures times this area"));
-      }
-
-      /** Modulus E* against axial strain, (U.1). */
-      double
-      modulus() const
-      {
-        const double nu = rod.poisson_ratio;
-        return rod.youngs_modulus *
-               (dim > 1 || rod.lateral_sides == "confined" ?
-                  (1. - nu) / ((1. + nu) * (1. - 2. * nu)) :
-                  1.);
-      }
-
-      void
-      set_scales()
-      {
-        const double capacity = rod.density * rod.heat_capacity;
-        scales.length         = rod.length;
-        scales.area           = rod.area;
-        scales.time           = has_temperature ?
-                                  capacity * rod.length * rod.length / rod.conductivity :
-                                  rod.length * std::sqrt(rod.density / modulus());
-        if (has_temperature)
-          {
-            scales.reference_temperature = rod.reference_temperature;
-            scales.temperature =
-              has_displacement ?
-                std::sqrt(modulus() * rod.reference_temperature / capacity) :
-                1.;
-          }
-        scales.stress =
-          has_displacement ? modulus() : capacity / rod.reference_temperature;
-      }
-
-      /** The nondimensional number that an entry is given, or not a number. */
-      double
-      number(const std::string &path) const
-      {
-        const Assignment *const last = find(path);
-        const auto              number =
-          last == nullptr ? std::nullopt : parse_number(value(*last));
-        return number.value_or(std::numeric_limits<double>::quiet_NaN());
-      }
-
-      /** One of the values of an entry that ';' or ',' separate. */
-      std::string
-      scaled(const Assignment &assignment, const std::string &text) const
-      {
-        const std::string kind = find_kind(quantities, assignment.path);
-        for (const char *const word : {"", "none", "automatic", "infinity"})
-          if (text == word)
-            return text;
-        const bool   is_of_law = kind == "stiffness" || kind == "compliance";
-        const double exponent  = is_of_law ? law_exponent() : 1.;
-        if (const auto split = split_unit(text);
-            exponent != 1. && split && !split->unit.empty())
-          refuse_value(assignment,
-                       "a unit with a power of the exponent",
-                       "a number in N/m^m or m/Pa^(1/m), m Contact/Exponent",
-                       "the number without the unit");
-        Conversion conversion;
-        const auto found = conversions.find(kind);
-        if (found != conversions.end() && assignment.path.rfind("Rod/", 0) != 0)
-          conversion = found->second;
-        if (kind == "compliance")
-          conversion.factor =
-            *scales.length / std::pow(*scales.stress, 1. / exponent);
-        if (const auto number = si_number(assignment, text, kind);
-            number && *number < 0. && kind == "temperature")
-          refuse_value(assignment,
-                       "below absolute zero",
-                       "a number in K, or with another unit of temperature",
-                       "degC for degrees Celsius");
-        else if (number)
-          return significant((*number - conversion.offset) / conversion.factor,
-                             all_digits);
-        check_expression(assignment, text);
-        const std::string expression = "(" + in_scene_variables(text) + ")",
-                          shifted =
-                            conversion.offset == 0. ?
-                              expression :
-                              "(" + expression + " - " +
-                                significant(conversion.offset, all_digits) +
-                                ")";
-        return shifted + "/" + significant(conversion.factor, all_digits);
-      }
-
-      /** An expression in the variables of the scene. */
-      std::string
-      in_scene_variables(const std::string &expression) const
-      {
-        std::string result;
-        const auto  is_of_name = [](const char letter) {
-          return letter == '_' ||
-                 std::isalnum(static_cast<unsigned char>(letter)) != 0;
-        };
-        for (std::size_t i = 0; i < expression.size();)
-          {
-            const char *const begin = expression.data() + i,
-                              *end  = expression.data() + expression.size();
-            double number;
-            if (const auto read = std::from_chars(begin, end, number);
-                *begin != '-' &&
-                std::isalpha(static_cast<unsigned char>(*begin)) == 0 &&
-                read.ec == std::errc())
-              end = read.ptr; // its e is no name
-            else
-              end =
-                std::max(begin + 1, std::find_if_not(begin, end, is_of_name));
-            const std::string word(begin, end);
-            result += word;
-            i += word.size();
-            const auto found = conversions.find(find_kind(variables, word));
-            if (word.empty() || found == conversions.end() ||
-                found->first.empty())
-              continue;
-            const auto &[factor, offset, unit] = found->second;
-            result.replace(result.size() - word.size(),
-                           word.size(),
-                           "(" + significant(factor, all_digits) + "*" + word +
-                             (offset == 0. ?
-                                "" :
-                                "+" + significant(offset, all_digits)) +
-                             ")");
-          }
-        return result;
-      }
-
-      /** Exponent m of the contact law. */
-      double
-      law_exponent() const
-      {
-        return given("Contact/Condition").value_or("") == power_law().name ?
-                 parse_number(given("Contact/Exponent").value_or("1"))
-                   .value_or(1.) :
-                 1.;
-      }
-
-      /** True for the time of a term that is dropped. */
-      bool
-      is_small(const double seconds) const
-      {
-        const auto is_zero = [this](const std::string &path) {
-          return !given(path) || *given(path) == "none" || number(path) == 0.;
-        };
-        if (rod.small_terms != "automatic")
-          return rod.small_terms == "dropped";
-        return is_zero("Initial values/Velocity") &&
-               is_zero("Boundary/Fixed end displacement") &&
-               is_zero("Contact/Rear gap") &&
-               *scales.time * number("Time/End time") > often * seconds;
-      }
+            path + " is not given\n  allowed: " +
+            describe_pattern(entry.pattern) + "\n  meaning: " + entry.text +
+            "\n  remedy:  give it: a scene in SI units has no default of it");
     };
-  } // namespace
+    const auto need_positive =
+      [&](const bool is_needed, const double value, const std::string &path) {
+        need(is_needed, path);
+        if (is_needed && !(value > 0.))
+          throw InputError(path + " = " + *given(path) +
+                           "\n  allowed: a positive number");
+      };
+    need_positive(true, rod.length, "Rod/Length");
+    need_positive(true, rod.area, "Rod/Cross-section area");
+    need_positive(true, rod.density, "Rod/Density");
+    need_positive(has_displacement, rod.youngs_modulus, "Rod/Young's modulus");
+    need(has_displacement && (dim > 1 || rod.lateral_sides == "confined"),
+         "Rod/Poisson ratio");
+    need_positive(has_temperature, rod.conductivity, "Rod/Conductivity");
+    need_positive(has_temperature, rod.heat_capacity, "Rod/Heat capacity");
+    need_positive(has_temperature,
+                  rod.reference_temperature,
+                  "Rod/Reference temperature");
+    need(has_temperature && has_displacement, "Rod/Linear expansion");
+    need(has_temperature, "Boundary/Fixed end temperature");
+    need(has_temperature, "Boundary/Heat exchange");
+    const std::string condition =
+      given("Contact/Condition").value_or(contact_laws().front().name);
+    need(has_displacement && condition != no_obstacle().name, "Contact/Gap");
+    if (given("Contact/Stiffness") && given("Contact/Compliance"))
+      throw InputError("Contact/Stiffness = " + *given("Contact/Stiffness") +
+                       ": Contact/Compliance is given, too\n  remedy:  one of "
+                       "them");
+    for (const ContactLawKind &law : contact_laws())
+      need(has_displacement && condition == law.name &&
+             std::find(law.entries.begin(), law.entries.end(), "Compliance") !=
+               law.entries.end() &&
+             !given("Contact/Compliance"),
+           "Contact/Stiffness");
+    need(dim > 1, "Mesh/Width");
+    need(true, "Time/End time");
+  }
+
+
+
+  void
+  SiScene::check_area() const
+  {
+    const double width = scales.length.value() * number("Mesh/Width");
+    const bool   is_round =
+      given("Mesh/Geometry").value_or(geometries().front().name) !=
+      geometries().front().name;
+    const double area =
+      dim == 3 ? width * width : dealii::numbers::PI * width * width;
+    if ((dim == 3 || (dim == 2 && is_round)) &&
+        std::abs(rod.area - area) > 1e-3 * area)
+      throw InputError(
+        text("Rod/Cross-section area = ",
+             *given("Rod/Cross-section area"),
+             "\n  allowed: ",
+             area,
+             " m^2, as Mesh/Width says\n  remedy:  one of them: forces are "
+             "pressures times this area"));
+  }
+
+
+
+  double
+  SiScene::modulus() const
+  {
+    const double nu = rod.poisson_ratio;
+    return rod.youngs_modulus * (dim > 1 || rod.lateral_sides == "confined" ?
+                                   (1. - nu) / ((1. + nu) * (1. - 2. * nu)) :
+                                   1.);
+  }
+
+
+
+  void
+  SiScene::set_scales()
+  {
+    const double capacity = rod.density * rod.heat_capacity;
+    scales.length         = rod.length;
+    scales.area           = rod.area;
+    scales.time           = has_temperature ?
+                              capacity * rod.length * rod.length / rod.conductivity :
+                              rod.length * std::sqrt(rod.density / modulus());
+    if (has_temperature)
+      {
+        scales.reference_temperature = rod.reference_temperature;
+        scales.temperature =
+          has_displacement ?
+            std::sqrt(modulus() * rod.reference_temperature / capacity) :
+            1.;
+      }
+    scales.stress =
+      has_displacement ? modulus() : capacity / rod.reference_temperature;
+  }
+
+
+
+  double
+  SiScene::number(const std::string &path) const
+  {
+    const Assignment *const last = find(path);
+    return (last == nullptr ? std::nullopt : parse_number(value(*last)))
+      .value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+
+
+
+  std::string
+  SiScene::value(const Assignment &assignment) const
+  {
+    if (find_kind(quantities, assignment.path).empty())
+      return assignment.value;
+    const bool  is_list = assignment.path == "Output/Probes";
+    std::string result, part;
+    int         depth  = 0;
+    const auto  finish = [&]() {
+      result += scaled(assignment, dealii::Utilities::trim(part));
+      part.clear();
+    };
+    for (const char letter : assignment.value)
+      {
+        depth += (letter == '(') - (letter == ')');
+        if (letter == ';' || (is_list && depth <= 0 && letter == ','))
+          {
+            finish();
+            result += std::string(1, letter) + ' ';
+          }
+        else
+          part += letter;
+      }
+    finish();
+    return result;
+  }
+
+
+
+  std::string
+  SiScene::scaled(const Assignment &assignment, const std::string &text) const
+  {
+    const std::string kind = find_kind(quantities, assignment.path);
+    for (const char *const word : {"", "none", "automatic", "infinity"})
+      if (text == word)
+        return text;
+    const bool   is_of_law = kind == "stiffness" || kind == "compliance";
+    const double exponent  = is_of_law ? law_exponent() : 1.;
+    if (const auto split = split_unit(text);
+        exponent != 1. && split && !split->unit.empty())
+      refuse_value(assignment,
+                   "a unit with a power of the exponent",
+                   "a number in N/m^m or m/Pa^(1/m), m Contact/Exponent",
+                   "the number without the unit");
+    Conversion conversion;
+    const auto found = conversions.find(kind);
+    if (found != conversions.end() && assignment.path.rfind("Rod/", 0) != 0)
+      conversion = found->second;
+    if (kind == "compliance")
+      conversion.factor =
+        *scales.length / std::pow(*scales.stress, 1. / exponent);
+    if (const auto number = si_number(assignment, text, kind);
+        number && *number < 0. && kind == "temperature")
+      refuse_value(assignment,
+                   "below absolute zero",
+                   "a number in K, or with another unit of temperature",
+                   "degC for degrees Celsius");
+    else if (number)
+      return significant((*number - conversion.offset) / conversion.factor,
+                         all_digits);
+    check_expression(assignment, text);
+    const std::string expression = "(" + in_scene_variables(text) + ")",
+                      shifted    = conversion.offset == 0. ?
+                                     expression :
+                                     "(" + expression + " - " +
+                                    significant(conversion.offset, all_digits) +
+                                    ")";
+    return shifted + "/" + significant(conversion.factor, all_digits);
+  }
+
+
+
+  void
+  SiScene::check_expression(const Assignment  &assignment,
+                            const std::string &text) const
+  {
+    const std::string section = section_of(assignment.path);
+    if (section != "Boundary" && section != "Contact" &&
+        section != "Initial values" && section != "Sources")
+      return; // no expression
+    ExpressionNames names;
+    names.variables = {"x", "y", "z", "t"};
+    names.example   = "1e-4 + 1e-5*sin(t)";
+    if (assignment.path == "Boundary/Heat exchange")
+      {
+        names.variables = {"gap", "pressure"};
+        names.example   = "if(pressure > 0, 500 + 1e-3*pressure, 5)";
+      }
+    names.constants["theta_A"] = 1.;
+    for (const Assignment &other : assignments)
+      if (section_of(other.path) == "Constants" && !other.is_section())
+        names.constants[other.path.substr(other.path.find('/') + 1)] = 1.;
+    try
+      {
+        Expression(assignment.path, text, names);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(assignment.place + ": " + error.what());
+      }
+  }
+
+
+
+  std::string
+  SiScene::in_scene_variables(const std::string &expression) const
+  {
+    std::string result;
+    const auto  is_of_name = [](const char letter) {
+      return letter == '_' ||
+             std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    };
+    for (std::size_t i = 0; i < expression.size();)
+      {
+        const char *const begin = expression.data() + i,
+                          *end  = expression.data() + expression.size();
+        double number;
+        if (const auto read = std::from_chars(begin, end, number);
+            *begin != '-' &&
+            std::isalpha(static_cast<unsigned char>(*begin)) == 0 &&
+            read.ec == std::errc())
+          end = read.ptr; // its e is no name
+        else
+          end = std::max(begin + 1, std::find_if_not(begin, end, is_of_name));
+        const std::string word(begin, end);
+        result += word;
+        i += word.size();
+        const auto found = conversions.find(find_kind(variables, word));
+        if (word.empty() || found == conversions.end() || found->first.empty())
+          continue;
+        const auto &[factor, offset, unit] = found->second;
+        result.replace(
+          result.size() - word.size(),
+          word.size(),
+          "(" + significant(factor, all_digits) + "*" + word +
+            (offset == 0. ? "" : "+" + significant(offset, all_digits)) + ")");
+      }
+    return result;
+  }
+
+
+
+  double
+  SiScene::law_exponent() const
+  {
+    return given("Contact/Condition").value_or("") == power_law().name ?
+             parse_number(given("Contact/Exponent").value_or("1"))
+               .value_or(1.) :
+             1.;
+  }
+
+
+
+  bool
+  SiScene::is_small(const double seconds) const
+  {
+    const auto is_zero = [this](const std::string &path) {
+      return !given(path) || *given(path) == "none" || number(path) == 0.;
+    };
+    if (rod.small_terms != "automatic")
+      return rod.small_terms == "dropped";
+    return is_zero("Initial values/Velocity") &&
+           is_zero("Boundary/Fixed end displacement") &&
+           is_zero("Contact/Rear gap") &&
+           *scales.time * number("Time/End time") > often * seconds;
+  }
 
 
 
   std::vector<Assignment>
-  without_units(const std::vector<Assignment>    &assignments,
-                const std::vector<DeclaredEntry> &entries,
-                const RodParameters              &rod)
+  SiScene::derived() const
   {
-    const SiScene           scene(assignments, entries, rod);
-    std::vector<Assignment> result = assignments;
-    for (Assignment &assignment : result)
-      assignment.value = scene.value(assignment);
-    for (const Assignment &assignment : scene.derived())
-      result.push_back(assignment);
+    std::vector<Assignment> result;
+    const auto set = [&](const std::string &path, const std::string &value) {
+      result.push_back({"section Rod", path, value});
+    };
+    const auto set_number = [&](const std::string           &path,
+                                const std::optional<double> &value) {
+      if (value)
+        set(path, significant(*value, all_digits));
+    };
+    const double wave     = rod.length * std::sqrt(rod.density / modulus()),
+                 relaxing = rod.viscosity / modulus(), nu = rod.poisson_ratio;
+    const bool is_static = is_small(wave);
+    if (has_displacement)
+      {
+        set_number("Model/Inertia",
+                   is_static ? 0. : std::pow(wave / *scales.time, 2));
+        set_number("Model/Viscosity",
+                   is_static && is_small(relaxing) ? 0. :
+                                                     relaxing / *scales.time);
+        if (dim > 1)
+          set_number("Model/Poisson ratio", nu);
+        if (!is_static && !given("Initial values/Velocity"))
+          set("Initial values/Velocity", "0");
+      }
+    if (has_displacement && has_temperature)
+      set_number("Model/Coupling",
+                 rod.linear_expansion * *scales.temperature *
+                   (modulus() == rod.youngs_modulus ? 1. :
+                                                      (1. + nu) / (1. - nu)));
+    if (has_temperature && !given("Initial values/Temperature"))
+      set("Initial values/Temperature", "0");
+    if (given("Contact/Stiffness"))
+      set_number("Contact/Compliance",
+                 std::pow(*scales.stress * rod.area /
+                            number("Contact/Stiffness"),
+                          1. / law_exponent()) /
+                   rod.length);
+    const double end_time = number("Time/End time");
+    if (!given("Output/Fields interval"))
+      set_number("Output/Fields interval", round_to_digits(end_time / 20., 6));
+    set_number("Scales/Length", scales.length);
+    set_number("Scales/Time", scales.time);
+    set_number("Scales/Stress", scales.stress);
+    set_number("Scales/Area", scales.area);
+    set_number("Scales/Temperature", scales.temperature);
+    set_number("Scales/Reference temperature", scales.reference_temperature);
+    // the units that the file uses
+    const auto unit_of = [this](const std::string &path) {
+      const auto split = split_unit(given(path).value_or(""));
+      return split ? split->unit : "";
+    };
+    if (!given("Scales/Time unit"))
+      {
+        const std::string wanted = unit_of("Time/End time");
+        const auto       &units  = time_units();
+        const auto        found =
+          std::find_if(units.begin(), units.end(), [&](const TimeUnit &unit) {
+            return unit.name == wanted;
+          });
+        set("Scales/Time unit",
+            found != units.end() ?
+              wanted :
+              readable_time_unit(end_time * *scales.time).name);
+      }
+    const std::string degree = unit_of("Rod/Reference temperature");
+    if (has_temperature && !given("Scales/Temperature unit"))
+      set("Scales/Temperature unit",
+          !degree.empty() && convert_unit(0., degree, "K") ==
+                               temperature_unit("C").zero_in_kelvin ?
+            "C" :
+            "K");
     return result;
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/input/constants.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/study/scene_reader.h>
 
@@ -13,9 +14,14 @@ namespace ThermoContact
   {
     scene_.add_parameters(prm_);
     assign_entries(assignments, prm_);
-    own_scene   = scene_;
-    own_entries = declared_entries(prm_);
-    is_si       = is_in_si(assignments);
+    own_scene          = scene_;
+    own_entries        = declared_entries(prm_);
+    is_read_as_a_whole = is_in_si(assignments) ||
+                         std::any_of(assignments.begin(),
+                                     assignments.end(),
+                                     [](const Assignment &assignment) {
+                                       return is_constant_path(assignment.path);
+                                     });
   }
 
 
@@ -39,8 +45,10 @@ namespace ThermoContact
     assignments_.insert(assignments_.end(), changes.begin(), changes.end());
     for (const Assignment &change : changes)
       overridden.push_back(change.path);
-    // scales follow from entries
-    assign_entries(is_si ? assignments_ : changes, own_entries, prm_);
+    // scales follow from entries, numbers from constants
+    assign_entries(is_read_as_a_whole ? assignments_ : changes,
+                   own_entries,
+                   prm_);
   }
 
 
@@ -49,7 +57,7 @@ namespace ThermoContact
   SceneReader::reset()
   {
     for (const auto &entry : own_entries)
-      if (is_si ||
+      if (is_read_as_a_whole ||
           std::find(overridden.begin(), overridden.end(), entry.path) !=
             overridden.end())
         set_entry({"", entry.path, entry.value}, prm_);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/input/constants.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/study/study_plan.h>
@@ -9,14 +11,19 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <set>
+#include <sstream>
 
 namespace ThermoContact
 {
   namespace
   {
     const char *const notation =
-      "\n  allowed: Section/Entry = value | value ; Section/Entry = value | ...";
+      "\n  allowed: Section/Entry = value | value ; Section/Entry = value | ..., "
+      "ranges such as 0.6 .. 2.6 (61) or 1e-3 .. 1 (7 log), and ',' between "
+      "entries that go together: A = a1 | a2 , B = b1 | b2";
 
 
 
@@ -35,6 +42,111 @@ namespace ThermoContact
             return parts;
           begin = end + separator.size();
         }
+    }
+
+
+
+    [[noreturn]] void
+    refuse_notation(const std::string &entry,
+                    const std::string &text,
+                    const std::string &fault)
+    {
+      throw InputError("Study/" + entry + ": " + fault + " in '" + quote(text) +
+                       "'" + notation);
+    }
+
+
+
+    /** A number with the rest of a text behind it, which is its unit. */
+    struct NumberWithUnit
+    {
+      double      number;
+      std::string unit;
+    };
+
+    std::optional<NumberWithUnit>
+    number_with_unit(const std::string &text)
+    {
+      double     number = 0.;
+      const auto read =
+        std::from_chars(text.data(), text.data() + text.size(), number);
+      if (read.ec != std::errc() || !std::isfinite(number))
+        return {};
+      return NumberWithUnit{
+        number, dealii::Utilities::trim(text.substr(read.ptr - text.data()))};
+    }
+
+
+
+    /** The values of "first .. last (n)" or "first .. last (n log)". */
+    std::vector<std::string>
+    range_of_values(const std::string &text)
+    {
+      const auto fail = [&](const std::string &fault) {
+        refuse_notation("Vary", text, fault);
+      };
+      const std::vector<std::string> ends = split_at(text, "..");
+      const auto                     open = ends.back().rfind('(');
+      if (ends.size() != 2 || open == std::string::npos ||
+          ends.back().back() != ')')
+        fail("a range without its number of values");
+      const auto first = number_with_unit(ends[0]);
+      const auto last =
+        number_with_unit(dealii::Utilities::trim(ends[1].substr(0, open)));
+      std::istringstream count(
+        ends[1].substr(open + 1, ends[1].size() - open - 2));
+      unsigned int n = 0;
+      std::string  word, rest;
+      count >> n >> word >> rest;
+      const bool is_log = word == "log";
+      if (!first || !last ||
+          !(first->unit.empty() || first->unit == last->unit))
+        fail("no numbers at the ends of a range");
+      if (n < 2 || n > StudyPlan::max_runs || !(word.empty() || is_log) ||
+          !rest.empty())
+        fail("no number of values from 2 on, or log behind it,");
+      if (is_log && !(first->number * last->number > 0.))
+        fail("ends that are not both positive, for log,");
+      std::vector<std::string> values;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double part = static_cast<double>(i) / (n - 1);
+          const double value =
+            is_log ?
+              first->number * std::pow(last->number / first->number, part) :
+              (1. - part) * first->number + part * last->number;
+          // without what rounding adds: 0.3, not 0.30000000000000004
+          values.push_back(
+            significant(i == 0     ? first->number :
+                        i == n - 1 ? last->number :
+                                     *parse_number(significant(value, 15)),
+                        all_digits) +
+            (last->unit.empty() ? "" : " " + last->unit));
+        }
+      return values;
+    }
+
+
+
+    /** Parts at commas behind which an entry stands: not those of functions. */
+    std::vector<std::string>
+    split_entries(const std::string &text)
+    {
+      std::vector<std::string> parts{""};
+      for (const std::string &part : split_at(text, ","))
+        {
+          const auto sign = part.find('=');
+          const bool is_entry =
+            sign != std::string::npos && part.find('/') < sign &&
+            part.find_first_of("()|<>!") > sign && part[sign + 1] != '=';
+          if (parts.back().empty())
+            parts.back() = part;
+          else if (is_entry)
+            parts.push_back(part);
+          else
+            parts.back() += "," + part;
+        }
+      return parts;
     }
 
 
@@ -75,15 +187,19 @@ namespace ThermoContact
   StudyPlan::read_variation(const std::string &entry, const std::string &text)
   {
     const auto fail = [&](const std::string &fault) {
-      throw InputError("Study/" + entry + ": " + fault + " in '" + quote(text) +
-                       "'" + notation);
+      refuse_notation(entry, text, fault);
     };
     const auto equal_sign = text.find('=');
     if (equal_sign == std::string::npos)
       fail("no '='");
-    const Variation variation = {dealii::Utilities::trim(
-                                   text.substr(0, equal_sign)),
-                                 split_at(text.substr(equal_sign + 1), "|")};
+    Variation variation = {dealii::Utilities::trim(text.substr(0, equal_sign)),
+                           {}};
+    for (const std::string &value : split_at(text.substr(equal_sign + 1), "|"))
+      if (value.find("..") == std::string::npos)
+        variation.values.push_back(value);
+      else
+        for (const std::string &one : range_of_values(value))
+          variation.values.push_back(one);
     if (variation.path.empty() || variation.path.back() == '/')
       fail("no entry before '='");
     if (variation.path.rfind("Study/", 0) == 0 ||
@@ -100,6 +216,26 @@ namespace ThermoContact
 
 
 
+  StudyPlan::Axis
+  StudyPlan::read_axis(const std::string &text)
+  {
+    Axis axis;
+    for (const std::string &part : split_entries(text))
+      {
+        axis.push_back(read_variation("Vary", part));
+        if (axis.back().values.size() != axis.front().values.size())
+          refuse_notation("Vary",
+                          text,
+                          std::to_string(axis.front().values.size()) +
+                            " values of the first and " +
+                            std::to_string(axis.back().values.size()) +
+                            " of another entry that goes with it");
+      }
+    return axis;
+  }
+
+
+
   void
   StudyPlan::read_sets(const std::string &vary)
   {
@@ -112,16 +248,19 @@ namespace ThermoContact
         std::set<std::string> paths;
         for (const std::string &text : split_at(set, ";"))
           {
-            sets.back().push_back(read_variation("Vary", text));
-            const std::string &path = sets.back().back().path;
-            n *= sets.back().back().values.size();
-            if (!paths.insert(path).second)
-              throw InputError("Study/Vary: " + quote(path) +
-                               " twice in one run\n  remedy:  name each entry "
-                               "once");
-            if (std::find(varied_.begin(), varied_.end(), path) ==
-                varied_.end())
-              varied_.push_back(path);
+            sets.back().push_back(read_axis(text));
+            n *= sets.back().back().front().values.size();
+            for (const Variation &variation : sets.back().back())
+              {
+                const std::string &path = variation.path;
+                if (!paths.insert(path).second)
+                  throw InputError("Study/Vary: " + quote(path) +
+                                   " twice in one run\n  remedy:  name each "
+                                   "entry once");
+                if (std::find(varied_.begin(), varied_.end(), path) ==
+                    varied_.end())
+                  varied_.push_back(path);
+              }
           }
         n_all += n;
         if (n_all > max_runs)
@@ -163,18 +302,36 @@ namespace ThermoContact
   {
     SceneReader  reader(assignments);
     const double own_end_time = reader.scene().time.end_time;
-    for (const auto &variations : sets)
+    for (const std::string &path : varied_)
+      if (is_constant_path(path) &&
+          std::none_of(assignments.begin(),
+                       assignments.end(),
+                       [&](const Assignment &own) { return own.path == path; }))
+        throw InputError("Study/Vary: there is no " + quote(path) +
+                         "\n  remedy:  section Constants with a value of it");
+    for (const auto &axes : sets)
       {
-        double end_time = own_end_time;
-        for (const Variation &variation : variations)
-          for (const std::string &value : variation.values)
-            {
-              reader.read("Study/Vary", {{variation.path, value}});
-              if (variation.path == "Time/End time")
-                end_time = &value == &variation.values[0] ?
-                             reader.scene().time.end_time :
-                             std::max(end_time, reader.scene().time.end_time);
-            }
+        double     end_time = own_end_time;
+        const auto varies   = [&](const std::string &path) {
+          return std::any_of(axes.begin(), axes.end(), [&](const Axis &axis) {
+            return std::any_of(axis.begin(),
+                               axis.end(),
+                               [&](const Variation &variation) {
+                                 return variation.path == path;
+                               });
+          });
+        };
+        if (varies("Time/End time"))
+          end_time = 0.;
+        for (const Axis &axis : axes)
+          for (const Variation &variation : axis)
+            for (const std::string &value : variation.values)
+              {
+                reader.read("Study/Vary", {{variation.path, value}});
+                if (variation.path == "Time/End time" ||
+                    is_constant_path(variation.path))
+                  end_time = std::max(end_time, reader.scene().time.end_time);
+              }
         longest = std::max(longest, end_time);
       }
     for (const std::string &path : varied_)
@@ -220,10 +377,12 @@ namespace ThermoContact
     const unsigned int set = set_of(run);
     unsigned int       n   = run - first_runs[set];
     Overrides          result;
-    for (auto v = sets[set].rbegin(); v != sets[set].rend(); ++v)
+    for (auto axis = sets[set].rbegin(); axis != sets[set].rend(); ++axis)
       {
-        result.emplace_back(v->path, v->values[n % v->values.size()]);
-        n /= v->values.size();
+        const unsigned int n_values = axis->front().values.size();
+        for (auto v = axis->rbegin(); v != axis->rend(); ++v)
+          result.emplace_back(v->path, v->values[n % n_values]);
+        n /= n_values;
       }
     std::reverse(result.begin(), result.end());
     return result;

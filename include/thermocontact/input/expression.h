@@ -6,11 +6,14 @@
 #include <thermocontact/input/jet.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace ThermoContact
 {
+  class Table;
+
   /** What the names in an expression mean, and in which units it is. */
   struct ExpressionNames
   {
@@ -23,6 +26,8 @@ namespace ThermoContact
     std::map<std::string, double> constants; ///< beside pi
 
     std::string example; ///< for messages
+
+    std::string folder = ""; ///< of the files of tables
 
     /** Variables are multiplied by these before: none, or one for each. */
     std::vector<double> variable_units = {};
@@ -43,7 +48,9 @@ namespace ThermoContact
    * Operators, from the last to the first that binds: `? :`; `||` and `|`; `&&`
    * and `&`; `< <= > >= == !=`; `+ -`; `* /` and signs; `^` from the right.
    * What is true has an absolute value of 1/2 for `if`, `|` and `&`, of 1 for
-   * `||` and `&&`, and any but 0 before `?`. Where the formula has branches its
+   * `||` and `&&`, and any but 0 before `?`. table(FILE, t) and table(FILE,
+   * COLUMN, t) are linear between the rows of a table, smooth() is a monotone
+   * cubic. Where the formula has branches its
    * derivatives are those of the branch that holds; that of a step is 0.
    */
   class Expression
@@ -83,6 +90,13 @@ namespace ThermoContact
     bool
     is_constant() const;
 
+    /** The tables that it reads. */
+    const std::vector<std::shared_ptr<const Table>> &
+    tables() const
+    {
+      return tables_;
+    }
+
     /**
      * @tparam Number double, NumberJet or IntervalJet
      * @param variables one value for each
@@ -108,6 +122,9 @@ namespace ThermoContact
 
     class Reader;
 
+    friend bool
+    can_name_constant(const std::string &name);
+
     friend std::vector<Expression>
     read_components(const std::string     &path,
                     const std::string     &text,
@@ -129,6 +146,9 @@ namespace ThermoContact
     std::vector<bool>        is_named;
     std::vector<Part>        parts; ///< the whole at the end
 
+    /** Which copies of the expression share, since they only read it. */
+    std::vector<std::shared_ptr<const Table>> tables_;
+
     /**
      * @param position of what is not finite, for messages
      * @throw InputError if it is not finite at one of 17 points of the first
@@ -143,6 +163,24 @@ namespace ThermoContact
   };
 
 
+
+  /** True for a word of letters, digits and '_' that means nothing else. */
+  bool
+  can_name_constant(const std::string &name);
+
+  /** The names in a text, whatever they mean. */
+  std::vector<std::string>
+  names_in(const std::string &text);
+
+  /**
+   * The values of constants, each of which is a number or an expression in
+   * others.
+   *
+   * @param texts names and what stands for them
+   * @throw InputError if one cannot be read, or depends on itself
+   */
+  std::map<std::string, double>
+  evaluate_constants(const std::map<std::string, std::string> &texts);
 
   /**
    * Components of a vector that @p text separates by ';'.

@@ -64,6 +64,10 @@ namespace ThermoContact
   std::vector<Assignment>
   read_assignments(std::istream &input, const std::string &name);
 
+  /** @throw InputError with all of them, if there are any */
+  void
+  throw_faults(const std::vector<std::string> &faults);
+
   /**
    * Reads 'Section/Entry=value', the argument of the option --set.
    *

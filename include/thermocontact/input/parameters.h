@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -311,6 +312,11 @@ namespace ThermoContact
   {
     std::string  title;
     unsigned int dimension = 1;
+
+    /** Section Constants; every expression and every number may name them. */
+    std::map<std::string, double> constants;
+
+    std::string folder; ///< of the parameter file, for its tables
 
     ModelParameters         model;
     BoundaryParameters      boundary;

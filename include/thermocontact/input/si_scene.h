@@ -5,8 +5,9 @@
 
 #include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/parameter_text.h>
-#include <thermocontact/input/parameters.h>
+#include <thermocontact/input/quantity_units.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,22 +34,97 @@ namespace ThermoContact
 
 
   /**
-   * The nondimensional scene of a file in SI units, doc/units.md: the only
-   * place where the value of an entry loses its unit.
-   *
-   * @param assignments of the whole file; the last one of a path counts
-   * @param entries all that there are
-   * @param rod the section Rod of @p assignments
-   * @return the values of @p assignments in the scene, in their order, then the
-   *   entries that follow from them
-   * @throw InputError if an entry that the scales follow from is not given, or
-   *   another one that has no default in SI units; if a unit is none, or of
-   *   another kind of quantity; if the rod decides an entry
+   * Makes a nondimensional scene of entries in SI units, doc/units.md. The only
+   * place where the value of an entry loses its unit: a number is divided by
+   * the scale of its kind of quantity; so is an expression, whose variables
+   * become those of the scene times their scales.
    */
-  std::vector<Assignment>
-  without_units(const std::vector<Assignment>    &assignments,
-                const std::vector<DeclaredEntry> &entries,
-                const RodParameters              &rod);
+  class SiScene
+  {
+  public:
+    /**
+     * @param assignments of the whole file, the last one of a path
+     * @param entries all that there are
+     * @param rod the section Rod of @p assignments
+     * @throw InputError if an entry that the scales follow from is not given,
+     *   or another one that has no default in SI units
+     */
+    SiScene(const std::vector<Assignment>    &assignments,
+            const std::vector<DeclaredEntry> &entries,
+            const RodParameters              &rod);
+
+    /**
+     * The value of one of the entries in the scene.
+     *
+     * @throw InputError if the unit is none, or of another kind of quantity, or
+     *   the rod decides the entry
+     */
+    std::string
+    value(const Assignment &assignment) const;
+
+    /** The entries that follow from the others. */
+    std::vector<Assignment>
+    derived() const;
+
+  private:
+    const std::vector<Assignment>    &assignments;
+    const std::vector<DeclaredEntry> &entries;
+    const RodParameters              &rod;
+    const unsigned int                dim;
+    const bool                        has_temperature, has_displacement;
+    ScalesParameters                  scales;
+    ConversionsByKind                 conversions; ///< to SI base units
+
+    /** The last assignment of an entry, or null. */
+    const Assignment *
+    find(const std::string &path) const;
+
+    /** The last value that an entry is given. */
+    std::optional<std::string>
+    given(const std::string &path) const;
+
+    /** All that the scales, and entries without a default, need. */
+    void
+    check_complete() const;
+
+    /** The area of the body is that of its mesh. */
+    void
+    check_area() const;
+
+    /** Modulus E* against axial strain, (U.1). */
+    double
+    modulus() const;
+
+    void
+    set_scales();
+
+    /** The nondimensional number that an entry is given, or not a number. */
+    double
+    number(const std::string &path) const;
+
+    /** One of the values of an entry that ';' or ',' separate. */
+    std::string
+    scaled(const Assignment &assignment, const std::string &text) const;
+
+    /** @throw InputError where the expression is written, if it is none */
+    void
+    check_expression(const Assignment  &assignment,
+                     const std::string &text) const;
+
+    /** An expression in the variables of the scene. */
+    std::string
+    in_scene_variables(const std::string &expression) const;
+
+    /** Exponent m of the contact law. */
+    double
+    law_exponent() const;
+
+    /** True for the time of a term that is dropped. */
+    bool
+    is_small(const double seconds) const;
+  };
+
+
 
   /**
    * Refuses units, and Contact/Stiffness, in a file without section Rod.

@@ -75,7 +75,7 @@ namespace ThermoContact
   private:
     const std::vector<Assignment> own_assignments;
     std::vector<Assignment>       assignments_;
-    bool                          is_si;
+    bool                          is_read_as_a_whole;
     Parameters                    scene_;
     ParameterHandler              prm_;
     Parameters                    own_scene;

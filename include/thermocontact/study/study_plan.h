@@ -13,8 +13,8 @@ namespace ThermoContact
 {
   /**
    * The runs of a study, numbered from 0: all combinations of the values of
-   * Study/Vary, set after set, the last entry of a set varying fastest. They
-   * are counted, not built.
+   * Study/Vary, set after set, the last axis of a set varying fastest. Entries
+   * that go together are one axis. Runs are counted, not built.
    */
   class StudyPlan
   {
@@ -102,8 +102,11 @@ namespace ThermoContact
       std::vector<std::string> values;
     };
 
-    const std::vector<Assignment>       assignments;
-    std::vector<std::vector<Variation>> sets;
+    /** Entries that vary together: as many values of each. */
+    using Axis = std::vector<Variation>;
+
+    const std::vector<Assignment>  assignments;
+    std::vector<std::vector<Axis>> sets;
     std::vector<unsigned int> first_runs; ///< of the sets; at last their end
     std::vector<std::string>  varied_;
     std::vector<std::string>  own_values; ///< the scene's, of varied_
@@ -112,6 +115,9 @@ namespace ThermoContact
 
     static Variation
     read_variation(const std::string &entry, const std::string &text);
+
+    static Axis
+    read_axis(const std::string &text);
 
     void
     read_sets(const std::string &vary);

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_input_constants_h
+#define thermocontact_input_constants_h
+
+#include <thermocontact/input/declared_entries.h>
+#include <thermocontact/input/parameter_text.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** The entry of section Constants that stands for all of them. */
+  inline const std::string name_of_constants = "NAME";
+
+
+
+  /** True for an entry of that section. */
+  bool
+  is_constant_path(const std::string &path);
+
+
+
+  /**
+   * Declares the constants of @p assignments that @p prm does not have,
+   * evaluates all of them, and hands their values to the Parameters that are
+   * bound to @p prm.
+   *
+   * @param entries those of @p prm so far
+   * @return their values
+   * @throw InputError if a name cannot be that of a constant, if a value cannot
+   *   be read, or depends on itself, or if one that is not of a file is named
+   *   nowhere
+   */
+  std::map<std::string, double>
+  assign_constants(const std::vector<Assignment>    &assignments,
+                   const std::vector<DeclaredEntry> &entries,
+                   dealii::ParameterHandler         &prm);
+
+
+
+  /** What is handed to the Parameters, as values by their names. */
+  std::map<std::string, double>
+  constants_of(const std::string &values);
+
+
+
+  /**
+   * The value of an entry for numbers, with those of a list, as numbers: where
+   * it is no number but an expression in constants, its value.
+   *
+   * @throw InputError if it is neither
+   */
+  std::string
+  as_numbers(const Assignment                    &assignment,
+             const std::map<std::string, double> &constants);
+
+  /** True for an entry that may be a number. */
+  bool
+  is_of_numbers(const DeclaredEntry &entry);
+
+  /** The same assignments, with numbers where they are expressions in constants
+   * and the entry may be a number. */
+  std::vector<Assignment>
+  with_numbers(std::vector<Assignment>              assignments,
+               const std::vector<DeclaredEntry>    &entries,
+               const std::map<std::string, double> &constants);
+} // namespace ThermoContact
+
+#endif

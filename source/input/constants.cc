@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/input/constants.h>
+#include <thermocontact/input/expression.h>
+#include <thermocontact/input/unknown_names.h>
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    const std::string section = "Constants";
+
+
+
+    std::string
+    name_of(const std::string &path)
+    {
+      return path.substr(section.size() + 1);
+    }
+
+
+
+    /** Sets an entry of the section. */
+    void
+    set(dealii::ParameterHandler &prm,
+        const std::string        &name,
+        const std::string        &value)
+    {
+      prm.enter_subsection(section);
+      prm.set(name, value);
+      prm.leave_subsection();
+    }
+
+
+
+    void
+    check_name(const Assignment &constant)
+    {
+      const std::string name = name_of(constant.path);
+      if (name == name_of_constants || !can_name_constant(name))
+        throw InputError(
+          constant.place + ": " + constant.path + " = " +
+          quote(constant.value) + ": " +
+          (name == name_of_constants ?
+             "NAME stands for a name of yours" :
+             "'" + quote(name, 60) + "' cannot be the name of a constant") +
+          "\n  allowed: letters, digits and '_' that begin with "
+          "a letter, and are no function, variable or pi");
+    }
+
+
+
+    /** One that nobody names is most likely a misprint. */
+    void
+    check_use(const Assignment              &constant,
+              const std::vector<Assignment> &assignments)
+    {
+      const std::string        name = name_of(constant.path);
+      std::vector<std::string> known;
+      for (const Assignment &other : assignments)
+        {
+          if (is_constant_path(other.path) && other.path != constant.path)
+            known.push_back(name_of(other.path));
+          const std::vector<std::string> names = names_in(other.value);
+          if (std::find(names.begin(), names.end(), name) != names.end())
+            return;
+        }
+      throw InputError(constant.place + ": " + constant.path + " = " +
+                       quote(constant.value) + ": no entry names " + name +
+                       did_you_mean(name, known) +
+                       "\n  remedy:  a constant that an expression or a number "
+                       "of the file names");
+    }
+  } // namespace
+
+
+
+  bool
+  is_constant_path(const std::string &path)
+  {
+    return path.rfind(section + "/", 0) == 0 &&
+           path.size() > section.size() + 1;
+  }
+
+
+
+  std::map<std::string, double>
+  assign_constants(const std::vector<Assignment>    &assignments,
+                   const std::vector<DeclaredEntry> &entries,
+                   dealii::ParameterHandler         &prm)
+  {
+    std::map<std::string, std::string> texts;
+    for (const DeclaredEntry &entry : entries)
+      if (is_constant_path(entry.path) &&
+          name_of(entry.path) != name_of_constants)
+        texts[name_of(entry.path)] = entry.value;
+    for (const Assignment &assignment : assignments)
+      {
+        if (!is_constant_path(assignment.path))
+          continue;
+        check_name(assignment);
+        if (texts.emplace(name_of(assignment.path), "").second)
+          {
+            prm.enter_subsection(section);
+            prm.declare_entry(name_of(assignment.path),
+                              "",
+                              dealii::Patterns::Anything(),
+                              "A constant.");
+            prm.leave_subsection();
+          }
+        texts[name_of(assignment.path)] = assignment.value;
+        if (assignment.place == command_line_place)
+          check_use(assignment, assignments);
+      }
+    if (texts.empty())
+      return {};
+    const std::map<std::string, double> values = evaluate_constants(texts);
+    std::string                         list;
+    for (const auto &[name, value] : values)
+      {
+        set(prm, name, texts[name]);
+        list += name + "=" + significant(value, all_digits) + ";";
+      }
+    set(prm, name_of_constants, list);
+    return values;
+  }
+
+
+
+  std::map<std::string, double>
+  constants_of(const std::string &values)
+  {
+    std::map<std::string, double> constants;
+    std::istringstream            list(values);
+    for (std::string item; std::getline(list, item, ';');)
+      if (const auto sign = item.find('='); sign != std::string::npos)
+        constants[item.substr(0, sign)] =
+          parse_number(item.substr(sign + 1)).value_or(0.);
+    return constants;
+  }
+
+
+
+  std::string
+  as_numbers(const Assignment                    &assignment,
+             const std::map<std::string, double> &constants)
+  {
+    std::string        numbers;
+    std::istringstream list(assignment.value);
+    for (std::string item; std::getline(list, item, ';');)
+      {
+        item = dealii::Utilities::trim(item);
+        if (!parse_number(item))
+          item = significant(Expression(assignment.path,
+                                        item,
+                                        {{}, constants, "2*pi/3"})
+                               .evaluate<double>(nullptr),
+                             all_digits);
+        numbers += (numbers.empty() ? "" : "; ") + item;
+      }
+    return numbers;
+  }
+
+
+
+  bool
+  is_of_numbers(const DeclaredEntry &entry)
+  {
+    return entry.pattern.find("Double") != std::string::npos ||
+           entry.pattern.find("Integer") != std::string::npos;
+  }
+
+
+
+  std::vector<Assignment>
+  with_numbers(std::vector<Assignment>              assignments,
+               const std::vector<DeclaredEntry>    &entries,
+               const std::map<std::string, double> &constants)
+  {
+    for (Assignment &assignment : assignments)
+      if (std::any_of(entries.begin(),
+                      entries.end(),
+                      [&](const DeclaredEntry &entry) {
+                        return entry.path == assignment.path &&
+                               is_of_numbers(entry);
+                      }) &&
+          !parse_number(assignment.value) &&
+          assignment.value.find_first_not_of(" \t") != std::string::npos)
+        try
+          {
+            assignment.value = as_numbers(assignment, constants);
+          }
+        catch (const InputError &)
+          {} // a word, a unit, an expression in t, or a fault
+    return assignments;
+  }
+} // namespace ThermoContact
