@@ -98,6 +98,7 @@ class Site:
         self.menu = menu_of(readme)
         self.pages = [path for _, links in self.menu for _, path in links
                       if path.suffix in (".md", ".ipynb")]
+        self.titles = {name_of(path): title for _, links in self.menu for title, path in links}
         self.index, self.faults = [], []
         version = re.search(r"^project\(.*VERSION ([\d.]+)", (top / "CMakeLists.txt").read_text(), re.M)
         self.version = version[1] if version else ""
@@ -169,6 +170,8 @@ class Site:
         text = re.sub(r"KEPT(\d+)TEXT", lambda m: kept[int(m[1])], text).replace("BARINCODE", "|")
         text = re.sub(r'(href|src)="([^"]*)"',
                       lambda m: f'{m[1]}="{self.link(page, m[2])}"', text)
+        text = re.sub(r'<a href="([\w-]+\.html)">[\w-]+\.(?:md|ipynb)</a>', lambda m:
+                      f'<a href="{m[1]}">{self.titles.get(m[1], m[1])}</a>', text)
         here = name_of(page)
         text = re.sub(r"(?<![\w{\"])\(([A-Z]\d*\.\d+)\)", lambda m: m[0] if m[1] not in self.equations
                       else f'(<a href="{self.equations[m[1]]}#{m[1]}">{m[1]}</a>)', text)
@@ -220,17 +223,17 @@ class Site:
                 at = re.search(r'<tr id="([^"]*)"', row)
                 name = re.search(r"<td><code>(?:<a[^>]*>)?([^<]+)", row)
                 if name:
+                    entry = plain(heading) + "/" if at and at[1][0] != "/" else ""
                     self.index.append([f"{name_of(page)}#{at[1] if at else anchor}", title,
-                                       html.unescape(name[1]), plain(row)])
+                                       entry + html.unescape(name[1]), plain(row)])
 
     def write(self):
-        titles = {path: title for _, links in self.menu for title, path in links}
         for page in self.pages:
-            text = self.body(page)
-            self.add_to_index(page, titles[page], text)
+            text, title = self.body(page), self.titles[name_of(page)]
+            self.add_to_index(page, title, text)
             heading = re.search(r"<h1[^>]*>(.*?)</h1>", text)
             (self.folder / name_of(page)).write_text(HEAD.format(
-                title=html.escape(re.sub(r"<[^>]+>", "", heading[1] if heading else titles[page])),
+                title=html.escape(re.sub(r"<[^>]+>", "", heading[1] if heading else title)),
                 version=self.version, menu=self.menu_in(page), text=text), encoding="utf-8")
         self.write_classes()
         (self.folder / "search-index.js").write_text(

@@ -50,7 +50,7 @@ namespace ThermoContact
                      const std::string             &format)
     {
       std::vector<DeclaredEntry> entries = declared_entries(prm);
-      if (is_in_si(assignments, entries))
+      if (is_in_si(assignments))
         {
           if (format != "prm")
             throw InputError("--print-parameters=" + format +
@@ -111,7 +111,7 @@ namespace ThermoContact
                 const ParameterHandler        &prm)
     {
       std::vector<DeclaredEntry> entries = declared_entries(prm);
-      if (!is_in_si(assignments, entries))
+      if (!is_in_si(assignments))
         throw InputError(std::string(command_line_place) +
                          ": --units: the file has no section Rod, and no units"
                          "\n  remedy:  run it without --units");

@@ -8,6 +8,7 @@
 #include <thermocontact/base/version.h>
 #include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/input/parameter_file.h>
+#include <thermocontact/input/plausibility.h>
 #include <thermocontact/output/checkpoint.h>
 #include <thermocontact/output/checkpointer.h>
 #include <thermocontact/output/output.h>
@@ -23,6 +24,7 @@
 #include <thermocontact/study/error_bars.h>
 
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -126,6 +128,21 @@ namespace ThermoContact
         nodes = read_nodes(checkpoint, rank++);
         return true;
       });
+    }
+
+
+
+    /** Left on the disk of a directory that may have to be made. */
+    double
+    free_bytes(std::filesystem::path directory)
+    {
+      std::error_code fault;
+      directory = std::filesystem::absolute(directory, fault);
+      while (!std::filesystem::exists(directory, fault) &&
+             directory.has_relative_path())
+        directory = directory.parent_path();
+      const auto space = std::filesystem::space(directory, fault);
+      return fault ? std::numeric_limits<double>::infinity() : space.available;
     }
 
 
@@ -293,11 +310,17 @@ namespace ThermoContact
       restore(simulation, *checkpoint);
     else
       check_output_directory(directory, communicator);
+    const auto report = [&]() {
+      report_scene(simulation, log);
+      report_warnings(implausible_numbers(assignments), 0, log);
+      check_cost(simulation.scene(),
+                 simulation.discretization().n_active_cells(),
+                 free_bytes(directory),
+                 command.is_forced,
+                 log);
+    };
     if (command.check_only)
-      {
-        report_scene(simulation, log);
-        return;
-      }
+      return report();
 
     if (!checkpoint)
       {
@@ -314,7 +337,7 @@ namespace ThermoContact
     report_program(Utilities::MPI::n_mpi_processes(communicator), log);
     if (checkpoint)
       report_resumption(*checkpoint, parameters, log);
-    report_scene(simulation, log);
+    report();
     try
       {
         run_observed(simulation,

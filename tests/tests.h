@@ -47,17 +47,23 @@ raise(double &largest, const double value)
 
 
 /**
- * A value that must not exceed its bound, with both, "3.2e-13 <= 1e-09"; a
- * value that does says so, ">". Two digits: numdiff accepts any change of a
- * number below 1e-6, which is rounding, and larger ones are errors of the
- * method, the same on every machine to two digits.
+ * A value that must not exceed its bound, with both, "3e-13 <= 1e-09"; one that
+ * does says ">". Of the value the first digit alone: numdiff accepts any change
+ * of a number below 1e-6, which is rounding, and larger ones are errors of the
+ * method, whose first digit is the same on every machine.
  */
 inline std::string
 within(const double value, const double bound)
 {
-  std::ostringstream text;
-  text << std::setprecision(2) << value << (value <= bound ? " <= " : " > ")
-       << bound;
+  std::ostringstream digits, text;
+  digits << std::scientific << std::setprecision(12) << value;
+  const std::string all      = digits.str();
+  const auto        exponent = all.find('e');
+  if (exponent == std::string::npos) // not finite
+    text << all;
+  else
+    text << std::stod(all.substr(0, all.find('.')) + all.substr(exponent));
+  text << (value <= bound ? " <= " : " > ") << bound;
   return text.str();
 }
 

@@ -9,15 +9,14 @@
 Entries are named "Section/Entry" as in doc/parameters.md; values are numbers, truths
 or texts. A study is a run with "Study/Vary". numpy is needed, pandas and meshio are
 used where they are asked for. Numbers are those of the files: in SI units if the scene
-has Scales, as a rod in SI units has (base="rod.prm" runs it), and table.units tells them;
-else nondimensional. Units turns a rod in SI units into a scene and results back.
+has section Rod, whose entries may have units ("Contact/Gap": "30 um"), or Scales, and
+table.units tells them; else nondimensional.
 """
 
 from .errors import ComputationError, Error, InputError
 from .program import find_program, run
 from .results import Run, Study, read
 from .table import Table, read_table
-from .units import Units, read_units
 
-__all__ = ["ComputationError", "Error", "InputError", "Run", "Study", "Table", "Units",
-           "find_program", "read", "read_table", "read_units", "run"]
+__all__ = ["ComputationError", "Error", "InputError", "Run", "Study", "Table",
+           "find_program", "read", "read_table", "run"]

@@ -26,6 +26,7 @@ Dynamic contact of a thermoviscoelastic rod with an elastic or rigid obstacle.
                                directory
   --units                      print the scene of FILE.prm, whose section Rod makes
                                it one in SI units, without units, stop
+  --force                      run even if the disk of the results is too small
   --quiet                      print nothing but errors
   --help, --version
 
@@ -46,6 +47,7 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
       print_output_option,
       resume_option,
       units_option,
+      force_option,
       quiet_option,
       help_option,
       version_option,
@@ -60,6 +62,7 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
       {"print-output", no_argument, nullptr, print_output_option},
       {"resume", no_argument, nullptr, resume_option},
       {"units", no_argument, nullptr, units_option},
+      {"force", no_argument, nullptr, force_option},
       {"quiet", no_argument, nullptr, quiet_option},
       {"help", no_argument, nullptr, help_option},
       {"version", no_argument, nullptr, version_option},
@@ -110,6 +113,9 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
             break;
           case units_option:
             command_line.prints_scene = true;
+            break;
+          case force_option:
+            command_line.is_forced = true;
             break;
           case quiet_option:
             command_line.is_quiet = true;

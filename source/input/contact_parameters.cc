@@ -78,8 +78,8 @@ namespace ThermoContact
       prm,
       "Rear gap",
       "none",
-      "Gap g_2 to a second stop behind the end x = 1, u(1) >= -g_2, with the "
-      "same law; none: there is no such stop. Its pressures are negative.",
+      "Gap g_2 to a second obstacle behind the end x = 1, u(1) >= -g_2, with "
+      "the same law; none: no such obstacle. Its pressures are negative.",
       [this](const double *gap_2) {
         rear_gap = gap_2 ? std::optional<double>(*gap_2) : std::nullopt;
       });

@@ -66,7 +66,7 @@ namespace ThermoContact
       Double(0., 1e9));
     prm.add_parameter("SI",
                       is_si,
-                      "Files and screen in SI units, by section Scales, if it "
+                      "Files and screen in SI units, if section Rod or Scales "
                       "is given; false: nondimensional.");
     prm.add_parameter(
       "Error bars",

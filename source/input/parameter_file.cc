@@ -207,7 +207,7 @@ namespace ThermoContact
     const auto is_of_rod = [](const Assignment &assignment) {
       return assignment.path.rfind("Rod/", 0) == 0;
     };
-    if (!is_in_si(assignments, entries))
+    if (!is_in_si(assignments))
       {
         collect([&]() { refuse_units(assignments); });
         assign_if([](const Assignment &) { return true; },

@@ -58,8 +58,8 @@ namespace ThermoContact
                       signed_coefficient);
     prm.add_parameter("Thermoelastic heating",
                       heating,
-                      "The term -a div u_t of the heat equation; false: heat "
-                      "drives the rod, not the reverse.");
+                      "The term -a div u_t of the heat equation; false: motion "
+                      "does not heat the body.");
     prm.add_parameter("Poisson ratio",
                       poisson_ratio,
                       "Poisson ratio nu, for Dimension > 1; the P-wave modulus "

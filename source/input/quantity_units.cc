@@ -33,6 +33,14 @@ namespace ThermoContact
     all["force × time"]   = {force * seconds, 0., "N s"};
     all["force × length"] = {force * length, 0., "N m"};
     all["energy"]         = {force * displacement, 0., "J"};
+    // of the body in SI units, without a scale
+    all["area"]              = {1., 0., "m^2"};
+    all["conductivity"]      = {1., 0., "W/(m K)"};
+    all["density"]           = {1., 0., "kg/m^3"};
+    all["heat capacity"]     = {1., 0., "J/(kg K)"};
+    all["stiffness"]         = {1., 0., "N/m"};
+    all["thermal expansion"] = {1., 0., "1/K"};
+    all["viscosity"]         = {1., 0., "Pa s"};
     if (!scales.temperature)
       return all; // nor has the scene any
     // kelvin in both: the absolute temperature is in the scale of heat

@@ -24,38 +24,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /** The unit of entries of one kind, and what they are measures of. */
-    struct Kind
-    {
-      const char *name, *unit, *word;
-    };
-
-    const Kind kinds[] = {{"area", "m^2", "area"},
-                          {"body force", "N/m^3", "force per volume"},
-                          {"capacity", "J/(kg K)", "heat capacity"},
-                          {"compliance", "m/Pa", "penetration over pressure"},
-                          {"conductivity", "W/(m K)", "conductivity"},
-                          {"damping", "s/m", "damping, one over velocity"},
-                          {"density", "kg/m^3", "density"},
-                          {"expansion", "1/K", "thermal expansion"},
-                          {"heat exchange", "W/(m^2 K)", "heat exchange"},
-                          {"heat flux", "W/m^2", "heat flux"},
-                          {"heat loss",
-                           "W/(m^3 K)",
-                           "heat exchange per volume"},
-                          {"heat source", "W/m^3", "heat per volume"},
-                          {"length", "m", "length"},
-                          {"position", "m", "length"},
-                          {"s", "s", "time"},
-                          {"stiffness", "N/m", "stiffness"},
-                          {"stress", "Pa", "pressure"},
-                          {"temperature", "K", "temperature"},
-                          {"time", "s", "time"},
-                          {"velocity", "m/s", "velocity"},
-                          {"viscosity", "Pa s", "viscosity"}};
-
-
-
     /** An entry that is a quantity. */
     struct Quantity
     {
@@ -77,19 +45,19 @@ namespace ThermoContact
       {"Initial values/Displacement", "length"},
       {"Initial values/Temperature", "temperature"},
       {"Initial values/Velocity", "velocity"},
-      {"Mesh/Width", "position"},
+      {"Mesh/Width", "length"},
       {"Output/Checkpoint interval", "s"},
       {"Output/Contact interval", "time"},
       {"Output/Fields interval", "time"},
       {"Output/Period", "time"},
-      {"Output/Probes", "position"},
+      {"Output/Probes", "length"},
       {"Output/Space-time interval", "time"},
       {"Rod/Conductivity", "conductivity"},
       {"Rod/Cross-section area", "area"},
       {"Rod/Density", "density"},
-      {"Rod/Heat capacity", "capacity"},
-      {"Rod/Length", "position"},
-      {"Rod/Linear expansion", "expansion"},
+      {"Rod/Heat capacity", "heat capacity"},
+      {"Rod/Length", "length"},
+      {"Rod/Linear expansion", "thermal expansion"},
       {"Rod/Reference temperature", "temperature"},
       {"Rod/Viscosity", "viscosity"},
       {"Rod/Young's modulus", "stress"},
@@ -107,42 +75,53 @@ namespace ThermoContact
 
     /** What the variables of expressions are. */
     const Quantity variables[] = {{"t", "time"},
-                                  {"x", "position"},
-                                  {"y", "position"},
-                                  {"z", "position"},
+                                  {"x", "length"},
+                                  {"y", "length"},
+                                  {"z", "length"},
                                   {"gap", "length"},
                                   {"pressure", "stress"},
                                   {"theta_A", "temperature"}};
 
-    /** Entries that the rod decides. */
-    const char *const decided[] = {"Model/Coupling",
-                                   "Model/Inertia",
-                                   "Model/Poisson ratio",
-                                   "Model/Viscosity",
-                                   "Scales/Area",
-                                   "Scales/Displacement",
-                                   "Scales/Length",
-                                   "Scales/Reference temperature",
-                                   "Scales/Stress",
-                                   "Scales/Temperature",
-                                   "Scales/Time"};
+    /** True for entries that the rod decides. */
+    bool
+    is_decided(const std::string &path)
+    {
+      return path == "Model/Coupling" || path == "Model/Inertia" ||
+             path == "Model/Poisson ratio" || path == "Model/Viscosity" ||
+             (path.rfind("Scales/", 0) == 0 && path != "Scales/Time unit" &&
+              path != "Scales/Temperature unit");
+    }
+
+
 
     // A wave that passes so often in a run, or a stress that relaxes so fast,
     // is in equilibrium but for ringing after sudden changes.
     constexpr double often = 1e5;
 
-    /** Of the entry; null if it is no quantity. */
-    const Kind *
-    find_kind(const std::string &path)
+    /** The kind of quantity of an entry or a variable; empty if it is none. */
+    template <std::size_t n>
+    std::string
+    find_kind(const Quantity (&list)[n], const std::string &path)
     {
-      for (const Quantity &quantity : quantities)
-        if (path == quantity.path)
-          return std::find_if(std::begin(kinds),
-                              std::end(kinds),
-                              [&](const Kind &kind) {
-                                return std::string(kind.name) == quantity.kind;
-                              });
-      return nullptr;
+      const auto found = std::find_if(list, list + n, [&](const Quantity &q) {
+        return path == q.path;
+      });
+      return found == list + n ? "" : found->kind;
+    }
+
+
+
+    /** The base unit of a kind of quantity. */
+    const std::string &
+    unit_of(const std::string &kind)
+    {
+      static const ConversionsByKind all = []() {
+        ScalesParameters one;
+        one.length = one.time = one.stress = one.area = 1.;
+        one.temperature = one.reference_temperature = 1.;
+        return conversions_by_kind(one);
+      }();
+      return all.at(kind).unit;
     }
 
 
@@ -164,16 +143,16 @@ namespace ThermoContact
     std::optional<double>
     si_number(const Assignment  &assignment,
               const std::string &text,
-              const Kind        &kind)
+              const std::string &kind)
     {
       const auto split = split_unit(text);
       if (!split || split->unit.empty())
         return split ? std::optional<double>(split->number) : std::nullopt;
-      std::string fault = split->unit + " is no unit of " + kind.word;
+      std::string fault = split->unit + " is no unit of " + kind;
       try
         {
           if (const auto number =
-                convert_unit(split->number, split->unit, kind.unit))
+                convert_unit(split->number, split->unit, unit_of(kind)))
             return number;
         }
       catch (const std::invalid_argument &error)
@@ -182,33 +161,26 @@ namespace ThermoContact
         }
       refuse_value(assignment,
                    fault,
-                   std::string("a number in ") + kind.unit +
-                     ", or with another unit of " + kind.word,
-                   std::string(kind.name) == "temperature" ?
+                   "a number in " + unit_of(kind) +
+                     ", or with another unit of " + kind,
+                   kind == "temperature" ?
                      "degC for degrees Celsius, K for kelvin" :
                      "such a unit, or the number without one, in " +
-                       std::string(kind.unit));
+                       unit_of(kind));
     }
   } // namespace
 
 
 
   bool
-  is_in_si(const std::vector<Assignment>    &assignments,
-           const std::vector<DeclaredEntry> &entries)
+  is_in_si(const std::vector<Assignment> &assignments)
   {
     return std::any_of(assignments.begin(),
                        assignments.end(),
-                       [&](const Assignment &assignment) {
-                         return assignment.path.rfind("Rod/", 0) == 0 &&
-                                std::any_of(entries.begin(),
-                                            entries.end(),
-                                            [&](const DeclaredEntry &entry) {
-                                              return entry.path ==
-                                                       assignment.path &&
-                                                     entry.default_value !=
-                                                       assignment.value;
-                                            });
+                       [](const Assignment &a) {
+                         return a.path.rfind("Rod/", 0) == 0 &&
+                                !a.is_section() && a.value != "0" &&
+                                a.value != "free" && a.value != "automatic";
                        });
   }
 
@@ -217,11 +189,11 @@ namespace ThermoContact
   std::string
   without_unit(const Assignment &assignment)
   {
-    const Kind *const kind  = find_kind(assignment.path);
+    const std::string kind  = find_kind(quantities, assignment.path);
     const auto        split = split_unit(assignment.value);
-    return kind == nullptr || !split || split->unit.empty() ?
+    return kind.empty() || !split || split->unit.empty() ?
              assignment.value :
-             significant(*si_number(assignment, assignment.value, *kind),
+             significant(*si_number(assignment, assignment.value, kind),
                          all_digits);
   }
 
@@ -230,8 +202,8 @@ namespace ThermoContact
   std::string
   unit_of_entry(const std::string &path)
   {
-    const Kind *const kind = find_kind(path);
-    return kind == nullptr ? "" : kind->unit;
+    const std::string kind = find_kind(quantities, path);
+    return kind.empty() ? "" : unit_of(kind);
   }
 
 
@@ -242,7 +214,7 @@ namespace ThermoContact
     for (const Assignment &assignment : assignments)
       {
         const auto split = split_unit(assignment.value);
-        if (find_kind(assignment.path) != nullptr && split &&
+        if (!find_kind(quantities, assignment.path).empty() && split &&
             !split->unit.empty())
           refuse_value(assignment,
                        "the file has no section Rod, from which the scales of "
@@ -274,13 +246,12 @@ namespace ThermoContact
     set_scales();
     conversions = conversions_by_kind(scales);
     check_area();
-    for (const char *const path : decided)
-      for (const Assignment &assignment : assignments)
-        if (assignment.path == path)
-          refuse_value(assignment,
-                       "section Rod decides it",
-                       "no such entry",
-                       "change the rod, or the scene that --units prints");
+    for (const Assignment &assignment : assignments)
+      if (is_decided(assignment.path))
+        refuse_value(assignment,
+                     "section Rod decides it",
+                     "no such entry",
+                     "change the rod, or the scene that --units prints");
   }
 
 
@@ -422,7 +393,7 @@ namespace ThermoContact
   std::string
   SiScene::value(const Assignment &assignment) const
   {
-    if (find_kind(assignment.path) == nullptr)
+    if (find_kind(quantities, assignment.path).empty())
       return assignment.value;
     const bool  is_list = assignment.path == "Output/Probes";
     std::string result, part;
@@ -451,13 +422,12 @@ namespace ThermoContact
   std::string
   SiScene::scaled(const Assignment &assignment, const std::string &text) const
   {
-    const Kind &kind = *find_kind(assignment.path);
+    const std::string kind = find_kind(quantities, assignment.path);
     for (const char *const word : {"", "none", "automatic", "infinity"})
       if (text == word)
         return text;
-    const bool is_of_law = kind.name == std::string("stiffness") ||
-                           kind.name == std::string("compliance");
-    const double exponent = is_of_law ? law_exponent() : 1.;
+    const bool   is_of_law = kind == "stiffness" || kind == "compliance";
+    const double exponent  = is_of_law ? law_exponent() : 1.;
     if (const auto split = split_unit(text);
         exponent != 1. && split && !split->unit.empty())
       refuse_value(assignment,
@@ -465,13 +435,19 @@ namespace ThermoContact
                    "a number in N/m^m or m/Pa^(1/m), m Contact/Exponent",
                    "the number without the unit");
     Conversion conversion;
-    const auto found = conversions.find(kind.name);
+    const auto found = conversions.find(kind);
     if (found != conversions.end() && assignment.path.rfind("Rod/", 0) != 0)
       conversion = found->second;
-    if (kind.name == std::string("compliance"))
+    if (kind == "compliance")
       conversion.factor =
         *scales.length / std::pow(*scales.stress, 1. / exponent);
-    if (const auto number = si_number(assignment, text, kind))
+    if (const auto number = si_number(assignment, text, kind);
+        number && *number < 0. && kind == "temperature")
+      refuse_value(assignment,
+                   "below absolute zero",
+                   "a number in K, or with another unit of temperature",
+                   "degC for degrees Celsius");
+    else if (number)
       return significant((*number - conversion.offset) / conversion.factor,
                          all_digits);
     const std::string expression = "(" + in_scene_variables(text) + ")",
@@ -535,20 +511,15 @@ namespace ThermoContact
             word += expression[i + word.size()];
         result += word;
         i += word.size();
-        for (const Quantity &variable : variables)
-          if (word == variable.path)
-            {
-              const auto found = conversions.find(variable.kind);
-              if (found == conversions.end())
-                continue;
-              const auto &[factor, offset, unit] = found->second;
-              result.replace(
-                result.size() - word.size(),
-                word.size(),
-                "(" + significant(factor, all_digits) + "*" + word +
-                  (offset == 0. ? "" : "+" + significant(offset, all_digits)) +
-                  ")");
-            }
+        const auto found = conversions.find(find_kind(variables, word));
+        if (word.empty() || found == conversions.end() || found->first.empty())
+          continue;
+        const auto &[factor, offset, unit] = found->second;
+        result.replace(
+          result.size() - word.size(),
+          word.size(),
+          "(" + significant(factor, all_digits) + "*" + word +
+            (offset == 0. ? "" : "+" + significant(offset, all_digits)) + ")");
       }
     return result;
   }
@@ -663,15 +634,6 @@ namespace ThermoContact
 
   namespace
   {
-    bool
-    is_decided(const std::string &path)
-    {
-      return std::find(std::begin(decided), std::end(decided), path) !=
-             std::end(decided);
-    }
-
-
-
     std::map<std::string, std::string>
     last_values(const std::vector<Assignment> &assignments)
     {
@@ -698,7 +660,7 @@ namespace ThermoContact
         }
       else
         entry.is_remark =
-          find_kind(entry.path) != nullptr || is_decided(entry.path);
+          !find_kind(quantities, entry.path).empty() || is_decided(entry.path);
   }
 
 

@@ -106,14 +106,6 @@ namespace ThermoContact
       return is_near(distance(*nearest), path) ? nearest->path : "";
     }
 
-
-
-    /** Sections that files with a rod in units have alone. */
-    bool
-    is_section_of_units(const std::string &section)
-    {
-      return section == "Rod" || section == "Obstacle";
-    }
   } // namespace
 
 
@@ -164,8 +156,6 @@ namespace ThermoContact
         if (section.rfind(known + "/", 0) == 0)
           remedy = "close section " + known + " with 'end' first; ";
       }
-    if (is_section_of_units(section))
-      remedy = "a rod in units is read by --units; ";
     throw InputError(place + ": there is no section " + quote(section, 60) +
                      "\n  remedy:  " + remedy + "sections are " + all);
   }
@@ -178,9 +168,7 @@ namespace ThermoContact
   {
     const std::string section = section_of(assignment.path);
     const std::string all     = list_entries(section, entries);
-    const std::string near    = all.empty() && is_section_of_units(section) ?
-                                  "" :
-                                  suggest_path(assignment.path, entries);
+    const std::string near    = suggest_path(assignment.path, entries);
     if (near.empty())
       check_section(assignment.place, section, entries);
     const std::string fault =

@@ -127,7 +127,7 @@ namespace ThermoContact
     present                      = initial;
     mode_                        = mode_of(initial);
     is_in_contact                = false;
-    waiting.clear();
+    pending.clear();
     events.clear();
     largest = Scales();
     largest.add(initial);
@@ -278,7 +278,7 @@ namespace ThermoContact
 
 
   void
-  EventLocator::hold_nothing()
+  EventLocator::leave_to_law()
   {
     mode_ = ContactMode::unilateral;
   }
@@ -290,10 +290,9 @@ namespace ThermoContact
                                 const double change_of_velocity,
                                 const int    new_side)
   {
-    if (!waiting.empty())
+    if (!pending.empty())
       {
-        waiting.clear();
-        hold_nothing();
+        drop_event();
         return false;
       }
     const bool begins = mode_ == ContactMode::open;
@@ -302,11 +301,11 @@ namespace ThermoContact
         turn_to(new_side);
         if (!is_at_its_stop(present))
           {
-            hold_nothing();
+            leave_to_law();
             return false;
           }
       }
-    waiting = {
+    pending = {
       {time,
        begins ? ContactEvent::begin : ContactEvent::end,
        side * (present.velocity[foremost(present)] + change_of_velocity),
@@ -362,9 +361,9 @@ namespace ThermoContact
                        const Finding             &finding,
                        std::vector<ContactEvent> &events)
   {
-    for (const ContactEvent &event : waiting)
+    for (const ContactEvent &event : pending)
       add_event(event, events);
-    waiting.clear();
+    pending.clear();
     if (mode_ == ContactMode::open && finding.kind == Finding::at_end)
       turn_to(finding.side);
     if (mode_ == ContactMode::unilateral)

@@ -48,11 +48,11 @@ namespace ThermoContact
 
 
   void
-  EventLocator::let_go(const ContactValues &stopped)
+  EventLocator::release(const ContactValues &stopped)
   {
     present = seen_from(stopped, side, mirrored_next);
-    waiting.push_back(
-      {waiting.back().time, ContactEvent::end, stopped.velocity.front(), side});
+    pending.push_back(
+      {pending.back().time, ContactEvent::end, stopped.velocity.front(), side});
     mode_ = ContactMode::open;
   }
 

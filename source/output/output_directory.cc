@@ -249,7 +249,7 @@ namespace ThermoContact
       {
         std::vector<DeclaredEntry> entries  = declared_entries(prm);
         std::set<std::string>      left_out = omit;
-        if (is_in_si(assignments, entries))
+        if (is_in_si(assignments))
           add_units(assignments, entries);
         else
           for (const DeclaredEntry &entry : entries)

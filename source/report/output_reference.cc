@@ -12,9 +12,9 @@ namespace ThermoContact
       R"(# What a run writes
 
 Every file of an output directory and every name in it, as `thermocontact --print-output` prints them. Numbers are
-nondimensional, or in SI units if the scene says its units, unless `Output/SI = false`: then a comment line `# units:`
-above the names of a CSV file has the unit of each column, `units` of summary.json that of each key, and a VTU file those
-of its arrays. Extensive quantities of a strip or a block are per unit cross-section, so that they are those of the rod.
+nondimensional, or in SI units if the scene has section `Rod` or `Scales`, unless `Output/SI = false`: then a comment line
+`# units:` above the names of a CSV file has the unit of each column, `units` of summary.json that of each key, and a VTU
+file those of its arrays. Times have the unit of `Time/End time`. Extensive quantities of a strip or a block are per unit cross-section, so that they are those of the rod.
 `nan` (in JSON `null`) is what the scene does not have. Where events are located, each begin and end of contact is the end
 of a step, and has a row.
 

@@ -16,6 +16,11 @@ namespace ThermoContact
 {
   namespace
   {
+    // More than this of the energy is more than engineers leave to a scheme.
+    constexpr double largest_numerical_part = 0.05;
+
+
+
     /** Each of a few contacts that have ended, or the sum of all. */
     std::string
     describe_durations(const std::vector<ContactEvent> &events,
@@ -195,6 +200,14 @@ namespace ThermoContact
     log.line("  energy    " + describe_energy(record,
                                               initial_energy,
                                               OutputUnits(scene.parameters)));
+    const double there =
+      std::max(initial_energy, 0.) + std::max(record.work, 0.);
+    if (!scene.parameters.time.has_error_control() &&
+        record.numerical_dissipation > largest_numerical_part * there)
+      log.line(text("  warning:  the scheme took ",
+                    significant(100. * record.numerical_dissipation / there, 2),
+                    " % of the energy that was there: a smaller Time/Step "
+                    "size, or automatic"));
     log.line(text(
       "  cost      ",
       record.step,

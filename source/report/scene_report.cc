@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/forecast/forecast.h>
@@ -19,6 +20,11 @@ namespace ThermoContact
 {
   namespace
   {
+    // a run of a day, a disk of a phone
+    constexpr double most_steps = 1e8, most_bytes = 1e10;
+
+
+
     template <int dim>
     std::string
     describe_body(const Simulation<dim> &simulation)
@@ -359,6 +365,37 @@ namespace ThermoContact
       log.line("  loads     " + describe_loads(simulation.loads(), units));
     report_forecast(scene, simulation.discretization().n_active_cells(), log);
     report_warnings(simulation.history().warnings, 0, log);
+  }
+
+
+
+  void
+  check_cost(const Scene &scene,
+             const double n_cells,
+             const double free_bytes,
+             const bool   is_forced,
+             Log         &log)
+  {
+    const auto cost = expected_cost(scene, n_cells);
+    if (!cost)
+      return;
+    const double bytes =
+      cost->row_bytes + cost->snapshot_bytes + cost->face_bytes;
+    const std::string remedy =
+      "Output/Contact interval and a larger Fields interval";
+    if (cost->steps > most_steps)
+      log.line("  warning:  about " + about(cost->steps) +
+               " steps: is Time/End time that long?");
+    if (bytes > free_bytes && !is_forced)
+      throw InputError(
+        "the files of the run would have " + describe_bytes(bytes) +
+        ", and the disk of "
+        "Output/Directory has " +
+        describe_bytes(free_bytes) + " left\n  remedy:  " + remedy +
+        ", or --force if they are taken away meanwhile");
+    if (bytes > most_bytes)
+      log.line("  warning:  the files of the run will have " +
+               describe_bytes(bytes) + ": fewer with " + remedy);
   }
 
 

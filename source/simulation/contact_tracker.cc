@@ -99,9 +99,9 @@ namespace ThermoContact
 
   template <int dim>
   ContactVerdict
-  ContactTracker<dim>::hold_nothing()
+  ContactTracker<dim>::leave_to_law()
   {
-    locator.hold_nothing();
+    locator.leave_to_law();
     return {ContactVerdict::with_law};
   }
 
@@ -115,11 +115,11 @@ namespace ThermoContact
     if (impacted && body.scene.contact.has_mass())
       {
         if (locator.mode() != ContactMode::closed)
-          return hold_nothing();
+          return leave_to_law();
         // Loads draw away at once what the obstacle has stopped. Stages that
         // know of no impact would throw it back instead.
         get_values(impacted->state, next);
-        locator.let_go(next);
+        locator.release(next);
         return {ContactVerdict::in_other_state};
       }
     impacted.reset();
@@ -171,7 +171,7 @@ namespace ThermoContact
     get_values(result.state, next);
     finding = EventLocator::Finding();
     if (is_prescribed)
-      locator.hold_nothing();
+      locator.leave_to_law();
     if (locator.mode() != ContactMode::unilateral)
       finding = locator.examine(next,
                                 time_step.target == TimeStep::event,
@@ -182,11 +182,11 @@ namespace ThermoContact
       {
         case EventLocator::Finding::at_start:
           return finding.is_of_all_nodes ? switch_state(accepted, energy) :
-                                           hold_nothing();
+                                           leave_to_law();
         case EventLocator::Finding::within:
           if (++n_retakes < max_retakes)
             return {ContactVerdict::to_time, finding.time};
-          return hold_nothing();
+          return leave_to_law();
         case EventLocator::Finding::at_end:
           if (body.scene.contact.is_in_equilibrium())
             return {ContactVerdict::accept_with_law};
@@ -194,6 +194,16 @@ namespace ThermoContact
         default:
           return {};
       }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactTracker<dim>::drop_event()
+  {
+    impacted.reset();
+    locator.drop_event();
   }
 
 
@@ -240,7 +250,8 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactTracker<dim>::turn(const LoadBreak &at, StepResult &result)
+  ContactTracker<dim>::pass_slope_discontinuity(const LoadBreak &at,
+                                                StepResult      &result)
   {
     // its velocity is that of the step, as are the rates that it followed
     if (body.scene.material.is_static())
@@ -297,7 +308,7 @@ namespace ThermoContact
                             std::vector<ContactEvent> &events)
   {
     get_values(state, next);
-    locator.hold_nothing();
+    locator.leave_to_law();
     const std::size_t n_events = events.size();
     locator.accept(next, {}, events);
     if (body.scene.material.is_static()) // moved at once

@@ -132,19 +132,11 @@ namespace ThermoContact
     {
       const StopWatch   watch(attempt.wall_seconds);
       const ContactMode mode = tracker.mode();
-      compute_step(time_step, mode, result);
-      if (!result.failure.empty())
-        retry_smaller(time_step, result.failure);
-      else if (attempt.error = relative_error(result);
-               !controller.is_accurate(time_step, attempt.error))
+      ContactVerdict    verdict;
+      attempt.reason = judge(time_step, result, attempt.error, verdict);
+      if (attempt.reason.empty())
         {
-          attempt.reason = rejected_by_tolerance;
-          controller.reject(time_step, attempt.error);
-        }
-      else if (!fits_contact(time_step, result))
-        attempt.reason = "contact";
-      else
-        {
+          commit(time_step, verdict, result);
           attempt.reason      = name_of(time_step.target);
           attempt.is_accepted = true;
           controller.accept(time_step, attempt.error);
@@ -153,8 +145,6 @@ namespace ThermoContact
               at != nullptr && at->is_jump)
             controller.restart_after_jump();
         }
-      if (!result.failure.empty())
-        attempt.reason = "failed";
       if (tracker.mode() != mode)
         controller.restart(tracker.mode() == ContactMode::closed);
     }
@@ -170,6 +160,66 @@ namespace ThermoContact
                                   result.failure,
                                   parameters()));
     return false;
+  }
+
+
+
+  template <int dim>
+  std::string
+  Simulation<dim>::judge(const TimeStep &time_step,
+                         StepResult     &result,
+                         double         &error,
+                         ContactVerdict &verdict)
+  {
+    // what is left to do with a step that was computed: nothing if it is
+    // solved and accurate
+    const auto fault = [&]() -> std::string {
+      if (!result.failure.empty())
+        {
+          retry_smaller(time_step, result.failure);
+          return "failed";
+        }
+      error = relative_error(result);
+      if (controller.is_accurate(time_step, error))
+        return "";
+      controller.reject(time_step, error);
+      return rejected_by_tolerance;
+    };
+    compute_step(time_step, tracker.mode(), result);
+    if (const std::string reason = fault(); !reason.empty())
+      return reason;
+    const double mechanical_energy = std::max({error_norm.mechanical_energy(),
+                                               result.energy.elastic,
+                                               result.energy.kinetic});
+    try
+      {
+        verdict = tracker.judge(time_step,
+                                result,
+                                state_,
+                                record().energy_terms,
+                                is_prescribed_step(),
+                                mechanical_energy);
+      }
+    catch (const ComputationError &exception)
+      {
+        tracker.drop_event();
+        result.failure = exception.what();
+        return fault();
+      }
+    switch (verdict.kind)
+      {
+        case ContactVerdict::to_time:
+          controller.aim_at(verdict.time);
+          return "contact";
+        case ContactVerdict::in_other_state:
+        case ContactVerdict::with_law:
+          return "contact";
+        case ContactVerdict::accept_with_law:
+          compute_step(time_step, ContactMode::unilateral, result);
+          return fault();
+        default:
+          return "";
+      }
   }
 
 
@@ -261,44 +311,24 @@ namespace ThermoContact
 
 
   template <int dim>
-  bool
-  Simulation<dim>::fits_contact(const TimeStep &time_step, StepResult &result)
+  void
+  Simulation<dim>::commit(const TimeStep       &time_step,
+                          const ContactVerdict &verdict,
+                          StepResult           &result)
   {
-    const double mechanical_energy = std::max({error_norm.mechanical_energy(),
-                                               result.energy.elastic,
-                                               result.energy.kinetic});
-    const ContactVerdict verdict   = tracker.judge(time_step,
-                                                 result,
-                                                 state_,
-                                                 record().energy_terms,
-                                                 is_prescribed_step(),
-                                                 mechanical_energy);
-    switch (verdict.kind)
+    try
       {
-        case ContactVerdict::to_time:
-          controller.aim_at(verdict.time);
-          return false;
-        case ContactVerdict::in_other_state:
-        case ContactVerdict::with_law:
-          return false;
-        case ContactVerdict::accept_with_law:
-          compute_step(time_step, ContactMode::unilateral, result);
-          if (!result.failure.empty())
-            {
-              retry_smaller(time_step, result.failure);
-              return false;
-            }
-          break;
-        case ContactVerdict::accept:
-          break;
+        tracker.accept(verdict, result, history_.events);
+        if (body_.obstacle.is_active())
+          if (const LoadBreak *at =
+                controller.followed_loads().break_at(result.state.time))
+            tracker.pass_slope_discontinuity(*at, result);
       }
-    tracker.accept(verdict, result, history_.events);
-    if (body_.obstacle.is_active())
-      if (const LoadBreak *at =
-            controller.followed_loads().break_at(result.state.time))
-        tracker.turn(*at, result);
+    catch (const ComputationError &error)
+      {
+        give_up(time_step, error.what());
+      }
     jump(result);
-    return true;
   }
 
 

@@ -178,15 +178,21 @@ namespace ThermoContact
         check_gap(sorted.back());
       }
 
-    // the numbering depends on the number of ranks, the position does not
+    // the numbering depends on the number of ranks, the position does not but
+    // for rounding
+    constexpr double step_of_order = 1e-11;
     std::sort(sorted.begin(),
               sorted.end(),
               [](const ContactNode<dim> &a, const ContactNode<dim> &b) {
                 if ((a.weight > 0.) != (b.weight > 0.))
                   return a.weight > 0.;
+                // in steps between rounding and the distance of two nodes
                 for (unsigned int d = dim - 1; d > 0; --d)
-                  if (std::abs(a.position[d] - b.position[d]) > 1e-12)
-                    return a.position[d] < b.position[d];
+                  if (const auto i =
+                        std::llround(a.position[d] / step_of_order),
+                      j = std::llround(b.position[d] / step_of_order);
+                      i != j)
+                    return i < j;
                 return false;
               });
     return sorted;

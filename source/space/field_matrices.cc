@@ -153,7 +153,7 @@ namespace ThermoContact
                                    BlockSparseMatrix &matrix) const
   {
     const unsigned int           n = discretization.n_components();
-    Table<2, DoFTools::Coupling> couplings(n, n);
+    dealii::Table<2, DoFTools::Coupling> couplings(n, n);
     const bool has_temperature = discretization.has_field(Field::temperature);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)

@@ -16,7 +16,7 @@ namespace ThermoContact
     assign_entries(assignments, prm_);
     own_scene          = scene_;
     own_entries        = declared_entries(prm_);
-    is_read_as_a_whole = is_in_si(assignments, own_entries) ||
+    is_read_as_a_whole = is_in_si(assignments) ||
                          std::any_of(assignments.begin(),
                                      assignments.end(),
                                      [](const Assignment &assignment) {

@@ -147,7 +147,7 @@ namespace ThermoContact
 
     /** The line of names, the last one of a head. */
     std::string
-    names_in(const std::string &head)
+    names_of_head(const std::string &head)
     {
       const auto end = head.find_last_of('\n', head.size() - 2);
       return head.substr(end + 1, head.size() - end - 2);
@@ -165,7 +165,7 @@ namespace ThermoContact
     , conversions(units_.of_columns("study.csv", make_columns(plan)))
     , head(csv_comments(parameters.title) +
            csv_head(make_columns(plan), conversions))
-    , names_(split_row(names_in(head)))
+    , names_(split_row(names_of_head(head)))
   {}
 
 
@@ -208,7 +208,7 @@ namespace ThermoContact
         do
           std::getline(file, line);
         while (file && !line.empty() && line[0] == '#');
-        if (line != names_in(head))
+        if (line != names_of_head(head))
           fail("its columns are not those of this study");
         n_read = file.tellg();
       }

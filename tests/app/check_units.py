@@ -1,101 +1,230 @@
+#!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Checks scenes from --units against the same rods computed in SI units.
+"""Files in SI units: every quantity by hand, and the numbers in the heads of prm/units.
 
-The coefficients come from formulas that name no scale:
-  a^2 = E alpha^2 theta_ref/(rho c), b = (kappa/(rho c L))^2 rho/E,
-  zeta = eta kappa/(rho c L^2 E), k = h L/kappa, epsilon = (E A/L)/stiffness,
-  g = gap/L, a theta_A = alpha (theta_A - theta_ref), T = t kappa/(rho c L^2).
-If the sides cannot move, E stands for lambda + 2 mu, and alpha for
-(3 lambda + 2 mu) alpha/(lambda + 2 mu), with Lame's constants.
-At rest the rod is a bar with the temperature theta_A - c (theta_A - theta_obs) x/L,
-c = k/(k + 1), in series with a spring: with the free expansion
-G = alpha L ((theta_A - theta_ref) - c (theta_A - theta_obs)/2),
-  force = (G - gap)/(L/(E A) + 1/stiffness), displacement = G - force L/(E A),
-  heat flux = h (theta(L) - theta_obs).
+ROD has numbers that are prime to each other. With E* its modulus, t_0 = rho c L^2/kappa and
+Theta^2 = E* theta_ref/(rho c), entries are in units of: L lengths, t_0 times, L/t_0 velocities,
+E* pressures, E*/L forces per volume, kappa Theta/L heat fluxes, kappa Theta/L^2 heat per volume,
+kappa/L and kappa/L^2 exchange of the end and of the sides; temperatures above the reference are
+in Theta; a stiffness s is the compliance E* A/(s L). Without a temperature t_0 = L sqrt(rho/E*).
+Each is given in SI base units and in other ones. Expressions, printed by --units, are evaluated
+here in the variables of the scene.
 """
-import csv
 import math
 import re
 import sys
+from pathlib import Path
 
-RODS = {
-    "Steel rod, 1 m": dict(
-        file="steel.prm", L=1.0, A=1e-4, rho=7850.0, E=2.1e11, eta=5e3, alpha=12e-6,
-        kappa=53.3, c=440.0, ref=293.15, fixed=393.15, obstacle=293.15,
-        gap=5e-4, stiffness=1e8, h=50.0, t=129600.0),
-    "Polysilicon beam, 200 um": dict(
-        file="silicon.prm", L=200e-6, A=20e-12, rho=2330.0, E=169e9, eta=0.25,
-        alpha=2.6e-6, kappa=30.0, c=705.0, ref=300.0, fixed=600.0, obstacle=300.0,
-        gap=0.1e-6, stiffness=1e4, h=1e5, t=0.01),
-}
-RODS["Steel rod, confined"] = {**RODS["Steel rod, 1 m"], "file": "confined.prm",
-                               "nu": 0.3}
+import numpy
 
-results = sys.argv[1]
-rows = [line for line in open(f"{results}/contact.csv") if not line.startswith("#")]
-last = {k: float(v) for k, v in list(csv.DictReader(rows))[-1].items()}
-used = open(f"{results}/used.prm").read()
-is_si = "set SI = true" in used
-title = re.search(r"set Title = (.*)", used).group(1)
-rod = RODS[title]
-scene = open(rod["file"]).read()
-L, A, rho, E, c = (rod[name] for name in ("L", "A", "rho", "E", "c"))
-alpha, kappa, h = rod["alpha"], rod["kappa"], rod["h"]
-if "nu" in rod:
-    lamda = E * rod["nu"] / ((1 + rod["nu"]) * (1 - 2 * rod["nu"]))
-    mu = E / (2 * (1 + rod["nu"]))
-    alpha *= (3 * lamda + 2 * mu) / (lamda + 2 * mu)
-    E = lamda + 2 * mu
+sys.dont_write_bytecode = True
+from program import run, settings  # noqa: E402
+from run_files import Run  # noqa: E402
+
+PRM = Path(__file__).resolve().parents[2] / "prm/units"
+L, A, RHO, E, NU, ETA, ALPHA, KAPPA, C, REF = (
+    0.3, 2e-4, 5000.0, 9e10, 0.25, 4e8, 1.5e-5, 40.0, 500.0, 300.0)
+ROD = {"Length": ("0.3", "30 cm"), "Cross-section area": ("2e-4", "2 cm^2"),
+       "Density": ("5000", "5 g/cm3"), "Young's modulus": ("9e10", "90 GPa"),
+       "Poisson ratio": ("0.25", "0.25"), "Viscosity": ("4e8", "0.4 GPa s"),
+       "Linear expansion": ("1.5e-5", "15 um/(m K)"), "Conductivity": ("40", "40 W/(m K)"),
+       "Heat capacity": ("500", "0.5 kJ/(kg K)"),
+       "Reference temperature": ("300", "26.85 degC"), "Small terms": ("kept", "kept")}
 faults = []
 
 
-def compare(what, value, expected, tolerance):
-    if not abs(value - expected) <= tolerance * abs(expected):
-        faults.append(f"{what}: {value}, expected {expected}")
+def check(name, found, expected, bound=1e-13):
+    if found is None or not abs(found - expected) <= bound * abs(expected):
+        faults.append(f"{name} is {found}, not {expected}")
 
 
-def coefficient(pattern):
-    return float(re.search(pattern + r" (\S+?),?(\s|$)", scene).group(1))
+def write(name, entries, column):
+    """A file with section Rod and entries {path: (in SI base units, in others)}."""
+    entries = {**{f"Rod/{key}": pair for key, pair in ROD.items()}, **entries}
+    lines = []
+    for path, pair in entries.items():
+        section, _, entry = path.rpartition("/")
+        line = f"set {entry} = {pair[column]}\n"
+        lines.append(f"subsection {section}\n  {line}end\n" if section else line)
+    Path(name).write_text("".join(lines), encoding="utf-8")
 
 
-def factor(name):
-    """By which a column is to be multiplied, unless it is in SI units."""
-    if is_si:
-        return 1
-    return float(re.search(rf"# +{re.escape(name)} +(\S+)", scene).group(1))
+def scene_of(name, *overrides):
+    """By path, the values that --units prints, without remarks."""
+    status, text, message = run("--units", *settings(overrides), name)
+    if status != 0:
+        faults.append(f"{name}: {message}")
+    section, values = "", {}
+    for line in text.splitlines():
+        line = line.partition(" # ")[0]
+        if match := re.match(r"subsection (.*)", line):
+            section = match[1] + "/"
+        elif line == "end":
+            section = ""
+        elif match := re.match(r" *set (.*?) = (.*)", line):
+            values[section + match[1]] = match[2]
+    Path(name + ".scene").write_text(text, encoding="utf-8")
+    return values
 
 
-k = h * L / kappa
-a = math.sqrt(E * alpha**2 * rod["ref"] / (rho * c))
-diffusivity = kappa / (rho * c)
-for pattern, expected in {
-    "set Coupling =": a,
-    "# b =": (diffusivity / L) ** 2 * rho / E,
-    "# zeta =": rod["eta"] * diffusivity / (L**2 * E),
-    "set Heat exchange =": k,
-    "set Compliance =": E * A / L / rod["stiffness"],
-    "set Gap =": rod["gap"] / L,
-    "set Fixed end temperature =": alpha * (rod["fixed"] - rod["ref"]) / a,
-    "set End time =": rod["t"] * diffusivity / L**2,
-}.items():
-    compare(pattern, coefficient(pattern), expected, 1e-11)
+def check_scene(name, entries, expected):
+    """entries {path: (text, text)}, expected {path: numbers}."""
+    for column in 0, 1:
+        write(name, entries, column)
+        found = scene_of(name)
+        for path, numbers in expected.items():
+            words = re.split(r" ?[;,] ", found.get(path, "nan"))
+            for word, number in zip(words, numbers if isinstance(numbers, list) else [numbers]):
+                check(f"{name}, {path}", float(word), number)
 
-ratio = k / (k + 1)
-heating = rod["fixed"] - rod["obstacle"]
-expansion = alpha * L * (rod["fixed"] - rod["ref"] - ratio * heating / 2)
-force = (expansion - rod["gap"]) / (L / (E * A) + 1 / rod["stiffness"])
-end = rod["obstacle"] + heating * (1 - ratio)
-# The program's accuracy here is that of rounding: the rod is at rest.
-for column, name, expected in [
-    ("contact_force", "contact_force", force),
-    ("stress_end", "stress_end", -force / A),
-    ("displacement_end", "displacement_*, gap, penetration",
-     expansion - force * L / (E * A)),
-    ("penetration", "displacement_*, gap, penetration", force / rod["stiffness"]),
-    ("heat_flux_end", "heat_flux_end", h * (end - rod["obstacle"])),
-]:
-    compare(column, last[column] * factor(name), expected, 1e-8)
-temperature = last["temperature_end"] * factor(
-    f"temperature_*, then add {rod['ref']:g}") + (0 if is_si else rod["ref"])
-compare("temperature_end", temperature, end, 1e-8)
-print(f"{title}, {'SI' if is_si else 'factors'}: {'; '.join(faults) or 'coefficients, force, displacements and heat as in SI'}")
+
+def check_quantities():
+    t, theta = RHO * C * L**2 / KAPPA, math.sqrt(E * REF / (RHO * C))
+    flux = KAPPA * theta / L
+    entries = {
+        "Boundary/Fixed end temperature": ("350", "76.85 degC", 50 / theta),
+        "Boundary/Heat exchange": ("70", "0.007 W/(cm^2 K)", 70 * L / KAPPA),
+        "Boundary/Obstacle temperature": ("320", "46.85 \u00b0C", 20 / theta),
+        "Boundary/Lateral heat exchange": ("900", "0.9 kW/(m^3 K)", 900 * L**2 / KAPPA),
+        "Boundary/Ambient temperature": ("290", "16.85 celsius", -10 / theta),
+        "Contact/Damping": ("0.2", "0.2 ms/mm", 0.2 * L / t),
+        "Contact/Gap": ("3e-4", "0.3 mm", 3e-4 / L),
+        "Contact/Rear gap": ("5e-4", "500 \u00b5m", 5e-4 / L),
+        "Initial values/Temperature": ("310", "36.85 degC", 10 / theta),
+        "Initial values/Displacement": ("0", "0 m", 0),
+        "Sources/Heat source": ("2e6", "2 MW/m^3", 2e6 * L / flux),
+        "Sources/Body force": ("4e4", "40 kN/m^3", 4e4 * L / E),
+        "Sources/End traction": ("5e5", "5 bar", 5e5 / E),
+        "Sources/End heat flux": ("800", "0.08 W/cm^2", 800 / flux),
+        "Time/End time": ("7200", "2 h", 7200 / t),
+        "Time/First step size": ("0.03", "30 ms", 0.03 / t),
+        "Time/Minimum step size": ("1e-6", "1 us", 1e-6 / t),
+        "Time/Maximum step size": ("600", "10 min", 600 / t),
+        "Time/Break points": ("60 ; 90", "1 min ; 90 s", [60 / t, 90 / t]),
+        "Output/Contact interval": ("120", "2 min", 120 / t),
+        "Output/Fields interval": ("1800", "0.5 h", 1800 / t),
+        "Output/Space-time interval": ("300", "5 min", 300 / t),
+        "Output/Period": ("240", "4 min", 240 / t),
+        "Output/Checkpoint interval": ("600", "10 min", 600),
+        "Output/Probes": ("0.1 ; 0.3", "100 mm ; 0.3 m", [0.1 / L, 1])}
+    expected = {path: entry[2] for path, entry in entries.items() if entry[2]}
+    check_scene("rod.prm", {**{path: entry[:2] for path, entry in entries.items()},
+                            "Contact/Stiffness": ("3e7", "30 kN/mm")},
+                {**expected, "Contact/Compliance": E * A / (3e7 * L),
+                 "Model/Inertia": (KAPPA / (RHO * C * L))**2 * RHO / E,
+                 "Model/Viscosity": ETA / (E * t), "Model/Coupling": ALPHA * theta,
+                 "Scales/Length": L, "Scales/Time": t, "Scales/Stress": E, "Scales/Area": A,
+                 "Scales/Temperature": theta, "Scales/Reference temperature": REF})
+    # a strip: the modulus of P-waves, and more expansion
+    e = E * (1 - NU) / ((1 + NU) * (1 - 2 * NU))
+    theta = math.sqrt(e * REF / (RHO * C))
+    needed = {path: entries[path][:2] for path in (
+        "Boundary/Fixed end temperature", "Boundary/Heat exchange", "Contact/Gap",
+        "Time/End time")}
+    check_scene("strip.prm", {**needed, "Dimension": ("2", "2"), "Mesh/Width": ("0.06", "6 cm"),
+                              "Contact/Compliance": ("2e-12", "2 pm/Pa"),
+                              "Time/Step size": ("90", "1.5 min")},
+                {"Mesh/Width": 0.06 / L, "Contact/Compliance": 2e-12 * e / L,
+                 "Time/Step size": 90 / t, "Boundary/Fixed end temperature": 50 / theta,
+                 "Model/Coupling": ALPHA * (1 + NU) / (1 - NU) * theta,
+                 "Model/Poisson ratio": NU, "Scales/Stress": e})
+    # without a temperature; Hertz's law: the penetration at which the force is E A
+    wave = L * math.sqrt(RHO / E)
+    check_scene("waves.prm", {"Model/Fields": ("displacement", "displacement"),
+                              "Contact/Condition": ("power law", "power law"),
+                              "Contact/Exponent": ("1.5", "1.5"),
+                              "Contact/Stiffness": ("1e10", "1e10"),
+                              "Contact/Gap": ("1e-5", "10 um"),
+                              "Time/End time": ("1e-3", "1 ms")},
+                {"Contact/Compliance": (E * A / 1e10)**(1 / 1.5) / L,
+                 "Model/Viscosity": ETA / (E * wave), "Scales/Time": wave,
+                 "Time/End time": 1e-3 / wave})
+
+
+def check_expressions():
+    """Of time, place, gap and pressure; units do not change what runs."""
+    t, theta = RHO * C * L**2 / KAPPA, math.sqrt(E * REF / (RHO * C))
+    write("drives.prm", {
+        "Boundary/Fixed end temperature": ["300 + 50*sin(1e-2*t)"],
+        "Boundary/Heat exchange": ["if(pressure > 2e6, 9, 7/(1 + gap/1e-5))"],
+        "Boundary/Fixed end displacement": ["1e-5*(1 - cos(3e-3*t))"],
+        "Contact/Gap": ["5e-5 + 1e-6*t/3600"], "Contact/Stiffness": ["1e9"],
+        "Initial values/Temperature": ["theta_A + 2*x/0.3"],
+        "Initial values/Velocity": ["1e-9*x"], "Time/End time": ["1e3"],
+        "Sources/Body force": ["1e3*x*exp(-1e-3*t)"], "Rod/Small terms": ["dropped"],
+        **{f"Rod/{key}": pair for key, pair in ROD.items() if key != "Small terms"}}, 0)
+    found = scene_of("drives.prm", "Rod/Small terms=kept")
+    names = {**vars(math), "exchange": lambda is_so, a, b: a if is_so else b}
+    for path, variables, by_hand in (
+            ("Boundary/Fixed end temperature", {"t": 0.01},
+             50 * math.sin(1e-2 * 0.01 * t) / theta),
+            ("Boundary/Heat exchange", {"gap": 0, "pressure": 3e6 / E}, 9 * L / KAPPA),
+            ("Boundary/Heat exchange", {"gap": 1e-4, "pressure": 0},
+             7 / (1 + 1e-4 * L / 1e-5) * L / KAPPA),
+            ("Boundary/Fixed end displacement", {"t": 0.01},
+             1e-5 * (1 - math.cos(3e-3 * 0.01 * t)) / L),
+            ("Contact/Gap", {"t": 0.02}, (5e-5 + 1e-6 * 0.02 * t / 3600) / L),
+            ("Initial values/Temperature", {"x": 0.7, "theta_A": 0.01}, 0.01 + 2 * 0.7 / theta),
+            ("Initial values/Velocity", {"x": 0.7}, 1e-9 * 0.7 * t),
+            ("Sources/Body force", {"x": 0.7, "t": 0.03},
+             1e3 * 0.7 * L * math.exp(-1e-3 * 0.03 * t) * L / E)):
+        text = found.get(path, "nan").replace("if(", "exchange(")
+        check(path, eval(text, names, variables), by_hand, 1e-12)
+
+
+def check_twins():
+    """The printed scene, and used.prm, run as the file does."""
+    file = PRM / "thermal-switch.prm"
+    scene_of("drives.prm")
+    Path("switch.prm").write_text(run("--units", file)[1], encoding="utf-8")
+    tables = []
+    for name, path in (("si", file), ("scene", "switch.prm"), ("used", "si/used.prm")):
+        status, _, message = run("--output", name, path)
+        if status != 0:
+            faults.append(f"{name}: {message}")
+        tables.append(Path(name, "contact.csv").read_bytes())
+    if tables[0] != tables[1] or tables[0] != tables[2]:
+        faults.append("a scene without units, or used.prm, is another one")
+
+
+def results(name, *overrides):
+    status, _, message = run("--output", name, *settings(overrides), PRM / f"{name}.prm")
+    if status != 0:
+        faults.append(f"{name}: {message}")
+    return Run(name)
+
+
+def last(run_, column):
+    return run_.contact[column][-1]
+
+
+def check_heads():
+    """The numbers in the heads, six digits; a run is at rest to 1e-7 or so."""
+    steel = results("steel-rod")
+    check("steel, force", last(steel, "contact_force"), 7108.48, 1e-6)
+    check("steel, end", last(steel, "temperature_end"), 71.5973, 1e-6)
+    check("steel, penetration", last(steel, "penetration"), 71.0848e-6, 1e-6)
+    actuator = results("micro-actuator")
+    check("actuator, force", last(actuator, "contact_force"), 155.807e-6, 3e-6)
+    check("actuator, end", last(actuator, "temperature_end"), 480, 1e-6)
+    switch = results("thermal-switch")
+    check("switch, force", last(switch, "contact_force"), 1727.10, 3e-6)
+    check("switch, end", last(switch, "temperature_end"), 20 + 21.0564, 3e-6)
+    check("switch, heat", last(switch, "heat_flux_end"), 374193, 3e-6)
+    study = results("stop-design", "Contact/Damping=0",
+                    "Study/Vary=Contact/Stiffness = 1e7 | 0.1 GN/m | 1e9 N/m")
+    table = study.tables["study.csv"]
+    check("stiffnesses", sum(float(s) for s in table["Contact/Stiffness"]), 1.11e9)
+    # kinks of waves, and a tolerance of 1e-5
+    for force, by_hand in zip(table["max_contact_force"], (418.152, 1982.88, 3512.57)):
+        check("study, force", float(force), by_hand, 1e-3)
+    block = results("curved-stop")
+    force, pressure = last(block, "contact_force") / 0.01, last(block, "max_pressure")
+    check("block, pressure", pressure, math.sqrt(force * 2.1e11 / 0.91 / (math.pi * 0.1)), 0.05)
+    width = 4 * math.sqrt(force * 0.1 / (math.pi * 2.1e11 / 0.91))
+    check("block, width", last(block, "contact_area") * 0.01, width, 0.15)
+
+
+for checks in (check_quantities, check_expressions, check_twins, check_heads):
+    checks()
+print("\n".join(faults) or "as by hand")

@@ -105,13 +105,10 @@ def random_cases(directory, seed):
 def known_cases(directory, program, project):
     """The same of ten scenes of the project, of 6"""
     (directory / "thrown.prm").write_text(THROWN, encoding="utf-8")
-    steel = subprocess.run([program, "--units", project / "prm/units/steel-rod.prm"],
-                           check=True, capture_output=True, text=True).stdout
-    (directory / "steel.prm").write_text(steel, encoding="utf-8")
     scenes = [*(project / f"prm/paper/experiment-{i}.prm" for i in range(1, 6)),
               *(project / f"prm/examples/{name}.prm" for name in (
                   "rigid-obstacle", "hertzian-stop", "thermal-switch")),
-              directory / "steel.prm", directory / "thrown.prm"]
+              project / "prm/units/steel-rod.prm", directory / "thrown.prm"]
     for number, scene in enumerate(scenes):
         yield scene.stem, scene, [], [(tolerance, 2 + (3 * number + 2 * i) % 7)
                                       for i, tolerance in enumerate(TOLERANCES)]

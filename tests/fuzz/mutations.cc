@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/input/units.h>
+#include <thermocontact/input/si_scene.h>
 
 #include "mutations.h"
 
@@ -138,7 +138,7 @@ namespace ThermoContact
     for (const std::string &file : files)
       {
         const std::vector<Assignment> given = statements(file);
-        is_rod.push_back(is_rod_in_units(given));
+        is_rod.push_back(is_in_si(given));
         for (const Assignment &entry : given)
           if (!entry.is_section())
             (is_rod.back() ? of_rods : of_scenes).of_files.push_back({entry});

@@ -3,7 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/input/parameter_file.h>
-#include <thermocontact/input/units.h>
+#include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/report/scene_report.h>
 #include <thermocontact/scene/scales_checks.h>
@@ -142,6 +142,23 @@ namespace ThermoContact
 
 
 
+    /** A scene that is printed can be read. */
+    void
+    assign_again(const std::string &scene)
+    {
+      try
+        {
+          all_entries(statements(scene));
+        }
+      catch (const InputError &error)
+        {
+          throw std::logic_error(error.what() +
+                                 ("\nis said of the scene\n" + scene));
+        }
+    }
+
+
+
     /** Those of a scene with another value than the default. */
     void
     add_entries(const std::vector<Assignment> &assignments, Reading &reading)
@@ -163,14 +180,10 @@ namespace ThermoContact
   {
     std::vector<std::string> paths;
     Parameters               parameters;
-    RodInUnits               rod;
-    ParameterHandler         of_scene, of_rod;
-    parameters.add_parameters(of_scene);
-    rod.add_parameters(of_rod);
-    for (const DeclaredEntry &entry : declared_entries(of_scene))
+    ParameterHandler         prm;
+    parameters.add_parameters(prm);
+    for (const DeclaredEntry &entry : declared_entries(prm))
       paths.push_back(entry.path);
-    for (const DeclaredEntry &entry : declared_entries(of_rod))
-      paths.push_back("rod: " + entry.path);
     return paths;
   }
 
@@ -183,9 +196,28 @@ namespace ThermoContact
     ParameterHandler prm;
     parameters.add_parameters(prm);
     assign_entries(assignments, prm);
+    std::vector<DeclaredEntry> entries = declared_entries(prm);
+    if (is_in_si(assignments))
+      add_units(assignments, entries);
     std::ostringstream all;
-    write_entries(declared_entries(prm), {}, all);
+    write_entries(entries, {}, all);
     return all.str();
+  }
+
+
+
+  std::string
+  scene_without_units(const std::vector<Assignment> &assignments)
+  {
+    Parameters       parameters;
+    ParameterHandler prm;
+    parameters.add_parameters(prm);
+    assign_entries(assignments, prm);
+    std::vector<DeclaredEntry> entries = declared_entries(prm);
+    remove_units(assignments, entries);
+    std::ostringstream scene;
+    write_entries(entries, {}, scene);
+    return scene.str();
   }
 
 
@@ -195,17 +227,9 @@ namespace ThermoContact
   {
     Reading                 reading;
     std::vector<Assignment> assignments = statements(text);
-    reading.is_rod_in_units             = is_rod_in_units(assignments);
+    reading.is_rod_in_units             = is_in_si(assignments);
     if (reading.is_rod_in_units)
-      {
-        const UnitScene scene = scene_from_units("fuzz.prm", assignments);
-        for (const Assignment &given : assignments)
-          if (!given.is_section())
-            reading.entries["rod: " + given.path] = given.value;
-        assignments = scene.assignments;
-        if (all_entries(statements(scene.text)) != all_entries(assignments))
-          throw std::logic_error("the scene reads differently:\n" + scene.text);
-      }
+      assign_again(scene_without_units(assignments));
     check(assignments, scratch, reading);
     const std::string written = all_entries(assignments);
     if (all_entries(statements(written)) != written)

@@ -27,9 +27,13 @@ namespace ThermoContact
 
 
 
-  /** All entries of a scene, and "rod: " and those of a rod in units. */
+  /** All entries. */
   std::vector<std::string>
   paths_read();
+
+  /** What --units prints of it. */
+  std::string
+  scene_without_units(const std::vector<Assignment> &assignments);
 
   /** All entries of a scene with their values, as used.prm has them. */
   std::string

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/input/units.h>
+#include <thermocontact/input/si_scene.h>
 
 #include "seeds.h"
 
@@ -80,8 +80,8 @@ namespace ThermoContact
     for (const fs::path &path : paths)
       {
         texts.push_back(read_text(path));
-        if (const auto rod = statements(texts.back()); is_rod_in_units(rod))
-          scenes.push_back(scene_from_units(path, rod).text);
+        if (const auto rod = statements(texts.back()); is_in_si(rod))
+          scenes.push_back(scene_without_units(rod));
       }
     texts.insert(texts.end(), scenes.begin(), scenes.end());
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws faults, builds them, runs tests with them: see scripts/mutate."""
+import contextlib
 import json
 import math
 import os
@@ -20,10 +21,9 @@ from operators import Source
 ENCODING = "latin-1"  # a character to a byte: libclang counts bytes
 LEFT_OUT = {".git", "build", "results", "__pycache__"}
 # They read texts of the project, which the faults change, not the program.
-READERS = re.compile(r"documents/(links|paths|quotes|rooms)$")
+READERS = re.compile(r"app/driver$|documents/(links|paths|rooms|site)$")
 FIRST_HEADER = Path("source/precompiled.h")
 LONGEST = 1800  # seconds
-TOO_LONG = 124  # as timeout has it
 SWITCH = """
 #include <cstdlib>
 #include <fcntl.h>
@@ -181,12 +181,30 @@ def draw(parser, top, copy, options):
                 parser.compiles(source, fault):
             faults[len(faults)] = fault
             print(f"  {len(faults) - 1}: {words(fault)}", flush=True)
-    for name, source in sources.items():
-        here = {number: fault for number, fault in faults.items()
-                if fault.file == name}
-        if here:
-            write(copy / name, apply(source.text, here).encode(ENCODING))
-    return faults
+    return sources, faults
+
+
+def build(copy, tree, sources, faults, targets):
+    """All faults at once; those that the compiler refuses, though libclang does
+    not, are left out."""
+    while True:
+        for name, source in sources.items():
+            write(copy / name, apply(source.text, {
+                number: fault for number, fault in faults.items()
+                if fault.file == name}).encode(ENCODING))
+        try:
+            run_quietly(tree / "build.log", "make", "-C", tree, *targets)
+            return
+        except Failure:
+            places = re.findall(r"((?:source|include)/\S+?):\d+:\d+: error",
+                                (tree / "build.log").read_text(errors="replace"))
+            refused = [number for number, fault in faults.items()
+                       if fault.file in places]
+            if not refused:
+                raise
+            for number in refused:
+                print(f"  {number}: does not compile", flush=True)
+                del faults[number]
 
 
 def words(fault):
@@ -200,61 +218,45 @@ class Test:
     def __init__(self, name, commands, skipped):
         self.name, self.commands, self.skipped = name, commands, skipped
 
-    def run(self, limit, **environment):
-        """Its exit status; limit: seconds for each command."""
+    def fails(self, limit, **environment):
+        """limit: seconds for each command, whose children end with it."""
         with tempfile.TemporaryDirectory(prefix="mutate-") as scratch:
             for command in self.commands:
-                status = run_group(command, scratch, environment, limit)
-                if status == self.skipped:
-                    return 0
+                process = subprocess.Popen(
+                    command, cwd=scratch, env={**os.environ, **environment},
+                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                    stdin=subprocess.DEVNULL, start_new_session=True)
+                with contextlib.suppress(subprocess.TimeoutExpired):
+                    process.wait(limit)
+                with contextlib.suppress(ProcessLookupError):
+                    os.killpg(process.pid, signal.SIGKILL)
+                status = process.wait()
                 if status != 0:
-                    return status
-        return 0
-
-
-def run_group(command, directory, environment, limit):
-    """The exit status of a command, whose children end with it."""
-    process = subprocess.Popen(
-        command, cwd=directory, env={**os.environ, **environment},
-        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-        stdin=subprocess.DEVNULL, start_new_session=True)
-    try:
-        status = process.wait(timeout=limit)
-    except subprocess.TimeoutExpired:
-        status = TOO_LONG
-    try:
-        os.killpg(process.pid, signal.SIGKILL)
-    except ProcessLookupError:
-        pass
-    process.wait()
-    return status
+                    return status != self.skipped
+        return False
 
 
 def tests_of(tree, costs, regex):
     """The tests of a build tree but those that read texts, the cheapest first."""
-    commands = {}
+    commands, tests = {}, []
     for path in sorted((tree / "tests").rglob("build.make")):
-        for line in path.read_text().splitlines():
-            match = re.search(r"sh (\S+/run_test\.sh) (run|diff) (\S+) (.*)", line)
-            if match:
-                script, stage, name, rest = match.groups()
-                commands.setdefault(name, {})[stage] = [
-                    "sh", script, stage, name, *shlex.split(rest)]
+        for script, stage, name, rest in re.findall(
+                r"sh (\S+/run_test\.sh) (run|diff) (\S+) (.*)", path.read_text()):
+            commands.setdefault(name, {})[stage] = [
+                "sh", script, stage, name, *shlex.split(rest)]
     listed = json.loads(subprocess.run(
         ["ctest", "--show-only=json-v1"], cwd=tree, check=True,
         capture_output=True, text=True).stdout)["tests"]
-    tests = []
     for test in listed:
-        name = test["name"]
-        properties = {p["name"]: p["value"] for p in test["properties"]}
-        if READERS.match(name) or name == "app/driver" or not re.search(
-                regex, name):
+        name, stages = test["name"], commands.get(test["name"])
+        if READERS.match(name) or not re.search(regex, name):
             continue
-        stages = commands.get(name)
         tests.append(Test(name, [test["command"]] if stages is None else [
             stages["run"],
             ["perl", "-pi", str(Path(stages["run"][1]).with_name("normalize.pl")),
-             "output"], stages["diff"]], properties.get("SKIP_RETURN_CODE")))
+             "output"], stages["diff"]],
+            next((p["value"] for p in test["properties"]
+                  if p["name"] == "SKIP_RETURN_CODE"), None)))
     return sorted(tests, key=lambda test: (costs.get(test.name, 0), test.name))
 
 
@@ -274,14 +276,13 @@ def try_faults(faults, tests, costs):
             break
         with tempfile.NamedTemporaryFile("r", prefix="mutate-") as reached:
             start = time.time()
-            status = test.run(LONGEST, THERMOCONTACT_REACHED=reached.name)
-            costs[test.name] = time.time() - start
-            if status != 0:
+            if test.fails(LONGEST, THERMOCONTACT_REACHED=reached.name):
                 raise Failure(f"{test.name} fails without a fault")
+            costs[test.name] = time.time() - start
             numbers = {int(line) for line in reached}
         for number in sorted(numbers - set(noticed)):
-            if test.run(30 + 10 * costs[test.name],
-                        THERMOCONTACT_FAULT=str(number)) != 0:
+            if test.fails(30 + 10 * costs[test.name],
+                          THERMOCONTACT_FAULT=str(number)):
                 noticed[number] = test.name
                 print(f"  {number}: {test.name}", flush=True)
     return noticed
@@ -312,10 +313,10 @@ def run(top, options):
     costs = json.loads(file.read_text()) if file.exists() else {}
     tests = tests_of(tree, costs, options.tests)
     print(f"faults, drawn by {options.seed}:", flush=True)
-    faults = draw(Parser(copy, tree), top, copy, options)
+    sources, faults = draw(Parser(copy, tree), top, copy, options)
     print(f"noticed by, of {len(tests)} tests, after building {tree}:", flush=True)
-    run_quietly(work / "build.log", "make", "-C", tree, "thermocontact",
-                "thermocontact_test_driver", *targets_of(tests))
+    build(copy, tree, sources, faults, ["thermocontact", "thermocontact_test_driver",
+                                        *targets_of(tests)])
     try:
         noticed = try_faults(faults, tests, costs)
     finally:

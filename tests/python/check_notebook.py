@@ -3,9 +3,10 @@
 """usage: check_notebook.py THERMOCONTACT SOURCE_DIRECTORY
 
 Runs the cells of doc/fit-of-a-stop.ipynb one after the other. The fit has to find the
-stiffness of the stop that the measurement was made with, 1e8 N/m, within four times the
+stiffness of the obstacle that the measurement was made with, 1e8 N/m, within four times the
 error that it states, which is to be below one percent; the page has to say so on its
-last line. Exit status 77, "skipped", without scipy.
+last line. Exit status 77, "skipped", without scipy or
+matplotlib.
 """
 import contextlib
 import io
@@ -17,6 +18,7 @@ from pathlib import Path
 
 program, source = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 try:
+    import matplotlib  # noqa: F401
     import scipy.optimize  # noqa: F401
 except ImportError as error:
     print(f"skipped: {error}")
@@ -33,7 +35,7 @@ with contextlib.redirect_stdout(said):
             exec(compile("".join(cell["source"]), f"cell {number}", "exec"), names)
 line = said.getvalue().splitlines()[-1]
 value, error = map(float, re.fullmatch(
-    r"stiffness of the stop (\S+) N/m, plus or minus (\S+)", line).groups())
+    r"stiffness of the obstacle (\S+) N/m, plus or minus (\S+)", line).groups())
 print(line)
 good = abs(value - 1e8) <= 4 * error + 1e5 and error < 1e6  # four digits are printed
 sys.exit(not good)

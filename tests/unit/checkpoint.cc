@@ -174,7 +174,7 @@ namespace
             << everywhere(read_nodes(read, 1 - rank()).size() ==
                           (rank() == 1 ? 1000 : megabytes << 20))
             << ", warned " << !read.warning.empty() << ", rank 0 grows by "
-            << "less than half of it " << within(growth / megabytes, 0.5)
+            << "less than half of it " << (growth < 0.5 * megabytes)
             << std::endl;
   }
 

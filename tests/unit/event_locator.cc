@@ -305,7 +305,7 @@ namespace
     deallog << "rigid, let go at once" << std::endl;
     locator.start(values(0., {0.1}, 0.2, {0.}), events);
     take(locator, values(1., {0.3}, 0.2, {0.}), false, events);
-    locator.let_go(values(0., {0.1}, 0., {0.}));
+    locator.release(values(0., {0.1}, 0., {0.}));
     take(locator, values(1., {0.05}, -0.1, {0.}), false, events);
   }
 

@@ -207,7 +207,7 @@ namespace
             products.momentum({mass, 1. - mass}, y, x);
           lanes.vmult(field, mass, 1. - mass, z, x);
           z -= y;
-          deallog << within(z.linfty_norm() / y.linfty_norm(), 1e-13);
+          deallog << ' ' << within(z.linfty_norm() / y.linfty_norm(), 1e-13);
         }
     deallog << std::endl;
   }

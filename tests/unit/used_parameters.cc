@@ -24,7 +24,7 @@ main(int argc, char **argv)
   parameters.add_parameters(prm);
   ThermoContact::assign_entries({{"here", "Mesh/Cells", "7"}}, prm);
   const auto before = entry_values(prm);
-  write_used_parameters(".", {"Mesh/Width"}, prm, communicator);
+  write_used_parameters(".", {"Mesh/Width"}, prm, {}, communicator);
   const auto after = entry_values(prm);
 
   const unsigned int n_changed =

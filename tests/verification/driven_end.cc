@@ -302,8 +302,9 @@ namespace
         .displacement_end -
       end_of_pushed_rod(0.5);
     deallog << "jump, pulse and kink to 30 tolerances "
-            << within(std::abs(jump), 3e-5) << (std::abs(pulse) < 3e-5 * 20.)
-            << (std::abs(kink) < 3e-5 * 0.5) << std::endl;
+            << within(std::abs(jump), 3e-5) << ' '
+            << within(std::abs(pulse) / 20., 3e-5) << ' '
+            << within(std::abs(kink) / 0.5, 3e-5) << std::endl;
   }
 
 

@@ -142,10 +142,10 @@ namespace
     deallog << "thin: contact "
             << std::any_of(rows.begin(), rows.end(), in_contact)
             << ", strip, round rod, block equal the rod: "
-            << within(difference(rod, thin<2>({})), 1e-9)
+            << within(difference(rod, thin<2>({})), 1e-9) << ' '
             << within(difference(rod, thin<2>({"Mesh/Geometry=axisymmetric"})),
                       1e-9)
-            << within(difference(rod, thin<3>({})), 1e-9) << std::endl;
+            << ' ' << within(difference(rod, thin<3>({})), 1e-9) << std::endl;
   }
 
 

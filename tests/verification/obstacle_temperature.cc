@@ -156,8 +156,10 @@ namespace
     deallog << "strip: means of the rod "
             << within(std::abs(strip.temperature_end - rod.temperature_end),
                       1e-10)
+            << ' '
             << within(std::abs(strip.temperature_mean - rod.temperature_mean),
                       1e-10)
+            << ' '
             << within(std::abs(strip.heat_flux_end - rod.heat_flux_end), 1e-10)
             << std::endl;
   }

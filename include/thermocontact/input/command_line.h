@@ -20,6 +20,7 @@ namespace ThermoContact
     bool                    check_only   = false;
     bool                    is_resumed   = false;
     bool                    prints_scene = false; ///< --units
+    bool                    is_forced    = false; ///< --force
     bool                    is_quiet     = false;
     bool                    show_output  = false; ///< --print-output
     bool                    show_help    = false;

@@ -15,8 +15,7 @@ namespace ThermoContact
 {
   /** True if section Rod is given: the file is in SI units. */
   bool
-  is_in_si(const std::vector<Assignment>    &assignments,
-           const std::vector<DeclaredEntry> &entries);
+  is_in_si(const std::vector<Assignment> &assignments);
 
   /**
    * The value of an entry in SI base units, without the unit: "3e-05" of "30
@@ -88,7 +87,7 @@ namespace ThermoContact
     void
     check_area() const;
 
-    /** Stiffness against axial strain, (U.2). */
+    /** Modulus E* against axial strain, (U.1). */
     double
     modulus() const;
 

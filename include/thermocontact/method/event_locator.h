@@ -203,14 +203,23 @@ namespace ThermoContact
      * @param stopped the nodes with mass, after the impact on a rigid obstacle
      */
     void
-    let_go(const ContactValues &stopped);
+    release(const ContactValues &stopped);
+
+    /** Takes back the events that are pending; the next attempt is unilateral.
+     */
+    void
+    drop_event()
+    {
+      pending.clear();
+      leave_to_law();
+    }
 
     /**
      * The next attempt is unilateral: nodes do not change together, or zeros
      * are not to be had.
      */
     void
-    hold_nothing();
+    leave_to_law();
 
     /**
      * The step to @p next is accepted; appends the event that it begins with
@@ -245,7 +254,7 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &mode_ &present &is_in_contact &side &largest;
+      archive &mode_ &present &is_in_contact &pending &side &largest;
     }
 
   private:
@@ -275,7 +284,7 @@ namespace ThermoContact
     ContactMode               mode_;
     ContactValues             present;       ///< seen from the stop
     bool                      is_in_contact; ///< as the events say
-    std::vector<ContactEvent> waiting;       ///< at the start of the step
+    std::vector<ContactEvent> pending;       ///< at the start of the step
     Scales                    largest;
     int                       side = 1; ///< the stop of the last contact
 

@@ -33,6 +33,21 @@ namespace ThermoContact
   template <int dim>
   void
   report_scene(const Simulation<dim> &simulation, Log &log);
+
+  /**
+   * Warns of a run that would take more than 1e8 steps or write more than 10
+   * GB.
+   *
+   * @param free_bytes of the disk of the results
+   * @param is_forced it may be too small
+   * @throw InputError if it is
+   */
+  void
+  check_cost(const Scene &scene,
+             const double n_cells,
+             const double free_bytes,
+             const bool   is_forced,
+             Log         &log);
 } // namespace ThermoContact
 
 #endif

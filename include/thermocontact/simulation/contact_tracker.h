@@ -95,6 +95,14 @@ namespace ThermoContact
           const double       mechanical_energy);
 
     /**
+     * The event at the start of the step that was judged last cannot be
+     * finished: it is taken back, and the next attempt leaves contact to the
+     * law.
+     */
+    void
+    drop_event();
+
+    /**
      * The step that was judged last is accepted: makes its end a state that the
      * next one can start from, books what impacts have cost, and appends its
      * events.
@@ -132,7 +140,7 @@ namespace ThermoContact
      * @param result in, out: of the step, whose costs are added
      */
     void
-    turn(const LoadBreak &at, StepResult &result);
+    pass_slope_discontinuity(const LoadBreak &at, StepResult &result);
 
     /** What changes during a run, for checkpoints; after accept(). */
     template <class Archive>
@@ -167,7 +175,7 @@ namespace ThermoContact
     switch_state(const State &accepted, const EnergyTerms &energy);
 
     ContactVerdict
-    hold_nothing();
+    leave_to_law();
 
     /** Adds what impacts have cost to a step. */
     static void

@@ -247,13 +247,29 @@ namespace ThermoContact
     relative_error(const StepResult &result);
 
     /**
-     * Asks the tracker about an accurate step.
+     * Computes a step and judges it; prepares the next attempt if it is not to
+     * be accepted.
      *
-     * @return true if contact at its end is what was supposed; then the step is
-     *   finished. False with a failure in @p result: it could not be finished
+     * @param error out: relative to the tolerance, if it is known
+     * @param verdict out: with which the step is to be accepted
+     * @return empty if it is; else why not, as steps.csv has it
      */
-    bool
-    fits_contact(const TimeStep &time_step, StepResult &result);
+    std::string
+    judge(const TimeStep &time_step,
+          StepResult     &result,
+          double         &error,
+          ContactVerdict &verdict);
+
+    /**
+     * A step that is to be accepted is finished: with what events and
+     * discontinuities of inputs at its end make of its state.
+     *
+     * @throw ComputationError naming step and time if that cannot be found
+     */
+    void
+    commit(const TimeStep       &time_step,
+           const ContactVerdict &verdict,
+           StepResult           &result);
 
     /** Where loads may jump and move something at once, or nullptr. */
     const LoadBreak *

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/text.h>
+#include <thermocontact/input/plausibility.h>
+#include <thermocontact/input/si_scene.h>
+#include <thermocontact/input/unit_text.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    /** The range of a quantity, and the unit of numbers that are not in it. */
+    struct Range
+    {
+      const char *path;
+      double      low, high;
+      const char *unit;
+    };
+
+    // softer than rubber, heavier than osmium, colder than any rod but in a
+    // cryostat
+    const Range ranges[] = {
+      {"Boundary/Ambient temperature", 150., infinity, "degC"},
+      {"Boundary/Fixed end temperature", 150., infinity, "degC"},
+      {"Boundary/Obstacle temperature", 150., infinity, "degC"},
+      {"Initial values/Temperature", 150., infinity, "degC"},
+      {"Rod/Density", 20., infinity, "g/cm^3"},
+      {"Rod/Density", 0., 3e4, "g/m^3"},
+      {"Rod/Heat capacity", 10., infinity, "kJ/(kg K)"},
+      {"Rod/Length", 0., 100., "mm"},
+      {"Rod/Linear expansion", -1e-3, 1e-3, "um/(m K)"},
+      {"Rod/Reference temperature", 150., infinity, "degC"},
+      {"Rod/Young's modulus", 1e4, infinity, "GPa"},
+      {"Rod/Young's modulus", 1e8, infinity, "MPa"}};
+  } // namespace
+
+
+
+  std::vector<std::string>
+  implausible_numbers(const std::vector<Assignment> &assignments)
+  {
+    std::vector<std::string> warnings;
+    if (std::none_of(assignments.begin(),
+                     assignments.end(),
+                     [](const Assignment &assignment) {
+                       return assignment.path == "Rod/Length";
+                     }))
+      return warnings;
+    for (const Range &range : ranges)
+      {
+        const auto last = std::find_if(assignments.rbegin(),
+                                       assignments.rend(),
+                                       [&](const Assignment &assignment) {
+                                         return assignment.path == range.path;
+                                       });
+        if (last == assignments.rend())
+          continue;
+        const auto split = split_unit(last->value);
+        const bool is_doubted =
+          split && split->unit.empty() &&
+          !(split->number >= range.low && split->number <= range.high);
+        const std::string number = is_doubted ? last->value : "";
+        const std::string begin  = std::string(range.path) + " = ";
+        if (is_doubted &&
+            (warnings.empty() || warnings.back().rfind(begin, 0) != 0))
+          warnings.push_back(begin + number + ": is that in " +
+                             unit_of_entry(range.path) + ", or " + number +
+                             ' ' + range.unit +
+                             "? With its unit it is not doubted");
+      }
+    return warnings;
+  }
+} // namespace ThermoContact
