@@ -503,6 +503,28 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** Where the last argument of the function at @p begin begins. */
+    std::size_t
+    last_argument(const std::string &expression, const std::size_t begin)
+    {
+      std::size_t last  = begin;
+      int         depth = 0;
+      for (std::size_t i = begin; i < expression.size(); ++i)
+        {
+          depth += expression[i] == '(' ? 1 : 0;
+          if (expression[i] == ')' && --depth == 0)
+            break;
+          if (expression[i] == ',' && depth == 1)
+            last = i + 1;
+        }
+      return last;
+    }
+  } // namespace
+
+
+
   std::string
   SiScene::in_scene_variables(const std::string &expression) const
   {
@@ -523,7 +545,12 @@ namespace ThermoContact
           end = read.ptr; // its e is no name
         else
           end = std::max(begin + 1, std::find_if_not(begin, end, is_of_name));
-        const std::string word(begin, end);
+        std::string word(begin, end);
+        // names of a file and a column are no variables
+        if (word == "table" || word == "smooth")
+          for (const auto argument = last_argument(expression, i);
+               i + word.size() < argument;)
+            word += expression[i + word.size()];
         result += word;
         i += word.size();
         const auto found = conversions.find(find_kind(variables, word));
