@@ -7,6 +7,7 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/si_scene.h>
+#include <thermocontact/input/unit_text.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <deal.II/base/utilities.h>
@@ -126,7 +127,7 @@ namespace ThermoContact
       {
         const std::string allowed = describe_pattern(entry.pattern);
         std::string fault = assignment.path + " = " + quote(assignment.value);
-        if (is_of_numbers(entry) &&
+        if (is_of_numbers(entry) && !split_unit(assignment.value) &&
             (!constants.empty() ||
              assignment.value.find_first_of("*/^(+") != std::string::npos))
           try
