@@ -7,6 +7,7 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/si_scene.h>
+#include <thermocontact/input/unit_text.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <deal.II/base/utilities.h>
@@ -126,7 +127,7 @@ namespace ThermoContact
       {
         const std::string allowed = describe_pattern(entry.pattern);
         std::string fault = assignment.path + " = " + quote(assignment.value);
-        if (is_of_numbers(entry) &&
+        if (is_of_numbers(entry) && !split_unit(assignment.value) &&
             (!constants.empty() ||
              assignment.value.find_first_of("*/^(+") != std::string::npos))
           try
@@ -255,9 +256,13 @@ namespace ThermoContact
       if (message.rfind(head, 0) != 0 ||
           (rest.rfind(shown, 0) != 0 && !parse_number(rest.substr(0, size))))
         return;
-      for (const Assignment &assignment : assignments)
-        if (assignment.path == entry.path && assignment.value != entry.value)
-          message = head + quote(assignment.value) + rest.substr(size);
+      const auto last = std::find_if(assignments.rbegin(),
+                                     assignments.rend(),
+                                     [&](const Assignment &assignment) {
+                                       return assignment.path == entry.path;
+                                     });
+      if (last != assignments.rend())
+        message = head + quote(last->value) + rest.substr(size);
     }
   } // namespace
 
@@ -285,7 +290,7 @@ namespace ThermoContact
 
     std::string complete = message, meaning;
     for (const DeclaredEntry &entry : declared_entries(prm))
-      if (is_about(entry.path))
+      if (is_about(entry.path) && is_in_si(assignments))
         replace_value(entry, assignments, complete);
     if (message.find("\n  meaning: ") == std::string::npos &&
         message.find(" has no effect") == std::string::npos)

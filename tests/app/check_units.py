@@ -175,7 +175,6 @@ def check_expressions():
 def check_twins():
     """The printed scene, and used.prm, run as the file does."""
     file = PRM / "thermal-switch.prm"
-    scene_of("drives.prm")
     Path("switch.prm").write_text(run("--units", file)[1], encoding="utf-8")
     tables = []
     for name, path in (("si", file), ("scene", "switch.prm"), ("used", "si/used.prm")):

@@ -18,7 +18,7 @@ VALUES = {
     "Boundary/Lateral heat exchange": "2", "Boundary/Ambient temperature": "1",
     "Boundary/Fixed end displacement": "0.1*t",
     "Contact/Condition": "rigid", "Contact/Compliance": "0.02", "Contact/Exponent": "2",
-    "Contact/Damping": "0.5",
+    "Contact/Damping": "0.5", "Contact/Stiffness": "1e8", "Rod/Lateral sides": "confined",
     "Contact/Gap": "0.2", "Contact/Rear gap": "0.3", "Contact/Massless nodes": "on",
     "Initial values/Temperature": "1", "Initial values/Displacement": "0.01*x",
     "Initial values/Velocity": "x", "Sources/Heat source": "1",
@@ -43,6 +43,12 @@ STUDY = ("Study/Vary=Mesh/Cells = 4 | 8", "Study/Reference=Time/Tolerance = 1e-9
 PLANE = "Dimension=2"
 SCALES = tuple(f"Scales/{name}=2" for name in (
     "Length", "Time", "Stress", "Area", "Temperature", "Reference temperature"))
+HOT_ROD = tuple(f"Rod/{entry}" for entry in (
+    "Length=1", "Cross-section area=1e-4", "Density=7850", "Young's modulus=2.1e11",
+    "Poisson ratio=0.3", "Linear expansion=1e-5", "Conductivity=50", "Heat capacity=450",
+    "Reference temperature=293")) + (
+        "Boundary/Fixed end temperature=300", "Boundary/Heat exchange=9", "Time/End time=1")
+ROD = HOT_ROD + ("Contact/Gap=1e-4",)
 MECHANICAL = """Model/Inertia; Model/Viscosity; Model/Coupling;
      Model/Thermoelastic heating; Model/Poisson ratio;
      Boundary/Lateral support; Boundary/Fixed end support;
@@ -65,6 +71,13 @@ SCENES = [
      (PLANE,)),
     ("Contact/Condition = rigid", "Contact/Compliance",
      ("Contact/Condition=rigid",), ("Contact/Condition=normal compliance",)),
+    ("Contact/Condition = rigid", "Contact/Stiffness",
+     ROD + ("Contact/Condition=rigid",), ROD),
+    ("Model/Fields = temperature", "Contact/Stiffness",
+     HOT_ROD + ("Model/Fields=temperature",), ROD),
+    ("Dimension = 2", "Rod/Lateral sides",
+     ROD + ("Contact/Stiffness=1e8", "Mesh/Width=0.1", PLANE),
+     ROD + ("Contact/Stiffness=1e8",)),
     ("Contact/Condition = none", "Contact/Compliance",
      ("Contact/Condition=none",), ("Contact/Condition=normal compliance",)),
     ("Contact/Condition = normal compliance", "Contact/Exponent", (),
