@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/collective_errors.h>
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/first_rank_alone.h>
 #include <thermocontact/base/interruption.h>
 #include <thermocontact/base/log.h>
-#include <thermocontact/base/rank_faults.h>
+#include <thermocontact/base/serial_section.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/command_line.h>
@@ -132,7 +132,7 @@ namespace ThermoContact
       switch (parameters.dimension)
         {
           case 1:
-            return on_first_rank_alone(
+            return serial_section(
               [&]() {
                 run_scene<1>(
                   parameters, prm, assignments, command, since_start, log);

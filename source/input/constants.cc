@@ -4,6 +4,7 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/input/constants.h>
 #include <thermocontact/input/expression.h>
+#include <thermocontact/input/table.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <deal.II/base/patterns.h>
@@ -16,25 +17,25 @@ namespace ThermoContact
 {
   namespace
   {
-    const std::string section = "Constants";
+    const std::string constants_section = "Constants";
 
 
 
     std::string
-    name_of(const std::string &path)
+    constant_name(const std::string &path)
     {
-      return path.substr(section.size() + 1);
+      return path.substr(constants_section.size() + 1);
     }
 
 
 
     /** Sets an entry of the section. */
     void
-    set(dealii::ParameterHandler &prm,
-        const std::string        &name,
-        const std::string        &value)
+    set_constant(dealii::ParameterHandler &prm,
+                 const std::string        &name,
+                 const std::string        &value)
     {
-      prm.enter_subsection(section);
+      prm.enter_subsection(constants_section);
       prm.set(name, value);
       prm.leave_subsection();
     }
@@ -44,7 +45,7 @@ namespace ThermoContact
     void
     check_name(const Assignment &constant)
     {
-      const std::string name = name_of(constant.path);
+      const std::string name = constant_name(constant.path);
       if (name == name_of_constants || !can_name_constant(name))
         throw InputError(
           constant.place + ": " + constant.path + " = " +
@@ -63,13 +64,13 @@ namespace ThermoContact
     check_use(const Assignment              &constant,
               const std::vector<Assignment> &assignments)
     {
-      const std::string        name = name_of(constant.path);
+      const std::string        name = constant_name(constant.path);
       std::vector<std::string> known;
       for (const Assignment &other : assignments)
         {
           if (is_constant_path(other.path) && other.path != constant.path)
-            known.push_back(name_of(other.path));
-          const std::vector<std::string> names = names_in(other.value);
+            known.push_back(constant_name(other.path));
+          const std::vector<std::string> names = identifiers_in(other.value);
           if (std::find(names.begin(), names.end(), name) != names.end())
             return;
         }
@@ -86,8 +87,8 @@ namespace ThermoContact
   bool
   is_constant_path(const std::string &path)
   {
-    return path.rfind(section + "/", 0) == 0 &&
-           path.size() > section.size() + 1;
+    return path.rfind(constants_section + "/", 0) == 0 &&
+           path.size() > constants_section.size() + 1;
   }
 
 
@@ -100,36 +101,44 @@ namespace ThermoContact
     std::map<std::string, std::string> texts;
     for (const DeclaredEntry &entry : entries)
       if (is_constant_path(entry.path) &&
-          name_of(entry.path) != name_of_constants)
-        texts[name_of(entry.path)] = entry.value;
+          constant_name(entry.path) != name_of_constants)
+        texts[constant_name(entry.path)] = entry.value;
     for (const Assignment &assignment : assignments)
       {
         if (!is_constant_path(assignment.path))
           continue;
         check_name(assignment);
-        if (texts.emplace(name_of(assignment.path), "").second)
+        if (texts.emplace(constant_name(assignment.path), "").second)
           {
-            prm.enter_subsection(section);
-            prm.declare_entry(name_of(assignment.path),
+            prm.enter_subsection(constants_section);
+            prm.declare_entry(constant_name(assignment.path),
                               "",
                               dealii::Patterns::Anything(),
                               "A constant.");
             prm.leave_subsection();
           }
-        texts[name_of(assignment.path)] = assignment.value;
+        texts[constant_name(assignment.path)] = assignment.value;
         if (assignment.place == command_line_place)
           check_use(assignment, assignments);
       }
-    if (texts.empty())
+    const bool has_tables =
+      std::any_of(assignments.begin(),
+                  assignments.end(),
+                  [](const Assignment &assignment) {
+                    return !table_files(assignment.value).empty();
+                  });
+    if (texts.empty() && !has_tables)
       return {};
     const std::map<std::string, double> values = evaluate_constants(texts);
     std::string                         list;
     for (const auto &[name, value] : values)
       {
-        set(prm, name, texts[name]);
+        set_constant(prm, name, texts[name]);
         list += name + "=" + significant(value, all_digits) + ";";
       }
-    set(prm, name_of_constants, list);
+    set_constant(prm,
+                 name_of_constants,
+                 list + "/" + folder_of_tables(assignments));
     return values;
   }
 
@@ -140,11 +149,20 @@ namespace ThermoContact
   {
     std::map<std::string, double> constants;
     std::istringstream            list(values);
-    for (std::string item; std::getline(list, item, ';');)
+    for (std::string item; std::getline(list, item, ';') && item[0] != '/';)
       if (const auto sign = item.find('='); sign != std::string::npos)
         constants[item.substr(0, sign)] =
           parse_number(item.substr(sign + 1)).value_or(0.);
     return constants;
+  }
+
+
+
+  std::string
+  folder_of(const std::string &values)
+  {
+    const auto end = values.find('/');
+    return end == std::string::npos ? "" : values.substr(end + 1);
   }
 
 

@@ -4,6 +4,7 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/parameter_text.h>
+#include <thermocontact/input/table.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <deal.II/base/numbers.h>
@@ -41,6 +42,7 @@ namespace ThermoContact
     choice,
     choice_rounded,
     // of one
+    table,
     minus_sign,
     negation,
     sin,
@@ -603,6 +605,8 @@ namespace ThermoContact
           return choose(is_at_least(value_of(a()), least));
         case Operation::choice_rounded:
           return choose(is_at_least(value_of(a()), 0.5));
+        case Operation::table:
+          return tables_[part.operands[1]]->evaluate(a());
         case Operation::minus_sign:
           return -a();
         case Operation::abs:
@@ -685,6 +689,7 @@ namespace ThermoContact
       , text(expression.text_)
       , names(names)
       , parts(expression.parts)
+      , tables(expression.tables_)
       , is_named(expression.is_named)
       , next(begin)
       , end(end)
@@ -695,7 +700,8 @@ namespace ThermoContact
     static bool
     is_function(const std::string &name)
     {
-      return std::any_of(std::begin(functions),
+      return name == "table" || name == "smooth" ||
+             std::any_of(std::begin(functions),
                          std::end(functions),
                          [&](const Function &f) { return f.name == name; });
     }
@@ -728,14 +734,15 @@ namespace ThermoContact
     }
 
   private:
-    const std::string     &path;
-    const std::string     &text;
-    const ExpressionNames &names;
-    std::vector<Part>     &parts;
-    std::vector<bool>     &is_named;
-    std::size_t            next;
-    const std::size_t      end;
-    unsigned int           n_levels = 0;
+    const std::string                         &path;
+    const std::string                         &text;
+    const ExpressionNames                     &names;
+    std::vector<Part>                         &parts;
+    std::vector<std::shared_ptr<const Table>> &tables;
+    std::vector<bool>                         &is_named;
+    std::size_t                                next;
+    const std::size_t                          end;
+    unsigned int                               n_levels = 0;
 
 
 
@@ -1185,6 +1192,8 @@ namespace ThermoContact
     call(const std::string &name, const std::size_t begin)
     {
       const std::size_t parenthesis = next - 1;
+      if (name == "table" || name == "smooth")
+        return read_table(name, parenthesis);
       if (name == "rand" || name == "rand_seed")
         refuse(path,
                text,
@@ -1221,6 +1230,58 @@ namespace ThermoContact
                       ", and has " + std::to_string(arguments.size()),
                     last);
       return add_function(function->operation, arguments);
+    }
+
+
+
+    /** "(FILE, t)" or "(FILE, COLUMN, t)" behind the name. */
+    unsigned int
+    read_table(const std::string &name, const std::size_t parenthesis)
+    {
+      std::vector<std::size_t> commas;
+      std::size_t              stop = next;
+      for (unsigned int depth = 1; stop < end; ++stop)
+        {
+          depth += text[stop] == '(' ? 1 : 0;
+          if (text[stop] == ')' && --depth == 0)
+            break;
+          if (text[stop] == ',' && depth == 1)
+            commas.push_back(stop);
+        }
+      if (commas.empty() || commas.size() > 2)
+        cannot_read(name +
+                      "() takes the name of a file, perhaps that of a "
+                      "column, and its argument: " +
+                      name + "(FILE, COLUMN, t)",
+                    parenthesis + 1);
+      const auto between = [&](const std::size_t a, const std::size_t b) {
+        return dealii::Utilities::trim(text.substr(a, b - a));
+      };
+      const std::string file = between(next, commas[0]);
+      const std::string column =
+        commas.size() > 1 ? between(commas[0] + 1, commas[1]) : "";
+      try
+        {
+          tables.push_back(std::make_shared<const Table>(
+            names.folder.empty() || file[0] == '/' ? file :
+                                                     names.folder + "/" + file,
+            column,
+            name == "smooth",
+            names.has_units));
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(path + " = " + quote(text) + ": " + error.what());
+        }
+      next                        = commas.back() + 1;
+      const unsigned int argument = choice();
+      close(parenthesis);
+      parts.push_back(
+        {Operation::table,
+         0.,
+         {argument, static_cast<unsigned int>(tables.size() - 1), 0},
+         parts[argument].n_levels + 1});
+      return parts.size() - 1;
     }
 
 
@@ -1326,7 +1387,8 @@ namespace ThermoContact
   bool
   Expression::operator==(const Expression &other) const
   {
-    return std::equal(parts.begin(),
+    return tables_.empty() && other.tables_.empty() &&
+           std::equal(parts.begin(),
                       parts.end(),
                       other.parts.begin(),
                       other.parts.end(),
@@ -1352,6 +1414,20 @@ namespace ThermoContact
 
 
 
+  std::vector<std::string>
+  Expression::tables_left(const double *variables) const
+  {
+    std::vector<std::string> files;
+    for (const Part &part : parts)
+      if (part.operation == Operation::table &&
+          !tables_[part.operands[1]]->range().contains(
+            evaluate_part(part.operands[0], variables)))
+        files.push_back(tables_[part.operands[1]]->file_name());
+    return files;
+  }
+
+
+
   bool
   Expression::is_constant() const
   {
@@ -1372,7 +1448,7 @@ namespace ThermoContact
 
 
   std::vector<std::string>
-  names_in(const std::string &text)
+  identifiers_in(const std::string &text)
   {
     const auto is_in_word = [&text](const std::size_t i) {
       return i < text.size() &&
@@ -1399,7 +1475,7 @@ namespace ThermoContact
   {
     static const std::vector<std::string> taken{
       "x", "y", "z", "t", "gap", "pressure", "theta_A", "pi", "_pi", "_e"};
-    return names_in(name) == std::vector<std::string>{name} &&
+    return identifiers_in(name) == std::vector<std::string>{name} &&
            name.find('.') == std::string::npos &&
            std::find(taken.begin(), taken.end(), name) == taken.end() &&
            !Expression::Reader::is_function(name);
@@ -1450,7 +1526,7 @@ namespace ThermoContact
                              "constants");
           }
         open.push_back(name);
-        for (const std::string &other : names_in(text))
+        for (const std::string &other : identifiers_in(text))
           if (texts.count(other) > 0)
             evaluate(other);
         known[name] =

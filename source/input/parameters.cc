@@ -327,6 +327,7 @@ namespace ThermoContact
     names.example   = example;
     names.constants = constants;
     names.folder    = folder;
+    names.has_units = rod.length > 0.;
     return names;
   }
 
@@ -366,6 +367,7 @@ namespace ThermoContact
       "file may name it, e.g. Time/End time = 40*P.");
     prm.add_action(name_of_constants, [this](const std::string &values) {
       constants = constants_of(values);
+      folder    = folder_of(values);
     });
     prm.leave_subsection();
     model.add_parameters(prm);

@@ -3,9 +3,11 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/input/expression.h>
 #include <thermocontact/input/scales.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/unit_text.h>
+#include <thermocontact/input/unknown_names.h>
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/contact_law.h>
 
@@ -247,7 +249,7 @@ namespace ThermoContact
     conversions = conversions_by_kind(scales);
     check_area();
     for (const Assignment &assignment : assignments)
-      if (is_decided(assignment.path))
+      if (is_decided(assignment.path) && !assignment.is_section())
         refuse_value(assignment,
                      "section Rod decides it",
                      "no such entry",
@@ -256,16 +258,24 @@ namespace ThermoContact
 
 
 
-  std::optional<std::string>
-  SiScene::given(const std::string &path) const
+  const Assignment *
+  SiScene::find(const std::string &path) const
   {
     const auto found = std::find_if(assignments.rbegin(),
                                     assignments.rend(),
                                     [&](const Assignment &assignment) {
                                       return assignment.path == path;
                                     });
-    return found == assignments.rend() ? std::nullopt :
-                                         std::optional(found->value);
+    return found == assignments.rend() ? nullptr : &*found;
+  }
+
+
+
+  std::optional<std::string>
+  SiScene::given(const std::string &path) const
+  {
+    const Assignment *const last = find(path);
+    return last == nullptr ? std::nullopt : std::optional(last->value);
   }
 
 
@@ -382,10 +392,9 @@ namespace ThermoContact
   double
   SiScene::number(const std::string &path) const
   {
-    const auto text = given(path);
-    return text ? parse_number(value({"", path, *text}))
-                    .value_or(std::numeric_limits<double>::quiet_NaN()) :
-                  std::numeric_limits<double>::quiet_NaN();
+    const Assignment *const last = find(path);
+    return (last == nullptr ? std::nullopt : parse_number(value(*last)))
+      .value_or(std::numeric_limits<double>::quiet_NaN());
   }
 
 
@@ -450,6 +459,7 @@ namespace ThermoContact
     else if (number)
       return significant((*number - conversion.offset) / conversion.factor,
                          all_digits);
+    check_expression(assignment, text);
     const std::string expression = "(" + in_scene_variables(text) + ")",
                       shifted    = conversion.offset == 0. ?
                                      expression :
@@ -458,6 +468,60 @@ namespace ThermoContact
                                     ")";
     return shifted + "/" + significant(conversion.factor, all_digits);
   }
+
+
+
+  void
+  SiScene::check_expression(const Assignment  &assignment,
+                            const std::string &text) const
+  {
+    const std::string section = section_of(assignment.path);
+    if (section != "Boundary" && section != "Contact" &&
+        section != "Initial values" && section != "Sources")
+      return; // no expression
+    ExpressionNames names;
+    names.variables = {"x", "y", "z", "t"};
+    names.example   = "1e-4 + 1e-5*sin(t)";
+    if (assignment.path == "Boundary/Heat exchange")
+      {
+        names.variables = {"gap", "pressure"};
+        names.example   = "if(pressure > 0, 500 + 1e-3*pressure, 5)";
+      }
+    names.constants["theta_A"] = 1.;
+    for (const Assignment &other : assignments)
+      if (section_of(other.path) == "Constants" && !other.is_section())
+        names.constants[other.path.substr(other.path.find('/') + 1)] = 1.;
+    try
+      {
+        Expression(assignment.path, text, names);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(assignment.place + ": " + error.what());
+      }
+  }
+
+
+
+  namespace
+  {
+    /** Where the last argument of the function at @p begin begins. */
+    std::size_t
+    last_argument(const std::string &expression, const std::size_t begin)
+    {
+      std::size_t last  = begin;
+      int         depth = 0;
+      for (std::size_t i = begin; i < expression.size(); ++i)
+        {
+          depth += expression[i] == '(' ? 1 : 0;
+          if (expression[i] == ')' && --depth == 0)
+            break;
+          if (expression[i] == ',' && depth == 1)
+            last = i + 1;
+        }
+      return last;
+    }
+  } // namespace
 
 
 
@@ -481,7 +545,12 @@ namespace ThermoContact
           end = read.ptr; // its e is no name
         else
           end = std::max(begin + 1, std::find_if_not(begin, end, is_of_name));
-        const std::string word(begin, end);
+        std::string word(begin, end);
+        // names of a file and a column are no variables
+        if (word == "table" || word == "smooth")
+          for (const auto argument = last_argument(expression, i);
+               i + word.size() < argument;)
+            word += expression[i + word.size()];
         result += word;
         i += word.size();
         const auto found = conversions.find(find_kind(variables, word));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/parts_file.h>
-#include <thermocontact/base/rank_faults.h>
+#include <thermocontact/base/collective_errors.h>
+#include <thermocontact/base/parallel_file.h>
 #include <thermocontact/output/checkpoint_file.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -247,9 +247,9 @@ namespace ThermoContact
         before = head_of(checkpoint, parts) + common;
       }
     const bool is_durable = true;
-    return write_parts(path,
-                       {before, checkpoint.nodes},
-                       communicator,
-                       is_durable);
+    return write_parallel_file(path,
+                               {before, checkpoint.nodes},
+                               communicator,
+                               is_durable);
   }
 } // namespace ThermoContact

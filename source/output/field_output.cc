@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/atomic_file.h>
+#include <thermocontact/base/collective_errors.h>
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/parts_file.h>
-#include <thermocontact/base/rank_faults.h>
+#include <thermocontact/base/parallel_file.h>
 #include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/field_output.h>
 #include <thermocontact/output/obstacle_file.h>
@@ -288,7 +288,9 @@ namespace ThermoContact
     std::vector<std::string_view> part(pieces.begin(), pieces.end());
     part.insert(part.begin(), first);
     part.push_back(last);
-    return write_parts_atomically(fields.next_path(), part, communicator);
+    return write_parallel_file_atomically(fields.next_path(),
+                                          part,
+                                          communicator);
   }
 
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/collective_errors.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/multiples.h>
-#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/output/csv_rows.h>
 #include <thermocontact/output/output.h>
 #include <thermocontact/output/output_directory.h>

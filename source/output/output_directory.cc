@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/atomic_file.h>
+#include <thermocontact/base/collective_errors.h>
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/rank_faults.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/si_scene.h>
+#include <thermocontact/input/table.h>
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/output/output_tables.h>
 
@@ -262,11 +263,29 @@ namespace ThermoContact
               entry.remark.clear();
             }
 
+        const fs::path folder = folder_of_tables(assignments);
+        for (const Assignment &assignment : assignments)
+          for (const std::string &file : table_files(assignment.value))
+            if (const fs::path copy = fs::path(directory) / file;
+                !fs::path(file).is_absolute() &&
+                fs::absolute(copy) != fs::absolute(folder / file))
+              {
+                std::error_code failure;
+                fs::create_directories(copy.parent_path(), failure);
+                fs::copy_file(folder / file,
+                              copy,
+                              fs::copy_options::overwrite_existing,
+                              failure);
+                if (failure)
+                  fault = copy.string() + ": " + failure.message();
+              }
+
         const std::string  path = directory + "/used.prm";
         std::ostringstream text;
         text << "# thermocontact " << version() << ": every entry as used\n";
         write_entries(entries, left_out, text);
-        fault = write_atomically(path, text.str());
+        if (fault.empty())
+          fault = write_atomically(path, text.str());
       }
     throw_everywhere<ComputationError>(fault, communicator);
   }

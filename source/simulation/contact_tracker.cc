@@ -64,7 +64,7 @@ namespace ThermoContact
                    state.displacement,
                    values.displacement);
     end.get_penetrations(state, values.penetration);
-    end.get_approach(state, values.velocity);
+    end.get_relative_velocities(state, values.velocity);
     values.pressure = state.contact_pressure;
     values.rear_penetration.clear();
     if (body.scene.contact.rear_gap)

@@ -11,6 +11,8 @@ namespace ThermoContact
     : temperature_energy(temperature_energy)
     , max_thermal(0.)
     , max_mechanical(0.)
+    , first_thermal(0.)
+    , first_mechanical(0.)
   {}
 
 
@@ -27,25 +29,28 @@ namespace ThermoContact
   double
   ErrorNorm::operator()(const EnergyTerms &error,
                         const EnergyTerms &energy,
-                        const double       carried)
+                        const double       rigid_displacement)
   {
     // Without a scale of its own the error of a load that starts like a power
     // of t has the same relative size for every step.
-    if (max_thermal == 0. && std::isfinite(energy.thermal))
-      max_thermal = energy.thermal;
-    if (max_mechanical == 0. && std::isfinite(energy.elastic + energy.kinetic))
-      max_mechanical = std::max(energy.elastic, energy.kinetic);
+    if (first_thermal == 0. && std::isfinite(energy.thermal))
+      first_thermal = energy.thermal;
+    if (first_mechanical == 0. &&
+        std::isfinite(energy.elastic + energy.kinetic))
+      first_mechanical = std::max(energy.elastic, energy.kinetic);
     const auto ratio = [](const double part, const double whole) {
       return part == 0. ? 0. : part / whole;
     };
     const double rounding = 1e-14;
     // of displacements that a stage solves for, in their energy, and of that
-    const double smallest_elastic = 0.5 * std::pow(1e-13 * carried, 2);
-    const bool   is_rounding =
-      std::max(max_mechanical, energy.elastic) <= rounding * carried * carried;
+    const double smallest_elastic =
+      0.5 * std::pow(1e-13 * rigid_displacement, 2);
+    const bool is_rounding = std::max(mechanical_energy(), energy.elastic) <=
+                             rounding * rigid_displacement * rigid_displacement;
     const double elastic_error =
       is_rounding && error.elastic <= smallest_elastic ? 0. : error.elastic;
-    const double thermal = std::max(max_thermal, energy.thermal);
+    const double thermal =
+      std::max(max_thermal == 0. ? first_thermal : max_thermal, energy.thermal);
     const double thermal_error =
       error.thermal <= rounding * rounding * (temperature_energy + thermal) ?
         0. :
@@ -53,6 +58,6 @@ namespace ThermoContact
     return std::sqrt(
       ratio(thermal_error, thermal) +
       ratio(elastic_error + error.kinetic + error.obstacle,
-            std::max({max_mechanical, energy.elastic, energy.kinetic})));
+            std::max({mechanical_energy(), energy.elastic, energy.kinetic})));
   }
 } // namespace ThermoContact

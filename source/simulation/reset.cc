@@ -246,7 +246,7 @@ namespace ThermoContact
     if (body.scene.contact.has_mass())
       {
         std::vector<double> velocity, impulses;
-        end.get_approach(state, velocity);
+        end.get_relative_velocities(state, velocity);
         inertia.add_contact(
           held_laws(body, state), velocity, 1., &state.velocity, impulses);
         for (unsigned int i = 0; i < impulses.size(); ++i)

@@ -10,9 +10,9 @@ namespace ThermoContact
   namespace
   {
     /**
-     * True if the velocity of the contact end is, to the order of the scheme,
-     * the rate of the penetration, on which alone the force depends. Behind a
-     * rear stop it is not.
+     * True if the velocity of the contact end relative to the obstacle is, to
+     * the order of the scheme, the rate of the penetration, on which alone the
+     * force depends. Behind a rear stop it is not.
      */
     bool
     has_rates(const Scene &scene)
@@ -27,7 +27,7 @@ namespace ThermoContact
 
 
   void
-  RunHistory::add_maxima(const Scene &scene)
+  RunHistory::add_maxima(const Scene &scene, const double gap_rate)
   {
     const double force = std::abs(record.contact_force); // of either stop
     max_penetration    = std::max(max_penetration, record.penetration);
@@ -38,12 +38,11 @@ namespace ThermoContact
         force_peak.add(record.time, force);
         return;
       }
-    penetration_peak.add(record.time, record.penetration, record.velocity_end);
+    const double rate = record.velocity_end - gap_rate;
+    penetration_peak.add(record.time, record.penetration, rate);
     force_peak.add(record.time,
                    force,
-                   force > 0. ?
-                     record.velocity_end / scene.contact.law->tangent(force) :
-                     0.);
+                   force > 0. ? rate / scene.contact.law->tangent(force) : 0.);
   }
 
 

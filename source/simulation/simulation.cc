@@ -33,8 +33,8 @@ namespace ThermoContact
                    StepLadder{4, false} :
                    StepLadder{1, true})
     , error_norm(body_.energy.steady_profile_energy())
-    , energy_watch(scene_)
-    , mesh_watch(scene_, discretization())
+    , energy_monitor(scene_)
+    , spatial_error_monitor(scene_, discretization())
   {
     std::vector<std::string> warnings; // after those of the initial state
     controller.follow(load_history(scene_, body_.data, warnings));
@@ -78,11 +78,11 @@ namespace ThermoContact
                        "\n  allowed: expressions that are finite, with their "
                        "gradients, in the whole body");
     error_norm.add(record.energy_terms);
-    energy_watch.start(record.energy_terms);
+    energy_monitor.start(record.energy_terms);
     tracker.start(state_, history_.events);
     history_.max_penetration   = record.penetration;
     history_.max_contact_force = std::abs(record.contact_force);
-    history_.add_maxima(scene_);
+    history_.add_maxima(scene_, gap_rate());
   }
 
 
@@ -231,19 +231,32 @@ namespace ThermoContact
     state_.swap(result.state);
     measurements.measure(state_, load_time(), history_.record);
     history_.add_step(time_step, result);
-    history_.add_maxima(scene_);
+    history_.add_maxima(scene_, gap_rate());
     error_norm.add(result.energy);
-    mesh_watch.add(state_, record());
+    spatial_error_monitor.add(state_, record());
     if (result.is_prescribed)
-      energy_watch.start(result.energy);
+      energy_monitor.start(result.energy);
     else if (const std::string warning =
-               energy_watch.add(record().step, record().time, result.energy);
+               energy_monitor.add(record().step, record().time, result.energy);
              !warning.empty())
       history_.warnings.push_back(warning);
     if (controller.is_finished(state_.time))
-      if (const std::string warning = mesh_watch.take_warning();
+      if (const std::string warning = spatial_error_monitor.take_warning();
           !warning.empty())
         history_.warnings.push_back(warning);
+  }
+
+
+
+  template <int dim>
+  double
+  Simulation<dim>::gap_rate() const
+  {
+    if (!body_.obstacle.is_active())
+      return 0.;
+    return controller.followed_loads().break_at(state_.time) != nullptr ?
+             std::numeric_limits<double>::quiet_NaN() :
+             state_.gap_rate.front();
   }
 
 
@@ -302,10 +315,11 @@ namespace ThermoContact
         tracker.mode() == ContactMode::unilateral &&
         result.n_iterations > 0) // a node was pushed back in some stage
       error.kinetic = 0.;
-    const double carried = scene_.sources.has_moving_end ?
-                             result.state.displacement.linfty_norm() :
-                             0.;
-    return error_norm(error, result.energy, carried) / time.tolerance;
+    const double rigid_displacement =
+      scene_.sources.has_moving_end ? result.state.displacement.linfty_norm() :
+                                      0.;
+    return error_norm(error, result.energy, rigid_displacement) /
+           time.tolerance;
   }
 
 

@@ -2,13 +2,13 @@
 //
 // What a Simulation saves of itself, for checkpoints, and how it goes on.
 
+#include <thermocontact/base/collective_errors.h>
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/parts_file.h>
-#include <thermocontact/base/rank_faults.h>
+#include <thermocontact/base/parallel_file.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/simulation/simulation.h>
-#include <thermocontact/space/node_values.h>
+#include <thermocontact/space/state_serialiser.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -24,8 +24,9 @@ namespace ThermoContact
   void
   Simulation<dim>::archive_progress(Archive &archive)
   {
-    archive &state_                                           &history_;
-    archive &controller &error_norm &energy_watch &mesh_watch &tracker;
+    archive &state_ &history_;
+    archive &controller &error_norm &energy_monitor &spatial_error_monitor
+      &tracker;
   }
 
 
@@ -46,7 +47,7 @@ namespace ThermoContact
       const SolverCounters of_reset      = reset.counters();
       archive << retained << of_integrator << of_reset;
     }
-    return {stream.str(), NodeValues<dim>(discretization()).save(state_)};
+    return {stream.str(), StateSerialiser<dim>(discretization()).save(state_)};
   }
 
 
@@ -62,11 +63,11 @@ namespace ThermoContact
     RetainedFactorizations retained;
     SolverCounters         of_integrator, of_reset;
     std::string            fault;
-    const NodeValues<dim>  values(discretization());
-    std::size_t            n_set = 0, n_saved = 0;
-    const std::size_t      n_nodes =
+    const StateSerialiser<dim> values(discretization());
+    std::size_t                n_set = 0, n_saved = 0;
+    const std::size_t          n_nodes =
       n == n_ranks ? values.n_nodes() :
-                          Utilities::MPI::sum(values.n_nodes(), communicator);
+                              Utilities::MPI::sum(values.n_nodes(), communicator);
     try
       {
         std::istringstream              stream(progress);
@@ -120,7 +121,7 @@ namespace ThermoContact
     state_.swap(result.state);
     measurements.measure(state_, load_time(), history_.record);
     history_.add_jump(result);
-    history_.add_maxima(scene_);
+    history_.add_maxima(scene_, gap_rate());
     error_norm.add(result.energy);
     controller.restart_after_jump();
   }

@@ -257,8 +257,9 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactEnd<dim>::get_approach(const State         &state,
-                                std::vector<double> &velocities) const
+  ContactEnd<dim>::get_relative_velocities(
+    const State         &state,
+    std::vector<double> &velocities) const
   {
     get_values(Field::displacement, state.velocity, velocities);
     for (unsigned int i = 0; i < n_nodes(); ++i)

@@ -229,9 +229,24 @@ namespace ThermoContact
                const ProblemData<dim>   &data,
                std::vector<std::string> &warnings)
   {
-    const TimeParameters &time = scene.parameters.time;
-    LoadHistory           history;
-    for (const Load &load : loads_in_time<dim>(scene, data))
+    const TimeParameters   &time = scene.parameters.time;
+    LoadHistory             history;
+    const std::vector<Load> loads = loads_in_time<dim>(scene, data);
+    for (const Load &load : loads)
+      for (const double at : {0., time.end_time})
+        {
+          const double variables[] = {1., 0., 0., at};
+          for (const std::string &file :
+               load.expression().tables_left(variables))
+            warnings.push_back(
+              text(load.expression().path(),
+                   ": ",
+                   quote(file),
+                   " has no row at t = ",
+                   QuantityUnits(scene.parameters).text_for_entry("time", at),
+                   ": the value of its nearest row holds there"));
+        }
+    for (const Load &load : loads)
       if (time.end_time > 0. &&
           (time.has_error_control() || !load.no_jump.empty()))
         scan(load, scene, history, warnings);

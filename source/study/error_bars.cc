@@ -66,13 +66,21 @@ namespace ThermoContact
           {
             throw;
           }
-        catch (const std::bad_alloc &)
-          {
-            add_failure(scene, "there is not enough memory");
-          }
-        catch (const std::exception &error)
+        catch (const InputError &error)
           {
             add_failure(scene, error.what());
+          }
+        catch (const ComputationError &error)
+          {
+            add_failure(scene, error.what());
+          }
+        catch (const std::bad_alloc &)
+          {
+            // perhaps of this rank alone: the others wait for it
+            if (Utilities::MPI::n_mpi_processes(
+                  simulation.discretization().communicator()) > 1)
+              throw;
+            add_failure(scene, "there is not enough memory");
           }
         return {};
       }
@@ -192,6 +200,32 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /**
+     * False if the force has no limit for small steps and cells: behind an
+     * impact on a rigid obstacle the force of a viscous body is that of the
+     * jump of velocities, $V\sqrt{b\,\zeta/(\pi t)}$ of a rod.
+     */
+    template <int dim>
+    bool
+    has_largest_force(const Simulation<dim> &simulation)
+    {
+      const Scene &scene = simulation.scene();
+      if (!scene.contact.law->is_rigid() || !scene.material.has_inertia() ||
+          !scene.material.has_viscosity())
+        return true;
+      return std::none_of(simulation.events().begin(),
+                          simulation.events().end(),
+                          [](const ContactEvent &event) {
+                            return event.kind == ContactEvent::begin &&
+                                   event.velocity != 0.;
+                          });
+    }
+  } // namespace
+
+
+
   template <int dim>
   KeyErrors
   error_bars(const Simulation<dim>       &simulation,
@@ -200,12 +234,18 @@ namespace ThermoContact
   {
     KeyErrors    errors;
     Repeats<dim> repeats(simulation, look_up, log, errors);
-    errors.time            = time_errors(simulation, repeats);
-    errors.space           = space_errors(simulation, errors.time, repeats);
-    const KeyValues values = key_values(simulation);
+    errors.time               = time_errors(simulation, repeats);
+    errors.space              = space_errors(simulation, errors.time, repeats);
+    const KeyValues values    = key_values(simulation);
+    const bool      has_limit = has_largest_force(simulation);
     for (unsigned int k = 0; k < n_key_errors; ++k)
-      if (std::isnan(values[k]))
+      if (std::isnan(values[k]) || (k == max_contact_force && !has_limit))
         errors.time[k] = errors.space[k] = unknown;
+    if (!has_limit)
+      errors.remarks.push_back(
+        "error bars: none of the largest force, which has no limit: that of a "
+        "viscous body behind an impact on a rigid obstacle grows as steps and "
+        "cells get smaller");
     return errors;
   }
 

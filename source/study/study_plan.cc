@@ -5,13 +5,13 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/constants.h>
 #include <thermocontact/input/si_scene.h>
+#include <thermocontact/input/unit_text.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/study/study_plan.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -57,27 +57,6 @@ namespace ThermoContact
 
 
 
-    /** A number with the rest of a text behind it, which is its unit. */
-    struct NumberWithUnit
-    {
-      double      number;
-      std::string unit;
-    };
-
-    std::optional<NumberWithUnit>
-    number_with_unit(const std::string &text)
-    {
-      double     number = 0.;
-      const auto read =
-        std::from_chars(text.data(), text.data() + text.size(), number);
-      if (read.ec != std::errc() || !std::isfinite(number))
-        return {};
-      return NumberWithUnit{
-        number, dealii::Utilities::trim(text.substr(read.ptr - text.data()))};
-    }
-
-
-
     /** The values of "first .. last (n)" or "first .. last (n log)". */
     std::vector<std::string>
     range_of_values(const std::string &text)
@@ -90,9 +69,9 @@ namespace ThermoContact
       if (ends.size() != 2 || open == std::string::npos ||
           ends.back().back() != ')')
         fail("a range without its number of values");
-      const auto first = number_with_unit(ends[0]);
+      const auto first = split_unit(ends[0]);
       const auto last =
-        number_with_unit(dealii::Utilities::trim(ends[1].substr(0, open)));
+        split_unit(dealii::Utilities::trim(ends[1].substr(0, open)));
       std::istringstream count(
         ends[1].substr(open + 1, ends[1].size() - open - 2));
       unsigned int n = 0;

@@ -3,6 +3,7 @@
 #include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/csv_columns.h>
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/input/si_scene.h>
 #include <thermocontact/study/study_table.h>
 
 #include <deal.II/base/utilities.h>
@@ -145,6 +146,22 @@ namespace ThermoContact
 
 
 
+    /** Of its columns; entries are in SI base units if the file is in SI. */
+    Conversions
+    conversions_of(const StudyPlan   &plan,
+                   const Parameters  &parameters,
+                   const OutputUnits &units)
+    {
+      const CsvColumns<StudyRow> columns = make_columns(plan);
+      Conversions conversions = units.of_columns("study.csv", columns);
+      if (!conversions.empty() && parameters.rod.length > 0.)
+        for (unsigned int i = 0; i < plan.varied().size(); ++i)
+          conversions[i + 1].unit = unit_of_entry(plan.varied()[i]);
+      return conversions;
+    }
+
+
+
     /** The line of names, the last one of a head. */
     std::string
     names_of_head(const std::string &head)
@@ -162,7 +179,7 @@ namespace ThermoContact
     : plan_(plan)
     , file_name(file_name)
     , units_(parameters)
-    , conversions(units_.of_columns("study.csv", make_columns(plan)))
+    , conversions(conversions_of(plan, parameters, units_))
     , head(csv_comments(parameters.title) +
            csv_head(make_columns(plan), conversions))
     , names_(split_row(names_of_head(head)))

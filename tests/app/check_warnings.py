@@ -4,7 +4,7 @@
 
 Without loads physics lets no energy grow. Schemes may let it exceed its
 smallest value so far by a part of its largest sum of absolute terms so far
-(energy_watch.h): 1e-9 if they cannot create energy, 1e-3 with fixed steps else,
+(energy_monitor.h): 1e-9 if they cannot create energy, 1e-3 with fixed steps else,
 1e-9 + 2 Time/Tolerance for each step since the smallest with automatic steps.
 An elastic rod with a rigid obstacle, or with an elastic one, has no negative
 terms: their sum is the energy. It counts from the state after a first step that

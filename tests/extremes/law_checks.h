@@ -107,7 +107,7 @@ namespace ThermoContact
     std::vector<NodeLaw> laws;
     std::vector<double>  position;
     get_node_laws(simulation.body(), state, laws, position);
-    end.get_approach(state, velocity);
+    end.get_relative_velocities(state, velocity);
     const bool is_moved =
       scene.material.is_static() && state.was_moved_at_once();
     const double dt = simulation.record().step_size;

@@ -18,7 +18,7 @@
 //    both can read its nodes.
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/parts_file.h>
+#include <thermocontact/base/parallel_file.h>
 #include <thermocontact/output/checkpoint.h>
 
 #include <deal.II/base/mpi.h>
@@ -82,7 +82,9 @@ namespace
         {
           const std::string part = rank() == other ? pattern(size, 1) : "";
           const std::string fault =
-            write_parts_atomically(path, {"a", part, "b"}, MPI_COMM_WORLD);
+            write_parallel_file_atomically(path,
+                                           {"a", part, "b"},
+                                           MPI_COMM_WORLD);
           const std::string expected = other == 0 ?
                                          "a" + pattern(size, 1) + "bab" :
                                          "aba" + pattern(size, 1) + "b";
@@ -96,22 +98,24 @@ namespace
     };
     const std::string part = rank() == 1 ? "x" : "";
     deallog << "full disk: said "
-            << begins(write_parts("/dev/full", {part}, MPI_COMM_WORLD),
+            << begins(write_parallel_file("/dev/full", {part}, MPI_COMM_WORLD),
                       "/dev/full: cannot be written: No space left")
             << ", no directory: said "
-            << begins(write_parts_atomically("no/file", {part}, MPI_COMM_WORLD),
+            << begins(write_parallel_file_atomically("no/file",
+                                                     {part},
+                                                     MPI_COMM_WORLD),
                       "no/file: cannot be opened: No such file")
             << std::endl;
     const std::string taken = directory + "/taken";
     if (rank() == 0)
       std::filesystem::create_directories(taken + "/by_a_directory");
     MPI_Barrier(MPI_COMM_WORLD);
-    deallog << "in place of a directory: said "
-            << begins(write_parts_atomically(taken, {part}, MPI_COMM_WORLD),
-                      taken + ": cannot be replaced")
-            << ", nothing left "
-            << everywhere(!std::filesystem::exists(taken + ".part"))
-            << std::endl;
+    deallog
+      << "in place of a directory: said "
+      << begins(write_parallel_file_atomically(taken, {part}, MPI_COMM_WORLD),
+                taken + ": cannot be replaced")
+      << ", nothing left "
+      << everywhere(!std::filesystem::exists(taken + ".part")) << std::endl;
   }
 
 

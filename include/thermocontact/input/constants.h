@@ -48,6 +48,10 @@ namespace ThermoContact
   std::map<std::string, double>
   constants_of(const std::string &values);
 
+  /** The folder of tables that is handed to them, too. */
+  std::string
+  folder_of(const std::string &values);
+
 
 
   /**

@@ -29,6 +29,8 @@ namespace ThermoContact
 
     std::string folder = ""; ///< of the files of tables
 
+    bool has_units = false; ///< tables may have units in their headers
+
     /** Variables are multiplied by these before: none, or one for each. */
     std::vector<double> variable_units = {};
 
@@ -90,12 +92,10 @@ namespace ThermoContact
     bool
     is_constant() const;
 
-    /** The tables that it reads. */
-    const std::vector<std::shared_ptr<const Table>> &
-    tables() const
-    {
-      return tables_;
-    }
+    /** The files of tables whose rows end before an argument that these values
+     * of the variables give them. */
+    std::vector<std::string>
+    tables_left(const double *variables) const;
 
     /**
      * @tparam Number double, NumberJet or IntervalJet
@@ -170,7 +170,7 @@ namespace ThermoContact
 
   /** The names in a text, whatever they mean. */
   std::vector<std::string>
-  names_in(const std::string &text);
+  identifiers_in(const std::string &text);
 
   /**
    * The values of constants, each of which is a number or an expression in

@@ -75,6 +75,10 @@ namespace ThermoContact
     ScalesParameters                  scales;
     ConversionsByKind                 conversions; ///< to SI base units
 
+    /** The last assignment of an entry, or null. */
+    const Assignment *
+    find(const std::string &path) const;
+
     /** The last value that an entry is given. */
     std::optional<std::string>
     given(const std::string &path) const;
@@ -101,6 +105,11 @@ namespace ThermoContact
     /** One of the values of an entry that ';' or ',' separate. */
     std::string
     scaled(const Assignment &assignment, const std::string &text) const;
+
+    /** @throw InputError where the expression is written, if it is none */
+    void
+    check_expression(const Assignment  &assignment,
+                     const std::string &text) const;
 
     /** An expression in the variables of the scene. */
     std::string

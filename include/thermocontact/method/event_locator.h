@@ -40,7 +40,7 @@ namespace ThermoContact
     double              time = 0.;
     std::vector<double> displacement; ///< normal, $u_n$
     std::vector<double> penetration;  ///< $u_n-g$
-    std::vector<double> velocity;     ///< of approach, $v_n-g'$
+    std::vector<double> velocity;     ///< relative, $v_n-g'$
 
     /**
      * Of either sign in a closed step. With damping that of the penetration at

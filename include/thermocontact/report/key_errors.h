@@ -14,6 +14,9 @@ namespace ThermoContact
   /** Number of key results that have error bars. */
   constexpr unsigned int n_key_errors = 6;
 
+  /** Place of the largest force among them. */
+  constexpr unsigned int max_contact_force = 1;
+
   /**
    * Names of key results that have error bars, as in key_result_names; the keys
    * of summary.json add "_time_error" and "_space_error".

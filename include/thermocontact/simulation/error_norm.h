@@ -16,12 +16,12 @@ namespace ThermoContact
    *        {\max(\|\nabla u\|^2, b\|v\|^2)} \right)^{1/2} .
    * @f]
    * The maxima are over all accepted states and the one that the step has
-   * reached; a field that has been zero takes its scale from the first attempt
-   * at a step that moves it. There is no absolute floor: scaling a scene
-   * changes nothing. An error of the temperature that is rounding of the
-   * temperature itself, of which $\hat\theta$ may be a tiny part, counts as
-   * none, and so does one of the displacement in a body whose end carries it
-   * so far that its elastic energy is rounding.
+   * reached; a field that is zero takes its scale from the first attempt at a
+   * step that moves it, until one is accepted. There is no absolute floor:
+   * scaling a scene changes nothing. An error of the temperature that is
+   * rounding of the temperature itself, of which $\hat\theta$ may be a tiny
+   * part, counts as none, and so does one of the displacement in a body whose
+   * end moves it so far that its elastic energy is rounding.
    */
   class ErrorNorm
   {
@@ -38,18 +38,19 @@ namespace ThermoContact
      *
      * @param error half the squared norms of the estimate
      * @param energy of the state at the end of the step
-     * @param carried largest displacement there of a body whose end moves
+     * @param rigid_displacement largest displacement there of a body whose end
+     *   moves
      */
     double
     operator()(const EnergyTerms &error,
                const EnergyTerms &energy,
-               const double       carried);
+               const double       rigid_displacement);
 
-    /** Largest elastic or kinetic energy so far. */
+    /** Largest elastic or kinetic energy so far, or of the first attempt. */
     double
     mechanical_energy() const
     {
-      return max_mechanical;
+      return max_mechanical == 0. ? first_mechanical : max_mechanical;
     }
 
     /** What changes during a run, for checkpoints. */
@@ -57,13 +58,17 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &max_thermal &max_mechanical;
+      archive &max_thermal &max_mechanical &first_thermal &first_mechanical;
     }
 
   private:
     const double temperature_energy;
     double       max_thermal;
     double       max_mechanical;
+
+    /** Of the first attempts that moved a field. */
+    double first_thermal;
+    double first_mechanical;
   };
 } // namespace ThermoContact
 

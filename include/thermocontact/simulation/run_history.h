@@ -50,9 +50,14 @@ namespace ThermoContact
     /** What the user should know although the run goes on. */
     std::vector<std::string> warnings;
 
-    /** Takes the quantities of the present state into the largest so far. */
+    /**
+     * Takes the quantities of the present state into the largest so far.
+     *
+     * @param gap_rate $g'$ of a rod there; NaN: it has two, of which either
+     *   holds on one side
+     */
     void
-    add_maxima(const Scene &scene);
+    add_maxima(const Scene &scene, const double gap_rate);
 
     /** Books a step that is accepted, with its cost; not what it measures. */
     void

@@ -4,11 +4,11 @@
 #define thermocontact_simulation_simulation_h
 
 #include <thermocontact/simulation/contact_tracker.h>
-#include <thermocontact/simulation/energy_watch.h>
+#include <thermocontact/simulation/energy_monitor.h>
 #include <thermocontact/simulation/error_norm.h>
 #include <thermocontact/simulation/measurements.h>
-#include <thermocontact/simulation/mesh_watch.h>
 #include <thermocontact/simulation/run_history.h>
+#include <thermocontact/simulation/spatial_error_monitor.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/step_controller.h>
 #include <thermocontact/time/time_integrator.h>
@@ -24,7 +24,7 @@ namespace ThermoContact
   struct SavedRun
   {
     std::string progress; ///< the same on all ranks
-    std::string nodes;    ///< values of those of this rank, NodeValues
+    std::string nodes;    ///< values of those of this rank, StateSerialiser
   };
 
 
@@ -205,8 +205,8 @@ namespace ThermoContact
     ContactTracker<dim>                   tracker;
     StepController                        controller;
     ErrorNorm                             error_norm;
-    EnergyWatch                           energy_watch;
-    MeshWatch                             mesh_watch;
+    EnergyMonitor                         energy_monitor;
+    SpatialErrorMonitor                   spatial_error_monitor;
     State                                 state_;
     RunHistory                            history_;
     StepResult                            result; ///< of the present attempt
@@ -270,6 +270,10 @@ namespace ThermoContact
     commit(const TimeStep       &time_step,
            const ContactVerdict &verdict,
            StepResult           &result);
+
+    /** $g'$ at the first contact node; NaN where it may have a jump. */
+    double
+    gap_rate() const;
 
     /** Where loads may jump and move something at once, or nullptr. */
     const LoadBreak *

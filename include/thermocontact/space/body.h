@@ -85,7 +85,7 @@ namespace ThermoContact
     {
       std::vector<double> penetration, velocity;
       contact_end().get_penetrations(state, penetration);
-      contact_end().get_approach(state, velocity);
+      contact_end().get_relative_velocities(state, velocity);
       for (unsigned int i = 0; i < penetration.size(); ++i)
         state.contact_pressure[i] =
           law().damped_pressure(penetration[i], velocity[i]);

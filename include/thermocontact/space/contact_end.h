@@ -141,7 +141,8 @@ namespace ThermoContact
 
     /** Their rates, velocities into the obstacle $v_n-g'$. */
     void
-    get_approach(const State &state, std::vector<double> &velocities) const;
+    get_relative_velocities(const State         &state,
+                            std::vector<double> &velocities) const;
 
     /** Penetrations of a stop behind them, $-u_n-g_2$. */
     void

@@ -166,7 +166,7 @@ namespace ThermoContact
     mutable Vector                         momentum_scratch;
     mutable Vector                         momentum_product;
     mutable std::vector<double>            end_displacement;
-    mutable std::vector<double>            approach;
+    mutable std::vector<double>            relative_velocity;
     mutable std::vector<double>            old_end_displacement;
     mutable std::vector<double>            old_penetration;
     mutable std::vector<double>            end_temperature;

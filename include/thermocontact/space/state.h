@@ -70,7 +70,7 @@ namespace ThermoContact
       exchange_coefficient.swap(other.exchange_coefficient);
     }
 
-    /** What all ranks know; the vectors are saved by NodeValues. */
+    /** What all ranks know; the vectors are saved by StateSerialiser. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

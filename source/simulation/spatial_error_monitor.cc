@@ -2,7 +2,7 @@
 
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/simulation/mesh_watch.h>
+#include <thermocontact/simulation/spatial_error_monitor.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -18,6 +19,9 @@ namespace ThermoContact
   {
     /** Degrees whose own coefficients say nothing of those that follow. */
     constexpr unsigned int highest_low_degree = 2;
+
+    /** Steps that are all sampled, and the stride of those that follow. */
+    constexpr unsigned int n_first_samples = 64, stride = 8;
 
     /** Higher ones are slow; more cells do as well. */
     constexpr double largest_degree = 16.;
@@ -87,11 +91,11 @@ namespace ThermoContact
 
 
   template <int dim>
-  MeshWatch::MeshWatch(const Scene               &scene,
-                       const Discretization<dim> &discretization)
+  SpatialErrorMonitor::SpatialErrorMonitor(
+    const Scene               &scene,
+    const Discretization<dim> &discretization)
     : scene(scene)
     , n_cell_nodes(discretization.degree() + 1)
-    , samples(scene.parameters.time.has_error_control())
   {
     // the steps of the midpoint rule on such a mesh have no error inside cells
     if (dim > 1 || scene.has_midpoint_mass)
@@ -111,7 +115,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  MeshWatch::add_cells(const Discretization<dim> &space)
+  SpatialErrorMonitor::add_cells(const Discretization<dim> &space)
   {
     using Cell = typename DoFHandler<dim>::active_cell_iterator;
     std::vector<Cell> cells;
@@ -146,8 +150,8 @@ namespace ThermoContact
 
 
   void
-  MeshWatch::make_factors(const Field::Block field,
-                          const unsigned int n_derivatives)
+  SpatialErrorMonitor::make_factors(const Field::Block field,
+                                    const unsigned int n_derivatives)
   {
     // The coefficient n of what is approximated, a multiple of the n-th
     // derivative and h^n, changes from cell to cell by 2 (2n + 1) times the
@@ -169,7 +173,7 @@ namespace ThermoContact
 
 
   void
-  MeshWatch::add(const State &state, const StepRecord &record)
+  SpatialErrorMonitor::add(const State &state, const StepRecord &record)
   {
     if (cell_sizes.empty())
       return;
@@ -177,45 +181,23 @@ namespace ThermoContact
     max_thermal               = std::max(max_thermal, 2. * energy.thermal);
     max_mechanical =
       std::max(max_mechanical, 2. * std::max(energy.elastic, energy.kinetic));
-    if (!samples.take(record.step_size, record.in_contact))
+    time_skipped += record.step_size;
+    if (++n_steps > n_first_samples && n_steps % stride != 0)
       return;
-    const double skipped_time = samples.take_skipped_time();
-    duration += skipped_time + record.step_size;
     if (scene.fields.has_temperature)
-      book(tail(Field::temperature, state.temperature, 0),
-           record.step_size,
-           skipped_time,
-           last_heat,
-           heat);
+      heat.add(time_skipped, tail(Field::temperature, state.temperature, 0));
     if (scene.fields.has_displacement)
-      book(tail(Field::displacement, state.displacement, 1),
-           record.step_size,
-           skipped_time,
-           last_strain,
-           strain);
-  }
-
-
-
-  void
-  MeshWatch::book(const MeshTail &now,
-                  const double    step_size,
-                  const double    skipped_time,
-                  MeshTail       &last,
-                  MeshTail       &sum) const
-  {
-    const double part = samples.is_at_event() ? 0. : 0.5;
-    sum.add(step_size + part * skipped_time, now);
-    sum.add((1. - part) * skipped_time, last);
-    last = now;
+      strain.add(time_skipped,
+                 tail(Field::displacement, state.displacement, 1));
+    duration += std::exchange(time_skipped, 0.);
   }
 
 
 
   MeshTail
-  MeshWatch::tail(const Field::Block field,
-                  const Vector      &vector,
-                  const unsigned int n_derivatives) const
+  SpatialErrorMonitor::tail(const Field::Block field,
+                            const Vector      &vector,
+                            const unsigned int n_derivatives) const
   {
     // Squares of norms over a cell of size h, whose coordinate is (x - m) 2/h:
     // h/(2n + 1) c^2 of c P_n; the first term of the derivative of c P_n is
@@ -236,12 +218,12 @@ namespace ThermoContact
 
 
   void
-  MeshWatch::add_last_coefficients(const Field::Block field,
-                                   const Vector      &vector,
-                                   const double       upper_factor,
-                                   const double       lower_factor,
-                                   const int          power,
-                                   MeshTail          &tail) const
+  SpatialErrorMonitor::add_last_coefficients(const Field::Block field,
+                                             const Vector      &vector,
+                                             const double       upper_factor,
+                                             const double       lower_factor,
+                                             const int          power,
+                                             MeshTail          &tail) const
   {
     const double       *values = vector.begin();
     const unsigned int *nodes  = entries[field].data();
@@ -261,9 +243,9 @@ namespace ThermoContact
 
 
   void
-  MeshWatch::add_differences(const Field::Block field,
-                             const Vector      &vector,
-                             MeshTail          &tail) const
+  SpatialErrorMonitor::add_differences(const Field::Block field,
+                                       const Vector      &vector,
+                                       MeshTail          &tail) const
   {
     const double       *values = vector.begin();
     const unsigned int *nodes  = entries[field].data();
@@ -293,20 +275,16 @@ namespace ThermoContact
 
 
   double
-  MeshWatch::error(const Field::Block field) const
+  SpatialErrorMonitor::error(const Field::Block field) const
   {
-    const bool   is_heat = field == Field::temperature;
-    const double skipped = samples.skipped_time();
-    MeshTail     sum     = is_heat ? heat : strain;
-    sum.add(skipped, is_heat ? last_heat : last_strain);
-    return sum.error(is_heat ? max_thermal : max_mechanical,
-                     duration + skipped);
+    return field == Field::temperature ? heat.error(max_thermal, duration) :
+                                         strain.error(max_mechanical, duration);
   }
 
 
 
   std::string
-  MeshWatch::remedy(const double error, const double rate) const
+  SpatialErrorMonitor::remedy(const double error, const double rate) const
   {
     const MeshParameters &mesh   = scene.parameters.mesh;
     const double          excess = error / tolerated_error;
@@ -333,7 +311,7 @@ namespace ThermoContact
 
 
   std::string
-  MeshWatch::take_warning()
+  SpatialErrorMonitor::take_warning()
   {
     const double of_heat   = error(Field::temperature);
     const double of_strain = error(Field::displacement);
@@ -352,7 +330,10 @@ namespace ThermoContact
 
 
 
-  template MeshWatch::MeshWatch(const Scene &, const Discretization<1> &);
-  template MeshWatch::MeshWatch(const Scene &, const Discretization<2> &);
-  template MeshWatch::MeshWatch(const Scene &, const Discretization<3> &);
+  template SpatialErrorMonitor::SpatialErrorMonitor(const Scene &,
+                                                    const Discretization<1> &);
+  template SpatialErrorMonitor::SpatialErrorMonitor(const Scene &,
+                                                    const Discretization<2> &);
+  template SpatialErrorMonitor::SpatialErrorMonitor(const Scene &,
+                                                    const Discretization<3> &);
 } // namespace ThermoContact

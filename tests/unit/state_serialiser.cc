@@ -13,7 +13,7 @@
 // along each direction with n cells. A part of another mesh is refused, or too
 // few of its nodes are found.
 
-#include <thermocontact/space/node_values.h>
+#include <thermocontact/space/state_serialiser.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -96,7 +96,7 @@ namespace
                      vector.begin()[i] = value;
                    });
     return Utilities::MPI::all_gather(space.communicator(),
-                                      NodeValues<dim>(space).save(state));
+                                      StateSerialiser<dim>(space).save(state));
   }
 
 
@@ -107,9 +107,9 @@ namespace
   error_of_restored(const Discretization<dim>      &space,
                     const std::vector<std::string> &parts)
   {
-    const NodeValues<dim> values(space);
-    State                 state = space.make_state();
-    std::size_t           n_set = 0;
+    const StateSerialiser<dim> values(space);
+    State                      state = space.make_state();
+    std::size_t                n_set = 0;
     for (const std::string &part : parts)
       n_set += values.restore(part, state);
     double error = n_set == values.n_nodes() ? 0. : INFINITY;
@@ -134,9 +134,9 @@ namespace
     const auto                by_both = save(together);
     std::size_t               n_saved = 0;
     for (const std::string &part : by_both)
-      n_saved += NodeValues<dim>(together).n_nodes_of(part);
+      n_saved += StateSerialiser<dim>(together).n_nodes_of(part);
     deallog << name << ": nodes "
-            << (dim == 1 ? NodeValues<dim>(alone).n_nodes() : n_saved)
+            << (dim == 1 ? StateSerialiser<dim>(alone).n_nodes() : n_saved)
             << ", errors below 1e-13";
     for (const Discretization<dim> *space : {&alone, &together})
       for (const auto *parts : {&by_one, &by_both})
@@ -164,8 +164,8 @@ namespace
     deallog << "of a shorter mesh: all found "
             << std::isfinite(error_of_restored(*five, save(*four)))
             << ", of a longer one: as many "
-            << (NodeValues<2>(*four).n_nodes_of(save(*five)[0]) ==
-                NodeValues<2>(*four).n_nodes())
+            << (StateSerialiser<2>(*four).n_nodes_of(save(*five)[0]) ==
+                StateSerialiser<2>(*four).n_nodes())
             << std::endl;
     try
       {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/first_rank_alone.h>
 #include <thermocontact/base/interruption.h>
+#include <thermocontact/base/serial_section.h>
 
 #include <chrono>
 #include <optional>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_simulation_mesh_watch_h
-#define thermocontact_simulation_mesh_watch_h
+#ifndef thermocontact_simulation_spatial_error_monitor_h
+#define thermocontact_simulation_spatial_error_monitor_h
 
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/simulation/measurements.h>
-#include <thermocontact/simulation/mesh_samples.h>
 #include <thermocontact/space/discretization.h>
 
 #include <string>
@@ -51,14 +50,15 @@ namespace ThermoContact
 
 
   /**
-   * Watches whether the mesh of a rod resolves what moves through it, at the
-   * cost of a few products with short vectors in the steps that are looked at.
-   * Of bodies in two and three dimensions it knows nothing.
+   * Estimates whether the mesh of a rod resolves what moves through it, by a
+   * few products with short vectors in each of the first 64 steps and in one of
+   * eight from then on, each for the time since the last. Of bodies in two and
+   * three dimensions it knows nothing.
    *
    * What counts is the mean over the run. At single instants, after a start or
    * an impact, layers are thinner than any cell, and do no harm.
    */
-  class MeshWatch
+  class SpatialErrorMonitor
   {
   public:
     /** Errors that are not worth a warning. */
@@ -66,7 +66,8 @@ namespace ThermoContact
 
     /** @param scene borrowed */
     template <int dim>
-    MeshWatch(const Scene &scene, const Discretization<dim> &discretization);
+    SpatialErrorMonitor(const Scene               &scene,
+                        const Discretization<dim> &discretization);
 
     /**
      * Takes an accepted state.
@@ -92,8 +93,8 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &heat &strain &last_heat &last_strain &samples &duration
-        &max_thermal &max_mechanical &has_warned;
+      archive &heat &strain &n_steps &duration &time_skipped &max_thermal
+        &max_mechanical &has_warned;
     }
 
   private:
@@ -118,13 +119,13 @@ namespace ThermoContact
     /** Of the nodes of a cell in its last two Legendre coefficients. */
     std::vector<double> upper_weights, lower_weights;
 
-    MeshSamples samples;
-    MeshTail    heat, strain;           ///< over the time so far
-    MeshTail    last_heat, last_strain; ///< where the mesh was looked at last
-    double      duration       = 0.;    ///< from the start to there
-    double      max_thermal    = 0.;
-    double      max_mechanical = 0.;
-    bool        has_warned     = false;
+    MeshTail     heat, strain; ///< over the time so far
+    unsigned int n_steps        = 0;
+    double       duration       = 0.; ///< from the start to the last sample
+    double       time_skipped   = 0.; ///< of the steps since then
+    double       max_thermal    = 0.;
+    double       max_mechanical = 0.;
+    bool         has_warned     = false;
 
     template <int dim>
     void
@@ -143,17 +144,6 @@ namespace ThermoContact
     tail(const Field::Block field,
          const Vector      &vector,
          const unsigned int n_derivatives) const;
-
-    /**
-     * Adds that tail to @p sum, and @p skipped_time with the mean of it and of
-     * @p last, which it becomes; at an event with @p last alone.
-     */
-    void
-    book(const MeshTail &now,
-         const double    step_size,
-         const double    skipped_time,
-         MeshTail       &last,
-         MeshTail       &sum) const;
 
     void
     add_last_coefficients(const Field::Block field,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/space/node_values.h>
+#include <thermocontact/space/state_serialiser.h>
 
 #include <deal.II/fe/fe_tools.h>
 
@@ -78,7 +78,8 @@ namespace ThermoContact
 
 
   template <int dim>
-  NodeValues<dim>::NodeValues(const Discretization<dim> &discretization)
+  StateSerialiser<dim>::StateSerialiser(
+    const Discretization<dim> &discretization)
     : has_temperature(discretization.has_field(Field::temperature))
     , has_displacement(discretization.has_field(Field::displacement))
     , n_values((has_temperature ? 1 : 0) + (has_displacement ? 2 * dim : 0))
@@ -151,9 +152,9 @@ namespace ThermoContact
   template <int dim>
   template <typename SomeState, typename Visit>
   void
-  NodeValues<dim>::for_each_value(const Node  &node,
-                                  SomeState   &state,
-                                  const Visit &visit) const
+  StateSerialiser<dim>::for_each_value(const Node  &node,
+                                       SomeState   &state,
+                                       const Visit &visit) const
   {
     if (has_temperature)
       visit(state.temperature.begin()[node.temperature]);
@@ -168,7 +169,7 @@ namespace ThermoContact
 
   template <int dim>
   std::string
-  NodeValues<dim>::save(const State &state) const
+  StateSerialiser<dim>::save(const State &state) const
   {
     std::string bytes(nodes.size() * size_of_node(), '\0');
     char       *next = bytes.data();
@@ -188,7 +189,7 @@ namespace ThermoContact
 
   template <int dim>
   std::size_t
-  NodeValues<dim>::restore(const std::string &saved, State &state) const
+  StateSerialiser<dim>::restore(const std::string &saved, State &state) const
   {
     if (saved.size() % size_of_node() != 0)
       throw std::length_error("vectors of another discretisation");
@@ -220,7 +221,7 @@ namespace ThermoContact
 
 
 
-  template class NodeValues<1>;
-  template class NodeValues<2>;
-  template class NodeValues<3>;
+  template class StateSerialiser<1>;
+  template class StateSerialiser<2>;
+  template class StateSerialiser<3>;
 } // namespace ThermoContact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_base_rank_faults_h
-#define thermocontact_base_rank_faults_h
+#ifndef thermocontact_base_collective_errors_h
+#define thermocontact_base_collective_errors_h
 
 #include <deal.II/base/mpi.h>
 

@@ -4,7 +4,7 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/scene/scene_checks.h>
-#include <thermocontact/simulation/energy_watch.h>
+#include <thermocontact/simulation/energy_monitor.h>
 
 #include <algorithm>
 
@@ -58,7 +58,7 @@ namespace ThermoContact
 
 
 
-  EnergyWatch::EnergyWatch(const Scene &scene)
+  EnergyMonitor::EnergyMonitor(const Scene &scene)
     : scene(scene)
     , is_active(!scene.has_work())
     , allowed_per_run(scene.scheme.can_create_energy &&
@@ -77,7 +77,7 @@ namespace ThermoContact
 
 
   void
-  EnergyWatch::start(const EnergyTerms &terms)
+  EnergyMonitor::start(const EnergyTerms &terms)
   {
     smallest = terms.sum();
     scale    = terms.magnitude();
@@ -87,9 +87,9 @@ namespace ThermoContact
 
 
   std::string
-  EnergyWatch::add(const unsigned int step,
-                   const double       time,
-                   const EnergyTerms &terms)
+  EnergyMonitor::add(const unsigned int step,
+                     const double       time,
+                     const EnergyTerms &terms)
   {
     scale                = std::max(scale, terms.magnitude());
     const double created = terms.sum() - smallest;

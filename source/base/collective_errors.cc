@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/rank_faults.h>
+#include <thermocontact/base/collective_errors.h>
 
 namespace ThermoContact
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/atomic_file.h>
-#include <thermocontact/base/parts_file.h>
-#include <thermocontact/base/rank_faults.h>
+#include <thermocontact/base/collective_errors.h>
+#include <thermocontact/base/parallel_file.h>
 #include <thermocontact/base/table_file.h>
 
 #include <fcntl.h>
@@ -87,10 +87,10 @@ namespace ThermoContact
 
 
   std::string
-  write_parts(const std::string                   &path,
-              const std::vector<std::string_view> &part,
-              const MPI_Comm                       communicator,
-              const bool                           is_durable)
+  write_parallel_file(const std::string                   &path,
+                      const std::vector<std::string_view> &part,
+                      const MPI_Comm                       communicator,
+                      const bool                           is_durable)
   {
     std::uint64_t size = 0;
     for (const std::string_view piece : part)
@@ -119,11 +119,12 @@ namespace ThermoContact
 
 
   std::string
-  write_parts_atomically(const std::string                   &path,
-                         const std::vector<std::string_view> &part,
-                         const MPI_Comm                       communicator)
+  write_parallel_file_atomically(const std::string                   &path,
+                                 const std::vector<std::string_view> &part,
+                                 const MPI_Comm communicator)
   {
-    std::string fault = write_parts(path + part_suffix, part, communicator);
+    std::string fault =
+      write_parallel_file(path + part_suffix, part, communicator);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       fault = put_in_place(path, fault);
     return first_fault(fault, communicator);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_simulation_energy_watch_h
-#define thermocontact_simulation_energy_watch_h
+#ifndef thermocontact_simulation_energy_monitor_h
+#define thermocontact_simulation_energy_monitor_h
 
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/energy.h>
@@ -11,21 +11,21 @@
 namespace ThermoContact
 {
   /**
-   * Watches the energy of a run without loads, which physics never lets grow
+   * Monitors the energy of a run without loads, which physics never lets grow
    * (M.9). A scheme may let it grow by what its errors explain: rounding for
    * schemes that cannot create energy, the tolerance of each step with
    * error-controlled steps, a thousandth with fixed steps of the other schemes.
    * Arithmetic only.
    */
-  class EnergyWatch
+  class EnergyMonitor
   {
   public:
     /**
-     * Watches nothing if something does work in the scene.
+     * Monitors nothing if something does work in the scene.
      *
      * @param scene borrowed
      */
-    explicit EnergyWatch(const Scene &scene);
+    explicit EnergyMonitor(const Scene &scene);
 
     /** Begins anew from a state with energy @p terms. */
     void

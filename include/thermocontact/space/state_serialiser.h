@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_space_node_values_h
-#define thermocontact_space_node_values_h
+#ifndef thermocontact_space_state_serialiser_h
+#define thermocontact_space_state_serialiser_h
 
 #include <thermocontact/space/discretization.h>
 #include <thermocontact/space/state.h>
@@ -24,11 +24,11 @@ namespace ThermoContact
    * along x, then y, then z.
    */
   template <int dim>
-  class NodeValues
+  class StateSerialiser
   {
   public:
     /** @param discretization borrowed */
-    explicit NodeValues(const Discretization<dim> &discretization);
+    explicit StateSerialiser(const Discretization<dim> &discretization);
 
     /** The nodes that this rank owns: their numbers, then their values. */
     std::string

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_base_parts_file_h
-#define thermocontact_base_parts_file_h
+#ifndef thermocontact_base_parallel_file_h
+#define thermocontact_base_parallel_file_h
 
 #include <deal.II/base/mpi.h>
 
@@ -25,19 +25,19 @@ namespace ThermoContact
    *   path, or nothing
    */
   std::string
-  write_parts(const std::string                   &path,
-              const std::vector<std::string_view> &part,
-              const MPI_Comm                       communicator,
-              const bool                           is_durable = false);
+  write_parallel_file(const std::string                   &path,
+                      const std::vector<std::string_view> &part,
+                      const MPI_Comm                       communicator,
+                      const bool                           is_durable = false);
 
   /**
    * The same, but an older file is replaced in one piece, as by
    * write_atomically().
    */
   std::string
-  write_parts_atomically(const std::string                   &path,
-                         const std::vector<std::string_view> &part,
-                         const MPI_Comm                       communicator);
+  write_parallel_file_atomically(const std::string                   &path,
+                                 const std::vector<std::string_view> &part,
+                                 const MPI_Comm communicator);
 } // namespace ThermoContact
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_base_first_rank_alone_h
-#define thermocontact_base_first_rank_alone_h
+#ifndef thermocontact_base_serial_section_h
+#define thermocontact_base_serial_section_h
 
 #include <thermocontact/base/exceptions.h>
 
@@ -37,7 +37,7 @@ namespace ThermoContact
    */
   template <typename Action>
   void
-  on_first_rank_alone(const Action &action, const MPI_Comm communicator)
+  serial_section(const Action &action, const MPI_Comm communicator)
   {
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       try
