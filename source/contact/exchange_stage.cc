@@ -155,7 +155,7 @@ namespace ThermoContact
         const double h      = difference_step * (closed ? load : length);
         const double s      = closed ? 0. : laws[i].penetration(position[i]);
         const double p      = laws[i].push(pressure[i]);
-        const double side   = closed ? (pressure[i] < 0. ? -1. : 1.) :
+        const double side   = closed ? laws[i].push_slope(pressure[i]) :
                                        laws[i].nearer_side(position[i]);
         const double slope_of_k =
           h == 0. ?

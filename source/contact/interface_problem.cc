@@ -62,17 +62,17 @@ namespace ThermoContact
         const double loss = loss_by_others(receptance, nodes.pressure, i);
         nodes.defect[i]   = nodes.z[i] + loss - free[i];
         nodes.norm += nodes.defect[i] * nodes.defect[i];
-        // a NaN is no small defect
-        largest = std::abs(nodes.defect[i]) <= largest ?
-                    largest :
-                    std::abs(nodes.defect[i]);
+        largest = std::max(largest, std::abs(nodes.defect[i]));
         scale =
           std::max({scale,
                     std::abs(free[i]),
                     std::abs(nodes.z[i]),
                     std::abs(loss + receptance(i, i) * nodes.pressure[i])});
       }
-    nodes.miss = largest == 0. ? 0. : largest / scale;
+    // the sum has a NaN, wherever it is; a NaN is no small defect
+    nodes.miss = std::isnan(nodes.norm) ? nodes.norm :
+                 largest == 0.          ? 0. :
+                                          largest / scale;
   }
 
 
@@ -177,7 +177,7 @@ namespace ThermoContact
     const unsigned int n = laws.size();
     pressure.resize(n, 0.);
     present.z.resize(n);
-    if (n == 1)
+    if (n == 1 && !std::isnan(free[0]))
       {
         const NodalPressure p = laws[0].resolve(free[0], receptance(0, 0));
         pressure[0]           = p.pressure;

@@ -227,7 +227,9 @@ namespace ThermoContact
         set_quasi_static_velocity(is_closed, state);
         return;
       }
-    stiffness.solve(forces_at_rest(state), state.displacement);
+    Vector change(state.displacement);
+    stiffness.solve(forces_at_rest(state), change);
+    state.displacement += change;
     std::vector<NodeLaw> laws;
     std::vector<double>  position;
     get_node_laws(body, state, laws, position);
@@ -340,14 +342,12 @@ namespace ThermoContact
   bool
   Reset<dim>::remove_pull(const int held_at, State &state) const
   {
-    std::vector<NodeLaw> laws;
-    std::vector<double>  position;
-    get_node_laws(body, state, laws, position);
+    get_node_laws(body, state, node_laws, node_positions);
     bool changed = false;
-    for (unsigned int i = 0; i < laws.size(); ++i)
+    for (unsigned int i = 0; i < node_laws.size(); ++i)
       {
         double &p = state.contact_pressure[i];
-        if ((held_at != 0 ? held_at : laws[i].side) * p < 0.)
+        if ((held_at != 0 ? held_at : node_laws[i].side) * p < 0.)
           {
             p       = 0.;
             changed = true;

@@ -211,8 +211,12 @@ namespace ThermoContact
       }
     catch (const ComputationError &exception)
       {
-        tracker.drop_event();
         result.failure = exception.what();
+      }
+    result.agree(discretization().communicator());
+    if (!result.failure.empty())
+      {
+        tracker.drop_event();
         return fault();
       }
     switch (verdict.kind)
@@ -349,8 +353,11 @@ namespace ThermoContact
       }
     catch (const ComputationError &error)
       {
-        give_up(time_step, error.what());
+        result.failure = error.what();
       }
+    result.agree(discretization().communicator());
+    if (!result.failure.empty())
+      give_up(time_step, result.failure);
     jump(result);
   }
 

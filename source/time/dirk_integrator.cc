@@ -303,10 +303,12 @@ namespace ThermoContact
     const double tau   = time_step.size;
     StageRates  &stage = stages[0];
     body.loads.assemble(time_step.last_loads, heat_load, momentum_load);
+    static const std::vector<std::vector<double>> one_stage  = {{1.}};
+    static const std::vector<double>              one_weight = {1.};
     if (driven)
       driven->start(state,
                     tau,
-                    {tableau.a, tableau.b(), {time_step.last_loads}});
+                    {one_stage, one_weight, {time_step.last_loads}});
     if (body.scene.fields.has_temperature)
       solve_heat_alone(state, tau, stage.temperature_rate);
 

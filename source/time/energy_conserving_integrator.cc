@@ -408,7 +408,6 @@ namespace ThermoContact
     AssertDimension(end.n_nodes(), 1);
     get_node_laws(body, state, laws, start);
     // the velocity first, then where it leads
-    std::vector<double> end_position;
     end.get_values(Field::displacement, rates.velocity, end_position);
     end_position[0] =
       start[0] + (time_step.size * end_position[0] -

@@ -110,7 +110,8 @@ namespace ThermoContact
     /**
      * @param law borrowed
      * @param start $\tilde s$
-     * @param tau not negative; 0: the penetration is $\tilde s$ whatever v
+     * @param tau not negative; 0, which a node that is held does not have: the
+     *   penetration is $\tilde s$ whatever v
      */
     Damped(const ContactLaw &law,
            const double      start,
@@ -259,7 +260,7 @@ namespace ThermoContact
     double
     change_side(const double position);
 
-    /** True if the node has no pressure at @p x. */
+    /** True if the node meets no obstacle at @p x, and none holds it. */
     bool
     is_open(const double x) const;
 
@@ -283,6 +284,14 @@ namespace ThermoContact
     push(const double pressure) const
     {
       return is_held ? std::max(side * pressure, 0.) : std::abs(pressure);
+    }
+
+    /** How that grows with the pressure: 1, -1, or 0 under a pull. */
+    double
+    push_slope(const double pressure) const
+    {
+      return is_held ? (side * pressure >= 0. ? side : 0.) :
+                       (pressure < 0. ? -1. : 1.);
     }
 
     /** The local position of a node that has this pressure at rest. */

@@ -68,15 +68,16 @@ namespace ThermoContact
      * Impact of all contact nodes on a rigid obstacle: they are put on it, and
      * an impulse through the mass matrix takes their velocity into it away, so
      * that the velocity jumps to the nearest one, in the norm of the kinetic
-     * energy, with which they stay there (M.33). Nodes without mass need no
+     * energy, with which all of them stay there (M.33), those too that moved
+     * away: contact changes at all nodes together. Nodes without mass need no
      * impulse.
      *
-     * @param energy out: of the new state
+     * @param energy_terms out: of the new state
      * @param cost what the impact costs is added
      * @throw ComputationError if the mass matrix cannot be factorised
      */
     void
-    impact(State &state, EnergyTerms &energy, ResetCost &cost);
+    impact(State &state, EnergyTerms &energy_terms, ResetCost &cost);
 
     /**
      * Pressures and velocities at the end of a step within which nodes without
@@ -138,6 +139,10 @@ namespace ThermoContact
     Equilibrium<dim>   inertia;
     Equilibrium<dim>   stiffness;
     FullMatrix<double> contact_stiffness_; ///< computed when needed
+
+    // of the contact nodes, scratch
+    mutable std::vector<NodeLaw> node_laws;
+    mutable std::vector<double>  node_positions;
 
     /**
      * An IterativeSolver, without matrices; only its levels are kept, and

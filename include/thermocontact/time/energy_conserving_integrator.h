@@ -85,8 +85,9 @@ namespace ThermoContact
      */
     bool has_mean_pressure = false;
 
-    std::vector<NodeLaw> laws;  ///< of the contact nodes in the step
-    std::vector<double>  start; ///< their positions at the beginning
+    std::vector<NodeLaw> laws;         ///< of the contact nodes in the step
+    std::vector<double>  start;        ///< their positions at the beginning
+    std::vector<double>  end_position; ///< of a node that keeps its mass
 
     std::vector<double> old_free_position; ///< $s$ at the beginning
     std::vector<double> free_position;     ///< $s$ at the end

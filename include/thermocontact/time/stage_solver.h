@@ -32,7 +32,8 @@ namespace ThermoContact
      */
     std::vector<int> held_at;
 
-    unsigned int n_iterations = 0; ///< active sets or fixed point
+    unsigned int n_iterations =
+      0; ///< linear systems of contact, or of the fixed point
 
     /** Power of what a linear solver has left unsolved, (M.65). */
     double algebraic_power = 0.;
