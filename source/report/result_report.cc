@@ -204,7 +204,7 @@ namespace ThermoContact
       std::max(initial_energy, 0.) + std::max(record.work, 0.);
     if (!scene.parameters.time.has_error_control() &&
         record.numerical_dissipation > largest_numerical_part * there)
-      log.line(text("  warning:  the scheme took ",
+      log.line(text("  doubt     the scheme took ",
                     significant(100. * record.numerical_dissipation / there, 2),
                     " % of the energy that was there: a smaller Time/Step "
                     "size, or automatic"));
