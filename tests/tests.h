@@ -3,9 +3,9 @@
 #ifndef thermocontact_tests_h
 #define thermocontact_tests_h
 
+#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameters.h>
-#include <thermocontact/method/contact_law.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/simulation/measurements.h>
 

@@ -3,13 +3,13 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/scales.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/unit_text.h>
 #include <thermocontact/input/unknown_names.h>
 #include <thermocontact/method/body_geometry.h>
-#include <thermocontact/method/contact_law.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>

@@ -9,6 +9,7 @@
 #include <thermocontact/forecast/steady_state.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/key_results.h>
+#include <thermocontact/report/result_report.h>
 #include <thermocontact/report/summary.h>
 #include <thermocontact/scene/scene_terms.h>
 
@@ -203,6 +204,9 @@ namespace ThermoContact
     if (!events.empty())
       summary["first_contact_time"] = events.front().time;
 
+    if (const std::string warning = scheme_warning(simulation);
+        !warning.empty())
+      summary["warnings"].push_back(warning);
     summary.update(predictions(simulation));
     if (errors != nullptr)
       add_errors(*errors, summary);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/iterative_stage.h>
 
@@ -342,6 +345,314 @@ namespace ThermoContact
       position[i] = branch[i] != 0 && body.law().is_rigid() ?
                       laws[i].obstacle(branch[i]) :
                       start[i] + tau * position[i];
+  }
+
+
+
+  namespace
+  {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+    /** @p roots of the diagonal of a block, and one over them. */
+    void
+    set_roots(const Vector &diagonal, Vector &roots, Vector &weights)
+    {
+      roots.copy_locally_owned_data_from(diagonal);
+      for (unsigned int i = 0; i < roots.locally_owned_size(); ++i)
+        {
+          roots.local_element(i)   = std::sqrt(roots.local_element(i));
+          weights.local_element(i) = 1. / roots.local_element(i);
+        }
+    }
+
+
+
+    void
+    scale_by(const LevelVector<float> &factors, Vector &vector)
+    {
+      for (unsigned int i = 0; i < vector.locally_owned_size(); ++i)
+        vector.local_element(i) *= factors.local_element(i);
+    }
+
+
+
+    void
+    raise_to(std::array<double, 2>       &sizes,
+             const std::array<double, 2> &others,
+             const double                 factor = 1.)
+    {
+      for (unsigned int i = 0; i < sizes.size(); ++i)
+        sizes[i] = std::max(sizes[i], factor * others[i]);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::set_weights(const State               &known,
+                                   const std::vector<double> &pressure)
+  {
+    compute_residual();
+    for (const Field::Block field : all_fields)
+      if (body.discretization.has_field(field))
+        set_roots(hierarchies.current().diagonals[field],
+                  inverse_weights.block(field),
+                  weights.block(field));
+    if (body.scene.fields.has_temperature)
+      set_heat_weights(known);
+    if (body.scene.fields.has_displacement)
+      set_momentum_weights(known, pressure);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::set_heat_weights(const State &known)
+  {
+    Vector     scratch(rhs.block(Field::temperature));
+    const auto norm = [&](const Vector &rows) {
+      scratch.copy_locally_owned_data_from(rows);
+      scratch.scale(weights.block(Field::temperature));
+      return scratch.l2_norm();
+    };
+    double size = std::max(norm(rhs.block(Field::temperature)),
+                           norm(residual.block(Field::temperature)));
+    if (has_heat)
+      {
+        // the terms may cancel in a steady state, and leave rounding
+        Vector flow(scratch);
+        body.equations.conduction().vmult(flow, known.temperature);
+        size = std::max(size, tau * norm(flow));
+        flow.copy_locally_owned_data_from(known.temperature);
+        scale_by(
+          levels.field(levels.n_levels() - 1, Field::temperature).stiffness,
+          flow);
+        size = std::max(size,
+                        tau * epsilon / body.scene.linear_solver.tolerance *
+                          norm(flow));
+      }
+    if (size == 0.)
+      return;
+    weights.block(Field::temperature) /= size;
+    inverse_weights.block(Field::temperature) *= size;
+  }
+
+
+
+  template <int dim>
+  typename IterativeStage<dim>::Sizes
+  IterativeStage<dim>::momentum_sizes(const Vector &rows) const
+  {
+    const Vector &w      = weights.block(Field::displacement);
+    const auto    square = [&](const unsigned int i) {
+      return Utilities::fixed_power<2>(w.local_element(i) *
+                                       rows.local_element(i));
+    };
+    Sizes squares{};
+    for (unsigned int i = 0; i < rows.locally_owned_size(); ++i)
+      squares[is_massless(i)] += square(i);
+    Sizes sizes;
+    for (unsigned int i = 0; i < sizes.size(); ++i)
+      sizes[i] =
+        std::sqrt(Utilities::MPI::sum(squares[i], rows.get_mpi_communicator()));
+    return sizes;
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::set_momentum_weights(const State               &known,
+                                            const std::vector<double> &pressure)
+  {
+    const Material &material = body.scene.material;
+    const Vector   &diagonal =
+      hierarchies.current().diagonals[Field::displacement];
+    const unsigned int finest = levels.n_levels() - 1;
+
+    // Forces that move something: those beside the pressure that is there.
+    Sizes  sizes{};
+    Vector rows(rhs.block(Field::displacement));
+    for (const BlockVector *terms : {&rhs, &residual})
+      {
+        rows.copy_locally_owned_data_from(terms->block(Field::displacement));
+        body.contact_end().subtract_load(Field::displacement,
+                                         pressure,
+                                         tau,
+                                         rows);
+        body.equations.zero_constrained(Field::displacement, rows);
+        raise_to(sizes, momentum_sizes(rows));
+      }
+    // At rest they cancel. The force inside of the body is what a body with
+    // inertia or viscosity responds to. Without, in a stage that is shorter
+    // than the time of its motion, it is balanced already, and an error of its
+    // size is one of u/tau in the velocity: then the part that displaces by u
+    // in a unit of time, that of diffusion.
+    body.equations.stiffness().vmult(rows, known.displacement);
+    const double slow     = tau + material.viscosity;
+    const Sizes  internal = momentum_sizes(rows);
+    raise_to(sizes,
+             {{std::min(1., slow + std::sqrt(material.inertia)) * internal[0],
+               std::min(1., slow) * internal[1]}},
+             tau);
+    // Contact nodes without mass follow the others, whose velocity they have.
+    rows.copy_locally_owned_data_from(known.velocity);
+    rows.scale(diagonal);
+    raise_to(sizes, {{0., momentum_sizes(rows)[1]}});
+    // Nothing is solved for that is rounding of the right-hand side.
+    rows.copy_locally_owned_data_from(known.displacement);
+    scale_by(levels.field(finest, Field::displacement).stiffness, rows);
+    raise_to(sizes,
+             momentum_sizes(rows),
+             tau * epsilon / body.scene.linear_solver.tolerance);
+
+    Vector &w     = weights.block(Field::displacement);
+    Vector &roots = inverse_weights.block(Field::displacement);
+    for (unsigned int i = 0; i < w.locally_owned_size(); ++i)
+      {
+        const double own  = sizes[is_massless(i)];
+        const double size = own > 0. ? own : sizes[!is_massless(i)];
+        if (size == 0.)
+          return;
+        w.local_element(i) /= size;
+        roots.local_element(i) *= size;
+      }
+  }
+
+
+
+  namespace
+  {
+    constexpr unsigned int max_iterations = 300;
+  } // namespace
+
+
+
+  /** The stage matrix with contact, rows scaled. */
+  template <int dim>
+  class IterativeStage<dim>::Matrix
+  {
+  public:
+    explicit Matrix(const IterativeStage &stage)
+      : stage(stage)
+    {}
+
+    void
+    vmult(BlockVector &y, const BlockVector &x) const
+    {
+      stage.apply(y, x);
+      Vector       &y_u = y.block(Field::displacement);
+      const Vector &x_u = x.block(Field::displacement);
+      for (const auto &[node, entry] :
+           stage.body.contact_end().entries(Field::displacement))
+        if (stage.is_active[node])
+          {
+            if (stage.contact.held.size() > 0)
+              y_u.local_element(entry) = x_u.local_element(entry);
+            else
+              y_u.local_element(entry) +=
+                stage.contact.springs.local_element(entry) *
+                x_u.local_element(entry);
+          }
+      y.scale(stage.weights);
+    }
+
+  private:
+    const IterativeStage &stage;
+  };
+
+
+
+  /** V-cycles, the temperature first; rows scaled back. */
+  template <int dim>
+  class IterativeStage<dim>::Preconditioner
+  {
+  public:
+    /** @param scratch of the layout of the unknowns; both are borrowed */
+    Preconditioner(const IterativeStage &stage, BlockVector &scratch)
+      : stage(stage)
+      , rhs(scratch.block(Field::displacement))
+      , heat_rhs(scratch.block(Field::temperature))
+    {}
+
+    void
+    vmult(BlockVector &z, const BlockVector &r) const
+    {
+      const auto &hierarchy = stage.hierarchies.current();
+      const bool  has_heat  = hierarchy.heat && stage.has_heat;
+      Vector     &z_theta   = z.block(Field::temperature);
+      if (has_heat)
+        {
+          heat_rhs.copy_locally_owned_data_from(r.block(Field::temperature));
+          heat_rhs.scale(stage.inverse_weights.block(Field::temperature));
+          hierarchy.heat->vmult(z_theta, heat_rhs);
+        }
+      else
+        z_theta = 0.;
+      if (!hierarchy.momentum)
+        return;
+      rhs.copy_locally_owned_data_from(r.block(Field::displacement));
+      rhs.scale(stage.inverse_weights.block(Field::displacement));
+      if (has_heat)
+        {
+          stage.body.equations.add_thermal_stress(z_theta, stage.tau, rhs);
+          // held rows keep their residual, which is zero
+          for (const auto &[node, entry] :
+               stage.body.contact_end().entries(Field::displacement))
+            if (stage.is_active[node] && stage.contact.held.size() > 0)
+              rhs.local_element(entry) = 0.;
+        }
+      hierarchy.momentum->vmult(z.block(Field::displacement), rhs);
+    }
+
+  private:
+    const IterativeStage &stage;
+    Vector               &rhs;
+    Vector               &heat_rhs;
+  };
+
+
+
+  template <int dim>
+  unsigned int
+  IterativeStage<dim>::add_correction(const double tolerance)
+  {
+    has_residual = false; // its place is used
+    const FlexibleGmres::Result result =
+      krylov.solve(Matrix(*this),
+                   Preconditioner(*this, residual),
+                   tolerance,
+                   max_iterations,
+                   scaled_residual,
+                   correction);
+    if (!(result.residual <= tolerance))
+      give_up(result.residual, tolerance, result.n_iterations);
+    solution += correction;
+    return result.n_iterations;
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::give_up(const double       residual,
+                               const double       tolerance,
+                               const unsigned int n_iterations) const
+  {
+    throw ComputationError(
+      text("the iterative solver reached a relative residual of ",
+           significant(residual, few_digits),
+           " instead of ",
+           significant(tolerance, few_digits),
+           " in ",
+           n_iterations,
+           " iterations, for a stage of length ",
+           significant(tau, few_digits),
+           "\n  remedy:  Solver/Linear solver = direct, a larger "
+           "Solver/Linear tolerance, cells that are cubes, a larger "
+           "Contact/Compliance, or a Model/Poisson ratio farther from 1/2"));
   }
 
 

@@ -14,8 +14,8 @@ import re
 import subprocess
 import sys
 
-# Words for any entry.
-NO_ENTRIES = {"Section/Entry": "*"}
+# Words for any entry, and constants, which have the names that a file gives them.
+NO_ENTRIES = {"Section/Entry": "*", "Constants": "*"}
 
 # Comments are skipped, and strings side by side are one.
 CPP = re.compile(r"""//[^\n]* | /\*.*?\*/ | '(?:[^'\\\n]|\\.)+' |

@@ -29,7 +29,7 @@
 //    of their position and more, B = 0: p = m/2 / (1 + 2/4) to rounding, also
 //    where rounding hides that they move.
 
-#include <thermocontact/method/conserving_contact.h>
+#include <thermocontact/contact/conserving_contact.h>
 
 #include <algorithm>
 #include <array>

@@ -16,7 +16,7 @@
 //    (p odd): 600 problems. One node alone: s_free = s + chi p(s) likewise, to
 //    1e-12.
 
-#include <thermocontact/method/interface_problem.h>
+#include <thermocontact/contact/interface_problem.h>
 
 #include <algorithm>
 #include <cmath>

@@ -36,8 +36,8 @@
 //    obstacle than 1e-5 of the largest displacement 0.1, as above: 0.9e-6 but
 //    not 1.1e-6; 1e-17 is rounding.
 
+#include <thermocontact/contact/event_locator.h>
 #include <thermocontact/method/bracketed_root.h>
-#include <thermocontact/method/event_locator.h>
 
 #include <cmath>
 

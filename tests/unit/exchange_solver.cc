@@ -39,7 +39,7 @@
 //    3 - q - p = -1, so p = 2. s = 1 has 7 digits of tau v, the velocity all.
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/method/exchange_solver.h>
+#include <thermocontact/contact/exchange_solver.h>
 
 #include <deal.II/lac/identity_matrix.h>
 

@@ -36,8 +36,8 @@
 // 5. 200 random problems with linear and rigid laws by branches, where a body
 //    only knows linear systems, c = 1, eps/r from 1e-4: the pressures of 3.
 
-#include <thermocontact/method/contact_law.h>
-#include <thermocontact/method/interface_problem.h>
+#include <thermocontact/contact/contact_law.h>
+#include <thermocontact/contact/interface_problem.h>
 
 #include <cmath>
 #include <random>

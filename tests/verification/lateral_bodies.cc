@@ -175,7 +175,7 @@ namespace
     deallog << "audit, " << name << ": closes " << within(defect / scale, 1e-11)
             << ", work " << (work > 1e-3 * scale)
             << ", lateral part of the dissipation is one " << (part > 0.01)
-            << within(part, 0.99)
+            << ' ' << within(part, 0.99)
             << ", energy less work never "
                "increases "
             << within(increase / scale, 1e-13) << ", scheme takes "

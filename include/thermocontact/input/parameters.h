@@ -4,9 +4,9 @@
 #define thermocontact_input_parameters_h
 
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/method/body_geometry.h>
-#include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/scheme.h>
 
 #include <deal.II/base/parameter_handler.h>

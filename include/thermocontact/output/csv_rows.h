@@ -5,7 +5,7 @@
 
 #include <thermocontact/base/csv_columns.h>
 #include <thermocontact/base/table_file.h>
-#include <thermocontact/method/event_locator.h>
+#include <thermocontact/contact/event_locator.h>
 #include <thermocontact/simulation/measurements.h>
 #include <thermocontact/time/step_controller.h>
 

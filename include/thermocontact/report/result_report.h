@@ -8,8 +8,18 @@
 #include <thermocontact/report/key_errors.h>
 #include <thermocontact/simulation/simulation.h>
 
+#include <string>
+
 namespace ThermoContact
 {
+  /**
+   * What is to be said of fixed steps that took more than a twentieth of the
+   * energy that was there at first or came by work; empty: nothing.
+   */
+  template <int dim>
+  std::string
+  scheme_warning(const Simulation<dim> &simulation);
+
   /**
    * Prints contacts, the final state beside the state of rest that the scene
    * tends to, the energy audit, and what the run cost.

@@ -3,8 +3,8 @@
 #ifndef thermocontact_scene_exchange_expression_h
 #define thermocontact_scene_exchange_expression_h
 
+#include <thermocontact/contact/heat_exchange.h>
 #include <thermocontact/input/parameters.h>
-#include <thermocontact/method/heat_exchange.h>
 
 #include <memory>
 

@@ -3,11 +3,11 @@
 #ifndef thermocontact_scene_scene_h
 #define thermocontact_scene_scene_h
 
+#include <thermocontact/contact/contact_law.h>
+#include <thermocontact/contact/heat_exchange.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/time_function.h>
 #include <thermocontact/method/body_geometry.h>
-#include <thermocontact/method/contact_law.h>
-#include <thermocontact/method/heat_exchange.h>
 #include <thermocontact/method/rest_profile.h>
 #include <thermocontact/method/scheme.h>
 

@@ -3,9 +3,9 @@
 #ifndef thermocontact_scene_scene_checks_h
 #define thermocontact_scene_scene_checks_h
 
+#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/input/parameter_text.h>
 #include <thermocontact/input/parameters.h>
-#include <thermocontact/method/contact_law.h>
 #include <thermocontact/method/scheme.h>
 
 #include <set>

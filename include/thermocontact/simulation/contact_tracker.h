@@ -3,7 +3,7 @@
 #ifndef thermocontact_simulation_contact_tracker_h
 #define thermocontact_simulation_contact_tracker_h
 
-#include <thermocontact/method/event_locator.h>
+#include <thermocontact/contact/event_locator.h>
 #include <thermocontact/method/load_history.h>
 #include <thermocontact/simulation/reset.h>
 #include <thermocontact/space/body.h>

@@ -3,7 +3,7 @@
 #ifndef thermocontact_simulation_reset_h
 #define thermocontact_simulation_reset_h
 
-#include <thermocontact/method/event_locator.h>
+#include <thermocontact/contact/event_locator.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
 #include <thermocontact/time/equilibrium.h>

@@ -3,7 +3,7 @@
 #ifndef thermocontact_simulation_run_history_h
 #define thermocontact_simulation_run_history_h
 
-#include <thermocontact/method/event_locator.h>
+#include <thermocontact/contact/event_locator.h>
 #include <thermocontact/simulation/measurements.h>
 #include <thermocontact/simulation/sampled_peak.h>
 #include <thermocontact/time/step_controller.h>

@@ -3,7 +3,7 @@
 #ifndef thermocontact_space_energy_h
 #define thermocontact_space_energy_h
 
-#include <thermocontact/method/contact_law.h>
+#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/space/loads.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 

@@ -3,7 +3,7 @@
 #ifndef thermocontact_space_node_laws_h
 #define thermocontact_space_node_laws_h
 
-#include <thermocontact/method/interface_law.h>
+#include <thermocontact/contact/interface_law.h>
 #include <thermocontact/space/body.h>
 
 #include <vector>

@@ -3,7 +3,7 @@
 #ifndef thermocontact_study_trajectory_h
 #define thermocontact_study_trajectory_h
 
-#include <thermocontact/method/event_locator.h>
+#include <thermocontact/contact/event_locator.h>
 #include <thermocontact/simulation/measurements.h>
 
 #include <array>

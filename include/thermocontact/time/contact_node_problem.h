@@ -3,7 +3,7 @@
 #ifndef thermocontact_time_contact_node_problem_h
 #define thermocontact_time_contact_node_problem_h
 
-#include <thermocontact/method/interface_problem.h>
+#include <thermocontact/contact/interface_problem.h>
 #include <thermocontact/space/body.h>
 
 #include <deal.II/lac/vector.h>

@@ -3,7 +3,7 @@
 #ifndef thermocontact_time_energy_conserving_integrator_h
 #define thermocontact_time_energy_conserving_integrator_h
 
-#include <thermocontact/method/conserving_contact.h>
+#include <thermocontact/contact/conserving_contact.h>
 #include <thermocontact/time/driven_step.h>
 #include <thermocontact/time/time_integrator.h>
 

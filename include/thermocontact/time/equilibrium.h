@@ -3,7 +3,7 @@
 #ifndef thermocontact_time_equilibrium_h
 #define thermocontact_time_equilibrium_h
 
-#include <thermocontact/method/interface_problem.h>
+#include <thermocontact/contact/interface_problem.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/time/stage_solver.h>

@@ -3,7 +3,7 @@
 #ifndef thermocontact_time_iterative_stage_h
 #define thermocontact_time_iterative_stage_h
 
-#include <thermocontact/method/interface_problem.h>
+#include <thermocontact/contact/interface_problem.h>
 #include <thermocontact/multigrid/stage_hierarchies.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/flexible_gmres.h>

@@ -3,8 +3,8 @@
 #ifndef thermocontact_time_monolithic_solver_h
 #define thermocontact_time_monolithic_solver_h
 
-#include <thermocontact/method/exchange_solver.h>
-#include <thermocontact/method/interface_problem.h>
+#include <thermocontact/contact/exchange_solver.h>
+#include <thermocontact/contact/interface_problem.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/stage_factorization.h>
 #include <thermocontact/time/stage_solver.h>

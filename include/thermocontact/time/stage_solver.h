@@ -4,7 +4,7 @@
 #define thermocontact_time_stage_solver_h
 
 #include <thermocontact/base/types.h>
-#include <thermocontact/method/contact_law.h>
+#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/space/state.h>
 
 #include <deal.II/lac/full_matrix.h>

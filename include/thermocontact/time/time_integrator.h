@@ -3,7 +3,7 @@
 #ifndef thermocontact_time_time_integrator_h
 #define thermocontact_time_time_integrator_h
 
-#include <thermocontact/method/contact_law.h>
+#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
 #include <thermocontact/time/stage_solver.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_method_interface_problem_h
-#define thermocontact_method_interface_problem_h
+#ifndef thermocontact_contact_interface_problem_h
+#define thermocontact_contact_interface_problem_h
 
-#include <thermocontact/method/interface_law.h>
+#include <thermocontact/contact/interface_law.h>
 
 #include <deal.II/lac/full_matrix.h>
 

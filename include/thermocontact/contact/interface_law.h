@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_method_interface_law_h
-#define thermocontact_method_interface_law_h
+#ifndef thermocontact_contact_interface_law_h
+#define thermocontact_contact_interface_law_h
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/method/contact_law.h>
+#include <thermocontact/contact/contact_law.h>
 
 namespace ThermoContact
 {

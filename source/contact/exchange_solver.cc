@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/contact/exchange_solver.h>
 #include <thermocontact/method/bracketed_root.h>
-#include <thermocontact/method/exchange_solver.h>
 
 #include <deal.II/lac/vector.h>
 

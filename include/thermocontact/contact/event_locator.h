@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_method_event_locator_h
-#define thermocontact_method_event_locator_h
+#ifndef thermocontact_contact_event_locator_h
+#define thermocontact_contact_event_locator_h
 
-#include <thermocontact/method/contact_law.h>
+#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/method/cubic_hermite.h>
 
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/method/heat_exchange.h>
+#include <thermocontact/contact/heat_exchange.h>
 
 #include <algorithm>
 #include <cmath>

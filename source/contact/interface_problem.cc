@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/method/interface_problem.h>
+#include <thermocontact/contact/interface_problem.h>
 
 #include <algorithm>
 #include <cmath>

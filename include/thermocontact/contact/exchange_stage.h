@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_method_exchange_stage_h
-#define thermocontact_method_exchange_stage_h
+#ifndef thermocontact_contact_exchange_stage_h
+#define thermocontact_contact_exchange_stage_h
 
-#include <thermocontact/method/heat_exchange.h>
-#include <thermocontact/method/interface_problem.h>
+#include <thermocontact/contact/heat_exchange.h>
+#include <thermocontact/contact/interface_problem.h>
 
 #include <deal.II/lac/full_matrix.h>
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/method/event_locator.h>
+#include <thermocontact/contact/event_locator.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -392,4 +393,133 @@ namespace ThermoContact
     present = seen_from(next_values, side, mirrored_next);
     largest.add(present);
   }
+
+
+
+  CubicHermite
+  EventLocator::margin(const ContactValues &from,
+                       const ContactValues &next,
+                       const unsigned int   node) const
+  {
+    if (is_margin_pressure())
+      {
+        const double p0 = from.pressure[node], p1 = next.pressure[node];
+        return CubicHermite(p0, p1 - p0, p1, p1 - p0);
+      }
+    const double sign = mode_ == ContactMode::closed ? 1. : -1.;
+    const double size = next.time - from.time;
+    double       s0   = sign * from.penetration[node];
+    double       s1   = sign * next.penetration[node];
+    if (mode_ == ContactMode::closed && nodes != NodeOrder::inertial &&
+        law.damping() == 0.)
+      {
+        // the same with the digits that a stiff obstacle needs; the pressures
+        // that a damped one has here are those of the penetrations, and
+        // between two stops there is none
+        s0 = law.penetration(from.pressure[node]);
+        s1 = law.penetration(next.pressure[node]);
+      }
+    if (!has_velocity)
+      return CubicHermite(s0, s1 - s0, s1, s1 - s0);
+    return CubicHermite(s0,
+                        sign * size * from.velocity[node],
+                        s1,
+                        sign * size * next.velocity[node]);
+  }
+
+
+
+  double
+  EventLocator::change_of_velocity(const CubicHermite &s,
+                                   const double        from,
+                                   const double        to,
+                                   const double        size) const
+  {
+    if (nodes != NodeOrder::inertial || is_margin_pressure())
+      return 0.;
+    const double change = (s.slope(to) - s.slope(from)) / size;
+    return mode_ == ContactMode::closed ? change : -change;
+  }
+
+
+
+  const ContactValues &
+  seen_from(const ContactValues &values,
+            const int            side,
+            ContactValues       &mirrored)
+  {
+    if (side > 0)
+      return values;
+    mirrored = values;
+    mirrored.penetration.swap(mirrored.rear_penetration);
+    for (std::vector<double> *column :
+         {&mirrored.displacement, &mirrored.velocity, &mirrored.pressure})
+      for (double &value : *column)
+        value = -value;
+    return mirrored;
+  }
+
+
+
+  bool
+  EventLocator::is_at_its_stop(const ContactValues &values) const
+  {
+    // seen from the stop: the other one is nearer only behind it
+    for (unsigned int i = 0; i < values.rear_penetration.size(); ++i)
+      if (values.rear_penetration[i] > values.penetration[i] ||
+          (side < 0 && values.rear_penetration[i] == values.penetration[i]))
+        return false;
+    return true;
+  }
+
+
+
+  void
+  EventLocator::turn_to(const int new_side)
+  {
+    ContactValues mirrored;
+    present = seen_from(present, side * new_side, mirrored);
+    side    = new_side;
+  }
+
+
+
+  void
+  EventLocator::release(const ContactValues &stopped)
+  {
+    present = seen_from(stopped, side, mirrored_next);
+    pending.push_back(
+      {pending.back().time, ContactEvent::end, stopped.velocity.front(), side});
+    mode_ = ContactMode::open;
+  }
+
+
+
+  EventLocator::Finding
+  EventLocator::examine(const ContactValues &next,
+                        const bool           is_aimed,
+                        const BodyScales    &scales) const
+  {
+    Finding finding = examine_stop(present,
+                                   seen_from(next, side, mirrored_next),
+                                   is_aimed,
+                                   scales);
+    finding.side    = side;
+    if (mode_ != ContactMode::open || next.rear_penetration.empty())
+      return finding;
+    Finding other    = examine_stop(seen_from(present, -1, mirrored_present),
+                                 seen_from(next, -side, mirrored_next),
+                                 is_aimed,
+                                 scales);
+    other.side       = -side;
+    const auto is_of = [](const Finding &f) {
+      return f.kind != Finding::nothing;
+    };
+    return is_of(other) && (!is_of(finding) || other.time < finding.time) ?
+             other :
+             finding;
+  }
+
+
+
 } // namespace ThermoContact

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_method_contact_law_h
-#define thermocontact_method_contact_law_h
+#ifndef thermocontact_contact_contact_law_h
+#define thermocontact_contact_contact_law_h
 
-#include <thermocontact/method/interface_law.h>
+#include <thermocontact/contact/interface_law.h>
 
 #include <functional>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/method/conserving_contact.h>
+#include <thermocontact/contact/conserving_contact.h>
 #include <thermocontact/method/scheme.h>
 
 #include <deal.II/lac/vector.h>

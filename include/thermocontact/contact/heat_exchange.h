@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_method_heat_exchange_h
-#define thermocontact_method_heat_exchange_h
+#ifndef thermocontact_contact_heat_exchange_h
+#define thermocontact_contact_heat_exchange_h
 
 #include <memory>
 #include <string>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_method_exchange_solver_h
-#define thermocontact_method_exchange_solver_h
+#ifndef thermocontact_contact_exchange_solver_h
+#define thermocontact_contact_exchange_solver_h
 
-#include <thermocontact/method/exchange_stage.h>
-#include <thermocontact/method/heat_exchange.h>
+#include <thermocontact/contact/exchange_stage.h>
+#include <thermocontact/contact/heat_exchange.h>
 
 #include <vector>
 

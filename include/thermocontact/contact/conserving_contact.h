@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_method_conserving_contact_h
-#define thermocontact_method_conserving_contact_h
+#ifndef thermocontact_contact_conserving_contact_h
+#define thermocontact_contact_conserving_contact_h
 
-#include <thermocontact/method/contact_law.h>
-#include <thermocontact/method/interface_problem.h>
+#include <thermocontact/contact/contact_law.h>
+#include <thermocontact/contact/interface_problem.h>
 
 #include <deal.II/lac/full_matrix.h>
 

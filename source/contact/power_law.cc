@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/text.h>
-#include <thermocontact/method/contact_law.h>
+#include <thermocontact/contact/contact_law.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/contact/contact_law.h>
+#include <thermocontact/contact/interface_law.h>
 #include <thermocontact/method/bracketed_root.h>
-#include <thermocontact/method/contact_law.h>
-#include <thermocontact/method/interface_law.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/method/exchange_stage.h>
+#include <thermocontact/contact/exchange_stage.h>
 
 #include <algorithm>
 #include <cmath>
