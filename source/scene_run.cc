@@ -312,7 +312,8 @@ namespace ThermoContact
       check_output_directory(directory, communicator);
     const auto report = [&]() {
       report_scene(simulation, log);
-      report_warnings(implausible_numbers(assignments), 0, log);
+      for (const std::string &doubt : implausible_numbers(assignments))
+        log.line("  doubt     " + doubt);
       check_cost(simulation.scene(),
                  simulation.discretization().n_active_cells(),
                  free_bytes(directory),

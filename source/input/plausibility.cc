@@ -44,13 +44,13 @@ namespace ThermoContact
   std::vector<std::string>
   implausible_numbers(const std::vector<Assignment> &assignments)
   {
-    std::vector<std::string> warnings;
+    std::vector<std::string> doubts;
     if (std::none_of(assignments.begin(),
                      assignments.end(),
                      [](const Assignment &assignment) {
                        return assignment.path == "Rod/Length";
                      }))
-      return warnings;
+      return doubts;
     for (const Range &range : ranges)
       {
         const auto last = std::find_if(assignments.rbegin(),
@@ -67,12 +67,11 @@ namespace ThermoContact
         const std::string number = is_doubted ? last->value : "";
         const std::string begin  = std::string(range.path) + " = ";
         if (is_doubted &&
-            (warnings.empty() || warnings.back().rfind(begin, 0) != 0))
-          warnings.push_back(begin + number + ": is that in " +
-                             unit_of_entry(range.path) + ", or " + number +
-                             ' ' + range.unit +
-                             "? With its unit it is not doubted");
+            (doubts.empty() || doubts.back().rfind(begin, 0) != 0))
+          doubts.push_back(begin + number + ": is that in " +
+                           unit_of_entry(range.path) + ", or " + number + ' ' +
+                           range.unit + "? With its unit it is not doubted");
       }
-    return warnings;
+    return doubts;
   }
 } // namespace ThermoContact

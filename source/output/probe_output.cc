@@ -73,7 +73,8 @@ namespace ThermoContact
     if (size > 0)
       return table_file.reopen(path, size);
     table_file.open(path);
-    std::string head = comments;
+    std::string       head   = comments;
+    const Conversion &length = units.of("position");
     for (unsigned int i = 0; i < places.size(); ++i)
       {
         head += text("# probe ", i + 1, ": x = ");
@@ -81,7 +82,8 @@ namespace ThermoContact
           {
             if (d > 0)
               head += d == 1 ? ", y = " : ", z = ";
-            head += units.text("position", places[i].position[d], all_digits);
+            head += significant(length(places[i].position[d]), all_digits) +
+                    (length.unit.empty() ? "" : " " + length.unit);
           }
         head += '\n';
       }

@@ -384,7 +384,7 @@ namespace ThermoContact
     const std::string remedy =
       "Output/Contact interval and a larger Fields interval";
     if (cost->steps > most_steps)
-      log.line("  warning:  about " + about(cost->steps) +
+      log.line("  doubt     about " + about(cost->steps) +
                " steps: is Time/End time that long?");
     if (bytes > free_bytes && !is_forced)
       throw InputError(
@@ -394,7 +394,7 @@ namespace ThermoContact
         describe_bytes(free_bytes) + " left\n  remedy:  " + remedy +
         ", or --force if they are taken away meanwhile");
     if (bytes > most_bytes)
-      log.line("  warning:  the files of the run will have " +
+      log.line("  doubt     the files of the run will have " +
                describe_bytes(bytes) + ": fewer with " + remedy);
   }
 

@@ -224,6 +224,23 @@ def check_heads():
     check("block, width", last(block, "contact_area") * 0.01, width, 0.15)
 
 
-for checks in (check_quantities, check_expressions, check_twins, check_heads):
+def check_doubts():
+    """Numbers without a unit that hardly are in SI base units; one with its unit is."""
+    doubts = {"Rod/Young's modulus=210": "GPa", "Rod/Density=7.85": "g/cm^3",
+              "Rod/Heat capacity=0.44": "kJ/(kg K)", "Rod/Linear expansion=12e-3": "um/(m K)",
+              "Rod/Length=1000": "mm", "Rod/Reference temperature=20": "degC"}
+    for setting, unit in doubts.items():
+        path, _, number = setting.partition("=")
+        base = {"GPa": "Pa", "g/cm^3": "kg/m^3", "kJ/(kg K)": "J/(kg K)", "um/(m K)": "1/K",
+                "mm": "m", "degC": "K"}[unit]
+        for text, is_doubted in ((number, True), (f"{number} {base}", False)):
+            status, screen, message = run("--check", "--output", "doubts", *settings(
+                [f"{path}={text}"]), PRM / "steel-rod.prm")
+            if status != 0 or (f"doubt     {path} = {number}: is that in {base}, or {number} "
+                               f"{unit}?" in screen) != is_doubted:
+                faults.append(f"{path} = {text}: {screen}{message}")
+
+
+for checks in (check_quantities, check_expressions, check_twins, check_heads, check_doubts):
     checks()
 print("\n".join(faults) or "as by hand")
