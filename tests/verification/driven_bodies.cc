@@ -12,11 +12,7 @@
 // 2. A strip on rollers (clamped or sliding, direct or iterative), a round rod
 //    and a block with theta_A(t) and u_A(t) in contact give the rod's numbers,
 //    to 1e-9.
-// 3. The derivatives of formulas at t = 0.7, by hand, and their values, by
-//    muParser, to 1e-12 of each; those of t^2 and t^1.5 at t = 0, where the
-//    second one of the latter is infinite.
 
-#include <thermocontact/input/time_function.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <deal.II/base/mpi.h>
@@ -180,66 +176,6 @@ namespace
       }
     deallog << std::endl;
   }
-
-
-
-  struct Known
-  {
-    std::string formula;
-    double      first, second;
-  };
-
-
-
-  void
-  check_derivatives()
-  {
-    const double             t = 0.7, pi = numbers::PI, l = std::log(2.);
-    const double             power = std::pow(t, t), slope = std::log(t) + 1.;
-    const double             bell = 2. / std::sqrt(pi) * std::exp(-t * t);
-    const double             sec = 1. / std::cos(t), tan = std::tan(t);
-    const std::vector<Known> list = {
-      {"sin(2*pi*t)^2",
-       2. * pi * std::sin(4. * pi * t),
-       8. * pi * pi * std::cos(4. * pi * t)},
-      {"-t^2", -2. * t, -2.},
-      {"2^-t", -l * std::pow(2., -t), l * l * std::pow(2., -t)},
-      {"2^t^2 / 2^(t^2) + t", 1., 0.},
-      {"exp(-t)*abs(-t)", (1. - t) * std::exp(-t), (t - 2.) * std::exp(-t)},
-      {"if(t<1, t^3, sin(t))", 3. * t * t, 6. * t},
-      {"t>0.5 && t<1 ? t*t : 5", 2. * t, 2.},
-      {"(t>0.8 || t<0.1)*9 + 1e1*t", 10., 0.},
-      {"max(t, 1/t)", -1. / (t * t), 2. / (t * t * t)},
-      {"min(3, 2*t, 4) - avg(t, 3*t)", 0., 0.},
-      {"pow(t, t)", power * slope, power * (slope * slope + 1. / t)},
-      {"sqrt(t) + floor(3*t)", 0.5 / std::sqrt(t), -0.25 / (t * std::sqrt(t))},
-      {"log10(t)", 1. / (t * std::log(10.)), -1. / (t * t * std::log(10.))},
-      {"sec(t)", sec * tan, sec * (2. * tan * tan + 1.)},
-      {"erfc(t)", -bell, 2. * t * bell},
-      {"tanh(t) - sinh(t)/cosh(t) + atan(t)",
-       1. / (1. + t * t),
-       -2. * t / std::pow(1. + t * t, 2)}};
-    ExpressionNames names;
-    names.constants["pi"] = pi;
-    names.variables       = {"t"};
-    deallog << "values and derivatives to 1e-12 ";
-    for (const Known &known : list)
-      {
-        const TimeDerivatives found = differentiate(known.formula, t);
-        const double          value =
-          make_function<1>(known.formula, names)->value(Point<1>(t));
-        deallog << (std::abs(found.value - value) <=
-                      1e-12 * std::max(1., std::abs(value)) &&
-                    std::abs(found.first - known.first) <=
-                      1e-12 * std::max(1., std::abs(known.first)) &&
-                    std::abs(found.second - known.second) <=
-                      1e-12 * std::max(1., std::abs(known.second)));
-      }
-    const TimeDerivatives square = differentiate("t^2+3*t", 0.);
-    const TimeDerivatives root   = differentiate("t^1.5+3*t", 0.);
-    deallog << (square.first == 3. && square.second == 2.)
-            << (root.first == 3. && root.second == 0.) << std::endl;
-  }
 } // namespace
 
 
@@ -251,5 +187,4 @@ main(int argc, char **argv)
   initlog();
   check_audit();
   check_bodies();
-  check_derivatives();
 }
