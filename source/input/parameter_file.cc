@@ -197,8 +197,16 @@ namespace ThermoContact
           faults.emplace_back(error.what());
         }
     };
+    std::string unknown_section; // what stands in it is no fault of its own
     for (const Assignment &assignment : assignments)
-      collect([&]() { assigner.check_name(assignment); });
+      if (unknown_section.empty() ||
+          assignment.path.rfind(unknown_section, 0) != 0)
+        {
+          const std::size_t n_faults = faults.size();
+          collect([&]() { assigner.check_name(assignment); });
+          if (assignment.is_section() && faults.size() > n_faults)
+            unknown_section = assignment.path;
+        }
     const auto assign_if = [&](const auto &is_one, const auto &value) {
       for (unsigned int i = 0; i < assignments.size(); ++i)
         if (const Assignment &assignment = assignments[i];

@@ -285,6 +285,8 @@ namespace ThermoContact
             }
           catch (const InputError &error)
             {
+              if (statements.empty())
+                throw; // no parameter file at all
               faults.emplace_back(error.what());
             }
         line.clear();
