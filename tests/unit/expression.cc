@@ -175,7 +175,7 @@ namespace
                                    "pi*x+omega",
                                    "1e-3*x+.5*t+2.",
                                    "+x*-t",
-                                   "exp(-((t-0.4)/0.01)^2)",
+                                   "exp(-((t-0.4)/0.5)^2)",
                                    "0.1*cos(3*t)*if(t<0.5,1,exp(-t))",
                                    "x*(1-x)*sin(omega*t)^2",
                                    "(((x)))*((t+(1)))"})
@@ -217,8 +217,8 @@ namespace
               << (message.find("did you mean") == std::string::npos ?
                     "" :
                     ", " + message.substr(message.find("did you mean"),
-                                   message.find('?') -
-                                     message.find("did you mean")))
+                                          message.find('?') -
+                                            message.find("did you mean")))
               << std::endl;
   }
 
