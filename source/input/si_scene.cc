@@ -571,10 +571,11 @@ namespace ThermoContact
   double
   SiScene::law_exponent() const
   {
-    return given("Contact/Condition").value_or("") == power_law().name ?
-             parse_number(given("Contact/Exponent").value_or("1"))
-               .value_or(1.) :
-             1.;
+    const double by_default = ContactLawParameters().exponent;
+    if (given("Contact/Condition").value_or("") != power_law().name)
+      return 1.;
+    const std::optional<std::string> exponent = given("Contact/Exponent");
+    return exponent ? parse_number(*exponent).value_or(by_default) : by_default;
   }
 
 
