@@ -153,7 +153,7 @@ namespace ThermoContact
   FieldMatrices<dim>::setup_matrix(const bool         couples_fields,
                                    BlockSparseMatrix &matrix) const
   {
-    const unsigned int           n = discretization.n_components();
+    const unsigned int                   n = discretization.n_components();
     dealii::Table<2, DoFTools::Coupling> couplings(n, n);
     const bool has_temperature = discretization.has_field(Field::temperature);
     for (unsigned int i = 0; i < n; ++i)

@@ -122,7 +122,7 @@ namespace ThermoContact
   SparseMatrix
   H1Projection<dim>::make_matrix() const
   {
-    const unsigned int           n_components = discretization.n_components();
+    const unsigned int n_components = discretization.n_components();
     dealii::Table<2, DoFTools::Coupling> coupling(n_components, n_components);
     coupling.fill(DoFTools::none);
     for (unsigned int c = 0; c < n_components; ++c)

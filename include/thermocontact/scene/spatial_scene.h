@@ -30,9 +30,9 @@ namespace ThermoContact
     bool           has_massless_nodes;
     bool           has_elastic_contact_nodes;
     bool           has_matrices;
-    double      exchange_coefficient; ///< $k$ of the contact end, if constant
-    double      lateral_exchange;     ///< $m$, (M.101)
-    double      gap;                  ///< $g$ of all nodes; 0 with a shape
+    double exchange_coefficient; ///< $k$ of the contact end, if constant
+    double lateral_exchange;     ///< $m$, (M.101)
+    double gap;                  ///< $g$ of all nodes; 0 with a shape
     std::optional<Expression> gap_expression; ///< of a shape or a motion
 
     bool
