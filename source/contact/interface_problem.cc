@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -177,7 +178,16 @@ namespace ThermoContact
     const unsigned int n = laws.size();
     pressure.resize(n, 0.);
     present.z.resize(n);
-    if (n == 1 && !std::isnan(free[0]))
+    if (std::any_of(free.begin(), free.begin() + n, [](const double x) {
+          return std::isnan(x);
+        }))
+      {
+        // no law says what it does: the state that follows is not finite
+        pressure.assign(n, std::numeric_limits<double>::quiet_NaN());
+        present.slope.assign(n, 0.);
+        return 1;
+      }
+    if (n == 1)
       {
         const NodalPressure p = laws[0].resolve(free[0], receptance(0, 0));
         pressure[0]           = p.pressure;

@@ -36,8 +36,8 @@ namespace ThermoContact
      * @param pressure in: of a nearby problem, from which the search starts;
      *   out: the solution
      * @return number of linear systems; 1 for one node
-     * @throw ComputationError if there is no solution to rounding, as after a
-     *   NaN
+     * @throw ComputationError if there is no solution to rounding. A NaN in
+     *   @p free makes all pressures NaN
      */
     unsigned int
     solve(const dealii::FullMatrix<double> &receptance,
