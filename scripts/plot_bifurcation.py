@@ -10,6 +10,7 @@ POINTS = {"displacement_end": r"$u(1)$ at multiples of $P$",
           "velocity_end": r"$u_t(1)$ at multiples of $P$",
           "temperature_end": r"$\theta(1)$ at multiples of $P$"}
 PEAKS = r"peak force of a period"
+MOST_LABELS = 12
 
 
 def directory_of(sweep, run):
@@ -77,14 +78,18 @@ def draw(path, n_periods):
     figure.suptitle(plain(sweep.title, 90))
     panels = figure.subplots(len(shown), 1, sharex=True, squeeze=False).flat
     for panel, name in zip(panels, shown):
-        for i, (label, runs) in enumerate(curves_of(sweep, names[0]).items()):
+        curves = curves_of(sweep, names[0])
+        for i, (label, runs) in enumerate(curves.items()):
             xy = [(number(run[names[0]]), value) for run in runs
                   for value in points[run["run"]][name]]
             panel.plot([x for x, _ in xy], [y for _, y in xy], ".",
                        markersize=3, color=COLOURS[i % len(COLOURS)],
-                       label=plain(label, 90), rasterized=True)
+                       label=plain(label, 90) if i < MOST_LABELS else None,
+                       rasterized=True)
         panel.set_ylabel(labels[name])
         if label:
-            panel.legend(fontsize=9)
+            left_out = len(curves) - MOST_LABELS
+            panel.legend(fontsize=9, title=f"and {left_out} more"
+                         if left_out > 0 else None)
     panel.set_xlabel(entry_label(sweep, names[0]))
     return figure

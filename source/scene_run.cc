@@ -255,8 +255,10 @@ namespace ThermoContact
   {
     if (!parameters.output.directory.empty())
       return parameters.output.directory;
-    return "results/" +
-           std::filesystem::path(command.file_name).stem().string();
+    return command.file_name == "-" ?
+             "results/standard-input" :
+             "results/" +
+               std::filesystem::path(command.file_name).stem().string();
   }
 
 

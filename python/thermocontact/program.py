@@ -106,3 +106,27 @@ def run(entries=None, base=None, output=None, progress=None, resume=False, ranks
         raise ComputationError(message or f"exit status {process.returncode}",
                                _temporary_result(directory, temporary))
     return read(directory, temporary)
+
+
+def study(vary, base=None, entries=None, processes=None, output=None, **options):
+    """Runs a scene for all combinations of values: a pandas.DataFrame with a row for
+    each run, in the units of the files (attrs["units"]).
+
+    vary: a dict {"Section/Entry": values}; several entries that go together are a tuple,
+        {("A/B", "C/D"): [(b1, d1), (b2, d2)]}. Values may be a text, "0.6 .. 2.6 (61)".
+    processes: that share the runs; None: as many as there are processors.
+    base, entries, output, options: as of run().
+    """
+    axes = []
+    for paths, values in vary.items():
+        if isinstance(paths, str):
+            paths, values = (paths,), values if isinstance(values, str) else [
+                (value,) for value in values]
+        if isinstance(values, str):
+            axes.append(f"{paths[0]} = {values}")
+            continue
+        axes.append(" , ".join(f"{path} = " + " | ".join(map(_word, column))
+                               for path, column in zip(paths, zip(*values))))
+    result = run({**(entries or {}), "Study/Vary": " ; ".join(axes)}, base, output,
+                 ranks=processes or os.cpu_count() or 1, **options)
+    return result.table.to_pandas()

@@ -104,11 +104,16 @@ namespace ThermoContact
                                entries);
         if (!is_constant_path(assignment.path))
           entry_of(assignment);
-        // The command line may override what a file sets, and itself.
+        // The command line may override what a file sets, and itself; so may a
+        // file what it includes.
+        const auto file_of = [](const std::string &place) {
+          return place.substr(0, place.rfind(", line "));
+        };
         const bool is_override = assignment.place == command_line_place;
         const auto [earlier, is_new] =
           places.emplace(assignment.path, assignment.place);
-        if (!is_new && !is_override)
+        if (!is_new && !is_override &&
+            file_of(earlier->second) == file_of(assignment.place))
           throw InputError(assignment.place + ": " + assignment.path +
                            " is set a second time, first at " +
                            earlier->second + "\n  remedy:  remove one of them");
@@ -210,7 +215,8 @@ namespace ThermoContact
     const auto assign_if = [&](const auto &is_one, const auto &value) {
       for (unsigned int i = 0; i < assignments.size(); ++i)
         if (const Assignment &assignment = assignments[i];
-            assigner.knows(assignment) && is_one(assignment))
+            assigner.knows(assignment) && is_one(assignment) &&
+            last_assignment(assignments, assignment.path) == &assignment)
           collect([&]() { assigner.assign(given[i], value(assignment)); });
     };
     const auto is_of_rod = [](const Assignment &assignment) {
@@ -233,7 +239,7 @@ namespace ThermoContact
     for (const Assignment &assignment : assignments)
       if (is_of_rod(assignment) && !assignment.is_section())
         set_entry({"", assignment.path, without_unit(assignment)}, rod_prm);
-    const SiScene scene(assignments, entries, rod);
+    const SiScene scene(assignments, entries, rod, constants);
     assign_if(
       [&](const Assignment &assignment) { return !is_of_rod(assignment); },
       [&](const Assignment &assignment) { return scene.value(assignment); });
@@ -264,12 +270,8 @@ namespace ThermoContact
       if (message.rfind(head, 0) != 0 ||
           (rest.rfind(shown, 0) != 0 && !parse_number(rest.substr(0, size))))
         return;
-      const auto last = std::find_if(assignments.rbegin(),
-                                     assignments.rend(),
-                                     [&](const Assignment &assignment) {
-                                       return assignment.path == entry.path;
-                                     });
-      if (last != assignments.rend())
+      if (const Assignment *const last =
+            last_assignment(assignments, entry.path))
         message = head + quote(last->value) + rest.substr(size);
     }
   } // namespace

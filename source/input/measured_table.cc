@@ -2,8 +2,8 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
+#include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/parameter_text.h>
-#include <thermocontact/input/table.h>
 #include <thermocontact/input/unit_text.h>
 #include <thermocontact/input/unknown_names.h>
 
@@ -79,10 +79,10 @@ namespace ThermoContact
 
 
 
-  Table::Table(const std::string &file_name,
-               const std::string &column,
-               const bool         is_smooth,
-               const bool         has_units)
+  MeasuredTable::MeasuredTable(const std::string &file_name,
+                               const std::string &column,
+                               const bool         is_smooth,
+                               const bool         has_units)
     : file_name_(file_name)
   {
     read(column, has_units);
@@ -127,7 +127,7 @@ namespace ThermoContact
 
 
   void
-  Table::read(const std::string &column, const bool has_units)
+  MeasuredTable::read(const std::string &column, const bool has_units)
   {
     const auto fail = [&](const std::string &fault, const unsigned int line) {
       throw InputError(
@@ -204,7 +204,7 @@ namespace ThermoContact
 
 
   void
-  Table::set_slopes(const bool is_smooth)
+  MeasuredTable::set_slopes(const bool is_smooth)
   {
     if (!is_smooth)
       return;
@@ -222,7 +222,7 @@ namespace ThermoContact
 
 
   unsigned int
-  Table::row_before(const double argument) const
+  MeasuredTable::row_before(const double argument) const
   {
     const auto next =
       std::upper_bound(arguments.begin(), arguments.end() - 1, argument);
@@ -233,7 +233,8 @@ namespace ThermoContact
 
   template <typename Number>
   Jet<Number>
-  Table::between(const unsigned int i, const Jet<Number> &argument) const
+  MeasuredTable::between(const unsigned int i,
+                         const Jet<Number> &argument) const
   {
     const double h     = arguments[i + 1] - arguments[i];
     const double chord = (values[i + 1] - values[i]) / h;
@@ -252,7 +253,7 @@ namespace ThermoContact
 
 
   NumberJet
-  Table::evaluate(const NumberJet &argument) const
+  MeasuredTable::evaluate(const NumberJet &argument) const
   {
     if (argument.value < arguments.front())
       return NumberJet(values.front());
@@ -264,7 +265,7 @@ namespace ThermoContact
 
 
   double
-  Table::evaluate(const double argument) const
+  MeasuredTable::evaluate(const double argument) const
   {
     return evaluate(NumberJet(argument)).value;
   }
@@ -272,7 +273,7 @@ namespace ThermoContact
 
 
   IntervalJet
-  Table::evaluate(const IntervalJet &argument) const
+  MeasuredTable::evaluate(const IntervalJet &argument) const
   {
     const Interval &span = argument.value;
     IntervalJet     result;
