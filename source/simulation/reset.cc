@@ -260,7 +260,7 @@ namespace ThermoContact
     get_node_laws(body, state, laws, position);
     for (const auto &[node, entry] : end.entries(Field::displacement))
       state.displacement.begin()[entry] =
-        laws[node].side > 0 ? state.gap[node] : -*body.scene.contact.rear_gap;
+        obstacle_at(body, state.gap, node, laws[node].side);
     set_exchange_of_law(body, state);
     const double old_energy   = energy_terms.sum();
     energy_terms              = body.energy.energy(state);
@@ -330,7 +330,7 @@ namespace ThermoContact
     if (body.law().damping() == 0.)
       return;
     if (body.scene.material.has_inertia())
-      body.set_pressures_of_law(state);
+      set_pressures_of_law(body, state);
     else
       complete(state);
     set_exchange_of_law(body, state);
@@ -370,7 +370,7 @@ namespace ThermoContact
     if (is_event && mode == ContactMode::open && !body.law().is_rigid())
       {
         changed = true;
-        body.set_pressures_of_law(result.state);
+        set_pressures_of_law(body, result.state);
       }
     if (changed || (is_event && mode == ContactMode::closed))
       set_exchange_of_law(body, result.state);

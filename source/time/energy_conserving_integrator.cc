@@ -332,12 +332,12 @@ namespace ThermoContact
     std::vector<double> free_end(n);
     for (unsigned int i = 0; i < n; ++i)
       {
-        const double obstacle_at = // the local one, at the end
-          laws[i].side > 0 ? obstacle.gap[i] : -*body.scene.contact.rear_gap;
-        free_end[i] = free_position[i] - obstacle_at;
+        const double at_end = // where the local one is
+          obstacle_at(body, obstacle.gap, i, laws[i].side);
+        free_end[i] = free_position[i] - at_end;
         displacement_scale =
           std::max(displacement_scale,
-                   std::abs(obstacle_at) + std::abs(old_free_position[i]));
+                   std::abs(at_end) + std::abs(old_free_position[i]));
       }
     FullMatrix<double> difference(solver->response());
     difference.add(-1., receptance);
@@ -432,7 +432,7 @@ namespace ThermoContact
   {
     new_state.contact_pressure = rates.pressure;
     if (has_mean_pressure)
-      body.set_pressures_of_law(new_state);
+      set_pressures_of_law(body, new_state);
   }
 
 
