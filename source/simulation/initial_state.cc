@@ -5,7 +5,6 @@
 #include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/space/h1_projection.h>
-#include <thermocontact/time/contact_equilibrium.h>
 
 #include <algorithm>
 #include <cmath>
@@ -304,11 +303,7 @@ namespace ThermoContact
       state.temperature.begin()[entry] = body.scene.heat.fixed_end_temperature;
 
     set_pressures_of_law(body, state);
-    if (body.scene.fields.has_displacement &&
-        !body.scene.material.has_inertia())
-      reset.complete(state);
-    else if (body.scene.contact.is_in_equilibrium())
-      settle_contact_nodes(body, state);
+    reset.complete(state);
     warn_of_contact(body, state, warnings);
 
     set_exchange_coefficients(body, state);
