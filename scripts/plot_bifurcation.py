@@ -3,7 +3,8 @@ study varies: part of scripts/plot."""
 
 import math
 
-from plot_common import COLOURS, convert, fail, new_figure, plain, read_rows
+from plot_common import (COLOURS, convert, fail, in_unit, new_figure, plain,
+                         read_rows, units_of)
 from plot_sweep import curves_of, entry_label, number, numeric, read_sweep
 
 POINTS = {"displacement_end": r"$u(1)$ at multiples of $P$",
@@ -76,6 +77,9 @@ def draw(path, n_periods):
              "a larger Time/End time")
     figure = new_figure(8, 2.4 * len(shown) + 0.8)
     figure.suptitle(plain(sweep.title, 90))
+    comments, header, _ = read_rows(
+        directory_of(sweep, sweep.runs[0]) / "contact.csv", [])
+    units = units_of(comments, header)
     panels = figure.subplots(len(shown), 1, sharex=True, squeeze=False).flat
     for panel, name in zip(panels, shown):
         curves = curves_of(sweep, names[0])
@@ -86,7 +90,9 @@ def draw(path, n_periods):
                        markersize=3, color=COLOURS[i % len(COLOURS)],
                        label=plain(label, 90) if i < MOST_LABELS else None,
                        rasterized=True)
-        panel.set_ylabel(labels[name])
+        panel.set_ylabel(in_unit(labels[name], units.get(
+            "contact_force" if name == "peaks" else name)))
+        panel.ticklabel_format(axis="y", scilimits=(-3, 4))
         if label:
             left_out = len(curves) - MOST_LABELS
             panel.legend(fontsize=9, title=f"and {left_out} more"

@@ -93,8 +93,10 @@ def run(entries=None, base=None, output=None, progress=None, resume=False, ranks
             as_root = ["--allow-run-as-root"] * (os.geteuid() == 0)
             command = ["mpirun", *as_root, "--oversubscribe", "-n", str(ranks), *command]
         with tempfile.TemporaryFile("w+") as messages:
+            # ranks that share processors leave them while they wait
+            environment = {"OMPI_MCA_mpi_yield_when_idle": "1", **os.environ}
             with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=messages,
-                                  text=True) as process:
+                                  text=True, env=environment) as process:
                 for line in process.stdout:
                     if progress:
                         _report(line, progress)

@@ -16,6 +16,7 @@ namespace ThermoContact
     return R"(Usage: thermocontact [OPTIONS] FILE.prm
 
 Dynamic contact of a thermoviscoelastic rod with an elastic or rigid obstacle.
+FILE.prm may be -, the standard input.
 
   --set 'Section/Entry=value'  override one entry of FILE.prm; repeatable
   --output DIR                 short for --set Output/Directory=DIR

@@ -40,22 +40,9 @@ namespace ThermoContact
     double
     in_base_units(const double number, const std::string &unit)
     {
-      for (const char *const base : {"s",
-                                     "m",
-                                     "K",
-                                     "N",
-                                     "Pa",
-                                     "1",
-                                     "kg",
-                                     "J",
-                                     "W",
-                                     "Hz",
-                                     "m/s",
-                                     "m/s^2",
-                                     "N/m",
-                                     "N/m^3",
-                                     "W/m^2",
-                                     "W/m^3"})
+      std::istringstream bases(
+        "s m K N Pa 1 kg J W Hz m/s m/s^2 N/m N/m^3 W/m^2 W/m^3");
+      for (std::string base; bases >> base;)
         if (const auto converted = convert_unit(number, unit, base))
           return *converted;
       throw std::invalid_argument(unit + " is no unit of a load");
