@@ -1057,8 +1057,11 @@ namespace ThermoContact
                         .evaluate<double>(nullptr);
         open.pop_back();
       };
-    for (const auto &constant : texts)
-      evaluate(constant.first);
+    // numbers first, so that a misprint of their names is answered with them
+    for (const bool is_number : {true, false})
+      for (const auto &[name, text] : texts)
+        if (parse_number(text).has_value() == is_number)
+          evaluate(name);
     return known;
   }
 

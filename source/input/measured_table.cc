@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -100,15 +101,20 @@ namespace ThermoContact
   std::string
   folder_of_tables(const std::vector<Assignment> &assignments)
   {
+    // that of a file that is included begins with it
+    std::optional<std::string> folder;
     for (const Assignment &assignment : assignments)
       if (const auto file = assignment.place.rfind(", line ");
           file != std::string::npos)
         {
           const std::string name  = assignment.place.substr(0, file);
           const auto        slash = name.rfind('/');
-          return slash == std::string::npos ? "" : name.substr(0, slash);
+          const std::string own =
+            slash == std::string::npos ? "" : name.substr(0, slash);
+          if (!folder || own.size() < folder->size())
+            folder = own;
         }
-    return "";
+    return folder.value_or("");
   }
 
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace ThermoContact
@@ -150,6 +151,14 @@ namespace ThermoContact
           words.push_back(dealii::Utilities::trim(word));
         if (words.size() > 1)
           fault += did_you_mean(assignment.value, words);
+        std::string with_point = assignment.value;
+        std::replace(with_point.begin(), with_point.end(), ',', '.');
+        if (is_of_numbers(entry) && with_point != assignment.value &&
+            parse_number(with_point))
+          fault += "; did you mean " + with_point + "?";
+        if (is_of_numbers(entry) &&
+            assignment.value.find_first_of(":") != std::string::npos)
+          fault += "; ranges are for Study/Vary: 1e-3 .. 1 (7)";
         throw InputError(
           assignment.place + ": " + fault + "\n  allowed: " + allowed +
           "\n  meaning: " + entry.text + "\n  default: " + entry.default_value);
@@ -186,8 +195,18 @@ namespace ThermoContact
                  const std::vector<DeclaredEntry> &entries,
                  ParameterHandler                 &prm)
   {
-    const std::map<std::string, double> constants =
-      assign_constants(given, entries, prm);
+    const auto with_places = [&](const auto &action) {
+      try
+        {
+          action();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(complete_message(error.what(), given, prm));
+        }
+    };
+    std::map<std::string, double> constants;
+    with_places([&]() { constants = assign_constants(given, entries, prm); });
     Assigner                      assigner(entries, constants, prm);
     std::vector<std::string>      faults;
     const std::vector<Assignment> assignments =
@@ -224,9 +243,9 @@ namespace ThermoContact
     };
     if (!is_in_si(assignments))
       {
-        collect([&]() { refuse_units(assignments); });
         assign_if([](const Assignment &) { return true; },
                   [](const Assignment &assignment) {
+                    refuse_units({assignment});
                     return assignment.value;
                   });
         return throw_faults(faults);
@@ -239,12 +258,13 @@ namespace ThermoContact
     for (const Assignment &assignment : assignments)
       if (is_of_rod(assignment) && !assignment.is_section())
         set_entry({"", assignment.path, without_unit(assignment)}, rod_prm);
-    const SiScene scene(assignments, entries, rod, constants);
+    std::optional<SiScene> scene;
+    with_places([&]() { scene.emplace(assignments, entries, rod, constants); });
     assign_if(
       [&](const Assignment &assignment) { return !is_of_rod(assignment); },
-      [&](const Assignment &assignment) { return scene.value(assignment); });
+      [&](const Assignment &assignment) { return scene->value(assignment); });
     throw_faults(faults);
-    for (const Assignment &assignment : scene.derived())
+    for (const Assignment &assignment : scene->derived())
       assigner.assign(assignment, assignment.value);
   }
 
@@ -289,7 +309,9 @@ namespace ThermoContact
     };
     std::string place;
     for (const Assignment &assignment : assignments)
-      if (is_about(assignment.path))
+      if (message.rfind(assignment.place + ": ", 0) == 0)
+        return message; // complete
+      else if (is_about(assignment.path))
         place = assignment.place + ": ";
     // a default value that something else makes wrong
     for (const Assignment &assignment : assignments)

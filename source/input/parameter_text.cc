@@ -145,14 +145,116 @@ namespace ThermoContact
       read_file(std::istream      &input,
                 const std::string &name,
                 const std::string &section,
-                const unsigned int n_files);
+                const unsigned int n_files)
+      {
+        std::vector<OpenSection> open_sections{{"", section}};
+        std::string              line, physical_line;
+        unsigned int             n_lines = 0;
+        while (std::getline(input, physical_line))
+          {
+            ++n_lines;
+            const auto place = [&]() {
+              return quote(name) + ", line " + std::to_string(n_lines);
+            };
+            if (const std::string fault = find_unreadable(physical_line);
+                !fault.empty())
+              fail(place(),
+                   fault,
+                   "give a parameter file, as text in UTF-8 with the line ends "
+                   "of Unix or Windows");
+            if (n_lines == 1 && physical_line.rfind("\xEF\xBB\xBF", 0) == 0)
+              physical_line.erase(0, 3); // some editors mark UTF-8 so
+
+            line += physical_line.substr(0, physical_line.find('#'));
+            if (line.size() > max_statement_size)
+              fail(place(),
+                   "a statement of more than " +
+                     std::to_string(max_statement_size) + " characters, '" +
+                     quote(trim(line), 60) + "'",
+                   "give a parameter file (.prm)");
+            if (const std::string trimmed = trim(line);
+                !trimmed.empty() && trimmed.back() == '\\')
+              {
+                line = trimmed.substr(0, trimmed.size() - 1) + " ";
+                continue;
+              }
+            if (const std::string statement = trim(line); !statement.empty())
+              try
+                {
+                  read_statement(
+                    statement, place(), name, n_files, open_sections);
+                }
+              catch (const InputError &error)
+                {
+                  if (statements.empty())
+                    throw; // no parameter file at all
+                  faults.emplace_back(error.what());
+                }
+            line.clear();
+          }
+
+        if (!faults.empty())
+          return; // they are told at the end
+        if (!trim(line).empty())
+          fail(quote(name),
+               "the last line ends in '\\'",
+               "complete the line or remove the '\\'");
+        if (open_sections.size() > 1)
+          fail(open_sections.back().place,
+               "'end' is missing for subsection " +
+                 quote(open_sections.back().path.substr(
+                         0, open_sections.back().path.size() - 1),
+                       60),
+               "close each subsection with 'end'");
+      }
+
+
 
       void
       read_statement(const std::string        &statement,
                      const std::string        &place,
                      const std::string        &name,
                      const unsigned int        n_files,
-                     std::vector<OpenSection> &open_sections);
+                     std::vector<OpenSection> &open_sections)
+      {
+        const auto        blank = statement.find_first_of(" \t");
+        const std::string verb  = statement.substr(0, blank);
+        const std::string rest =
+          blank == std::string::npos ? "" : trim(statement.substr(blank));
+        const auto        equal_sign = rest.find('=');
+        const std::string entry      = equal_sign == std::string::npos ?
+                                         "" :
+                                         trim(rest.substr(0, equal_sign));
+        const std::string section    = open_sections.back().path;
+
+        if (verb == "subsection" && !rest.empty())
+          {
+            if (open_sections.size() > max_depth)
+              fail(place,
+                   "ten sections within each other",
+                   "close each subsection with 'end'");
+            open_sections.push_back({place, section + rest + "/"});
+            statements.push_back({place, open_sections.back().path, ""});
+          }
+        else if (verb == "end" && rest.empty())
+          {
+            if (open_sections.size() == 1)
+              fail(place, "'end' without 'subsection'", "remove the line");
+            open_sections.pop_back();
+          }
+        else if (verb == "include" && !rest.empty())
+          include(rest, place, name, section, n_files);
+        else if (verb == "set" && !entry.empty() && entry.back() != '/')
+          statements.push_back(
+            {place, section + entry, trim(rest.substr(equal_sign + 1))});
+        else
+          fail(place,
+               "cannot read '" + quote(statement, 60) + "'",
+               "a line is 'set Entry = value', 'subsection Name', 'end', "
+               "'include FILE', a comment after '#', or empty");
+      }
+
+
 
       void
       include(const std::string &file,
@@ -178,119 +280,6 @@ namespace ThermoContact
         read_file(stream, path.string(), section, n_files + 1);
       }
     };
-
-
-
-    void
-    StatementReader::read_statement(const std::string        &statement,
-                                    const std::string        &place,
-                                    const std::string        &name,
-                                    const unsigned int        n_files,
-                                    std::vector<OpenSection> &open_sections)
-    {
-      const auto        blank = statement.find_first_of(" \t");
-      const std::string verb  = statement.substr(0, blank);
-      const std::string rest =
-        blank == std::string::npos ? "" : trim(statement.substr(blank));
-      const auto        equal_sign = rest.find('=');
-      const std::string entry =
-        equal_sign == std::string::npos ? "" : trim(rest.substr(0, equal_sign));
-      const std::string section = open_sections.back().path;
-
-      if (verb == "subsection" && !rest.empty())
-        {
-          if (open_sections.size() > max_depth)
-            fail(place,
-                 "ten sections within each other",
-                 "close each subsection with 'end'");
-          open_sections.push_back({place, section + rest + "/"});
-          statements.push_back({place, open_sections.back().path, ""});
-        }
-      else if (verb == "end" && rest.empty())
-        {
-          if (open_sections.size() == 1)
-            fail(place, "'end' without 'subsection'", "remove the line");
-          open_sections.pop_back();
-        }
-      else if (verb == "include" && !rest.empty())
-        include(rest, place, name, section, n_files);
-      else if (verb == "set" && !entry.empty() && entry.back() != '/')
-        statements.push_back(
-          {place, section + entry, trim(rest.substr(equal_sign + 1))});
-      else
-        fail(place,
-             "cannot read '" + quote(statement, 60) + "'",
-             "a line is 'set Entry = value', 'subsection Name', 'end', "
-             "'include FILE', a comment after '#', or empty");
-    }
-
-
-
-    void
-    StatementReader::read_file(std::istream      &input,
-                               const std::string &name,
-                               const std::string &section,
-                               const unsigned int n_files)
-    {
-      std::vector<OpenSection> open_sections{{"", section}};
-      std::string              line, physical_line;
-      unsigned int             n_lines = 0;
-      while (std::getline(input, physical_line))
-        {
-          ++n_lines;
-          const auto place = [&]() {
-            return quote(name) + ", line " + std::to_string(n_lines);
-          };
-          if (const std::string fault = find_unreadable(physical_line);
-              !fault.empty())
-            fail(place(),
-                 fault,
-                 "give a parameter file, as text in UTF-8 with the line ends "
-                 "of Unix or Windows");
-          if (n_lines == 1 && physical_line.rfind("\xEF\xBB\xBF", 0) == 0)
-            physical_line.erase(0, 3); // some editors mark UTF-8 so
-
-          line += physical_line.substr(0, physical_line.find('#'));
-          if (line.size() > max_statement_size)
-            fail(place(),
-                 "a statement of more than " +
-                   std::to_string(max_statement_size) + " characters, '" +
-                   quote(trim(line), 60) + "'",
-                 "give a parameter file (.prm)");
-          if (const std::string trimmed = trim(line);
-              !trimmed.empty() && trimmed.back() == '\\')
-            {
-              line = trimmed.substr(0, trimmed.size() - 1) + " ";
-              continue;
-            }
-          if (const std::string statement = trim(line); !statement.empty())
-            try
-              {
-                read_statement(
-                  statement, place(), name, n_files, open_sections);
-              }
-            catch (const InputError &error)
-              {
-                if (statements.empty())
-                  throw; // no parameter file at all
-                faults.emplace_back(error.what());
-              }
-          line.clear();
-        }
-
-      throw_faults(faults);
-      if (!trim(line).empty())
-        fail(quote(name),
-             "the last line ends in '\\'",
-             "complete the line or remove the '\\'");
-      if (open_sections.size() > 1)
-        fail(open_sections.back().place,
-             "'end' is missing for subsection " +
-               quote(open_sections.back().path.substr(
-                       0, open_sections.back().path.size() - 1),
-                     60),
-             "close each subsection with 'end'");
-    }
   } // namespace
 
 
@@ -356,7 +345,7 @@ namespace ThermoContact
     if (!input)
       fail(place,
            std::string("cannot be opened: ") + std::strerror(errno),
-           "check the path of the parameter file");
+           "check its path");
 
     std::string             text;
     std::array<char, 65536> buffer;

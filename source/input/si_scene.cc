@@ -213,16 +213,28 @@ namespace ThermoContact
   void
   refuse_units(const std::vector<Assignment> &assignments)
   {
+    // what is behind a number may be a name, whose '*' is missing
+    const auto is_unit = [](const std::string &text) {
+      try
+        {
+          return convert_unit(1., text, "1") || true;
+        }
+      catch (const std::invalid_argument &)
+        {
+          return false;
+        }
+    };
     for (const Assignment &assignment : assignments)
       {
         const auto split = split_unit(assignment.value);
         if (!find_kind(quantities, assignment.path).empty() && split &&
-            !split->unit.empty())
+            !split->unit.empty() && is_unit(split->unit))
           refuse_value(assignment,
-                       "the file has no section Rod, from which the scales of "
-                       "a scene in SI units follow",
+                       "a unit, and the file has no section Rod, from which "
+                       "the scales of a scene in SI units follow",
                        "a nondimensional number",
-                       "the number without a unit, or section Rod");
+                       "the number without a unit, '*' before a name, or "
+                       "section Rod");
         if (assignment.path == "Contact/Stiffness" &&
             assignment.value != "none")
           refuse_value(assignment,
