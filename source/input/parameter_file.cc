@@ -291,7 +291,8 @@ namespace ThermoContact
           (rest.rfind(shown, 0) != 0 && !parse_number(rest.substr(0, size))))
         return;
       if (const Assignment *const last =
-            last_assignment(assignments, entry.path))
+            last_assignment(assignments, entry.path);
+          last != nullptr && rest.rfind(quote(last->value), 0) != 0)
         message = head + quote(last->value) + rest.substr(size);
     }
   } // namespace
