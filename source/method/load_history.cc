@@ -88,13 +88,11 @@ namespace ThermoContact
             result.push_back(b);
             continue;
           }
-        LoadBreak   &last      = result.back();
-        const double node_step = std::max(last.node_step, b.node_step);
+        LoadBreak &last = result.back();
         if (b.is_jump && !last.is_jump)
           last = b;
         else if (b.is_jump)
           last.new_time = std::max(last.new_time, b.new_time);
-        last.node_step = node_step;
       }
     return result;
   }

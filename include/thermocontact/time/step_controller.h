@@ -68,10 +68,6 @@ namespace ThermoContact
 
     /** Times whose loads are those within the step at its begin and end. */
     double first_loads = 0., last_loads = 0.;
-
-    /** In it nodes follow a jump of what their value is; it has no other use.
-     */
-    bool is_of_nodes = false;
   };
 
 
@@ -158,22 +154,12 @@ namespace ThermoContact
      * changed must be more accurate: the solution is not smooth there, and the
      * estimate is less than the error; unless the rounding of times leaves no
      * shorter one.
-     *
-     * The step in which nodes follow a jump is accurate enough, too, if its
-     * error is, within a tenth, that of a longer attempt at it that was
-     * rejected: where contact changes on the way of the jump, the estimate
-     * measures the way, which does not depend on the length of the step, and
-     * its end does not depend on the way. Errors of all else fall at least as
-     * the length, which is to have fallen by a fifth.
      */
     bool
     is_accurate(const TimeStep &step, const double error) const
     {
       return !has_error_control || error <= largest_error() ||
-             (error <= 1. && is_as_short_as_time_allows(step)) ||
-             (step.is_of_nodes && rejected_of_nodes && is_shorter(step.size) &&
-              std::abs(error - rejected_of_nodes->error) <=
-                0.1 * rejected_of_nodes->error);
+             (error <= 1. && is_as_short_as_time_allows(step));
     }
 
     /** The step is not accurate enough. */
@@ -238,22 +224,6 @@ namespace ThermoContact
     bool                  was_rejected;
     bool                  is_restarting; ///< after contact or a load changed
     std::optional<double> event_time;
-
-    /** Of an attempt in which nodes were to follow a jump. */
-    struct Rejected
-    {
-      double size, error;
-    };
-
-    /** The longest one of the present step in the present state of contact. */
-    std::optional<Rejected> rejected_of_nodes;
-
-    /** By a fifth, than the one that was rejected. */
-    bool
-    is_shorter(const double step_size) const
-    {
-      return step_size <= 0.8 * rejected_of_nodes->size;
-    }
 
     /** No shorter one is worth an attempt. */
     static bool
