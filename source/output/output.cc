@@ -31,8 +31,7 @@ namespace ThermoContact
     , units(simulation.parameters())
     , columns(contact_columns(simulation.scene()))
     , contact_units(units.of_columns("contact.csv", columns))
-    , event_table(
-        event_columns(simulation.scene().contact.rear_gap.has_value()))
+    , event_table(event_columns(simulation.scene().contact.is_two_sided()))
     , event_units(units.of_columns("events.csv", event_table))
     , attempt_units(units.of_columns("steps.csv", attempt_columns()))
     , field_output(directory, simulation.body())
