@@ -24,6 +24,9 @@ import markdown
 top = Path(__file__).resolve().parent.parent
 MATHJAX = Path("/usr/share/javascript/mathjax")
 WORDY = ("messages", "how-to", "units")  # rows of their tables are places, too
+SIGNS = dict(zip("alpha beta gamma delta epsilon varepsilon zeta eta theta kappa lambda mu nu pi rho sigma tau varphi "
+                 "chi omega Delta Omega Gamma le ge ne lt gt sum int to infty cdot times approx".split(),
+                 "α β γ δ ε ε ζ η θ κ λ μ ν π ρ σ τ φ χ ω Δ Ω Γ ≤ ≥ ≠ &lt; &gt; Σ ∫ → ∞ · × ≈".split()))
 PLAIN = ("Dockerfile", "CITATION.cff", "LICENSE")  # copied as text
 HEAD = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8">
@@ -60,6 +63,12 @@ def name_of(path):
 def slug(heading, _="-"):
     """The anchor of a heading, as GitHub makes it."""
     return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
+
+
+def words_of(formula):
+    """A formula in a line, as far as that can be read: Greek letters, indices."""
+    formula = re.sub(r"\\([a-zA-Z]+) ?", lambda m: SIGNS.get(m[1], ""), formula)
+    return re.sub(r"\\.|[{}]", "", formula)
 
 
 def menu_of(readme):
@@ -167,8 +176,7 @@ class Site:
         maker = markdown.Markdown(extensions=["tables", "fenced_code", "toc", "sane_lists"],
                                   extension_configs={"toc": {"slugify": slug, "toc_depth": "2-3"}})
         text = maker.convert("".join(code))
-        text = re.sub(r"<p>(KEPT\d+TEXT)</p>", r"\1", text)
-        text = re.sub(r"KEPT(\d+)TEXT", lambda m: kept[int(m[1])], text).replace("BARINCODE", "|")
+        text = re.sub(r"<p>(KEPT\d+TEXT)</p>", r"\1", text).replace("BARINCODE", "|")
         text = re.sub(r'(href|src)="([^"]*)"',
                       lambda m: f'{m[1]}="{self.link(page, m[2])}"', text)
         text = re.sub(r'<a href="([\w-]+\.html)">[\w/-]+\.(?:md|ipynb)</a>', lambda m:
@@ -187,6 +195,7 @@ class Site:
                           if m[1] in self.entries else m[0], text)
         if maker.toc.count("<li>") > 3:
             text = text.replace("</h1>", "</h1>" + maker.toc, 1)
+        text = re.sub(r"KEPT(\d+)TEXT", lambda m: kept[int(m[1])], text)
         return re.sub(r"<table>", '<div class="wide"><table>', text).replace("</table>", "</table></div>")
 
     @staticmethod
@@ -233,6 +242,8 @@ class Site:
         """Sections, paragraphs with run-in headings and rows of tables as places to be found,
         with the words of comments <!-- find: word, words --> that do not stand in them."""
         def plain(part):
+            part = re.sub(r'<div class="math".*?</div>', " … ", part, flags=re.S)
+            part = re.sub(r'<span class="math">\\\((.*?)\\\)</span>', lambda m: words_of(m[1]), part, flags=re.S)
             return " ".join(html.unescape(re.sub(r"<[^>]+>", " ", part)).split())
 
         def add(anchor, heading, part, first=None):

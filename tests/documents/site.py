@@ -46,6 +46,9 @@ with tempfile.TemporaryDirectory() as folder:
         text = re.sub(r"\\\[.*?\\\]", "", page.read_text(encoding="utf-8"), flags=re.S)
         numbers.update(dict.fromkeys(re.findall(r"\(([MDCU]\d*\.\d+)\)", text), page.name))
     faults = [f"{page}: ({number}) is no equation" for number, page in sorted(numbers.items())]
+    faults += [f"{page.name}: a link in a formula" for page in site.glob("*.html")
+               for formula in re.findall(r"\\\[.*?\\\]", page.read_text(encoding="utf-8"), re.S)
+               if "<a " in formula]
     for words in WORDS:
         if not any(all(re.search(rf"\b{word}", " ".join(entry[1:]), re.I) for word in words.split())
                    for entry in index):
