@@ -214,12 +214,13 @@ namespace ThermoContact
     locator.accept(next, finding, events);
     n_retakes = 0;
     reset.finish_pressure(mode, finding, result);
-    const bool stops = body.law().is_rigid() && mode != ContactMode::closed &&
-                       locator.mode() == ContactMode::closed &&
-                       !body.scene.contact.is_in_equilibrium();
-    if (stops)
+    const bool is_impact = body.law().is_rigid() &&
+                           mode != ContactMode::closed &&
+                           locator.mode() == ContactMode::closed &&
+                           !body.scene.contact.is_in_equilibrium();
+    if (is_impact)
       reset.impact(result.state, result.energy, cost);
-    if (stops || finding.kind == EventLocator::Finding::at_end)
+    if (is_impact || finding.kind == EventLocator::Finding::at_end)
       {
         // an end of contact at once is that of nodes that have stopped
         get_values(result.state, next);

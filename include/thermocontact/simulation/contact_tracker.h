@@ -127,8 +127,8 @@ namespace ThermoContact
 
     /**
      * The velocity of the obstacle may jump where the step that was accepted
-     * last ends: an impact, if a rigid one turns towards the nodes with mass
-     * that it holds; it lets them go, if it turns away from them.
+     * last ends: an impact, if a rigid one gets faster towards the nodes with
+     * mass that are in contact with it; a release, if it gets slower.
      *
      * @param at where the step ends
      * @param result in, out: of the step, whose costs are added
