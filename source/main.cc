@@ -6,14 +6,14 @@
 #include <thermocontact/base/log.h>
 #include <thermocontact/base/serial_section.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/types.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/command_line.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameter_reference.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/si_scene.h>
-#include <thermocontact/output/output_directory.h>
-#include <thermocontact/report/output_reference.h>
+#include <thermocontact/output/output_page.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/scene_run.h>
 #include <thermocontact/sweep.h>
@@ -238,7 +238,7 @@ namespace ThermoContact
       if (command.show_output)
         {
           if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-            std::cout << output_reference();
+            std::cout << output_page;
           return;
         }
 

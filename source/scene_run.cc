@@ -196,8 +196,8 @@ namespace ThermoContact
         simulation.parameters().output.checkpoint_interval,
         output,
         simulation.discretization().communicator());
-      Progress<dim> progress(simulation, log);
-      unsigned int  n_reported = simulation.history().warnings.size();
+      Progress     progress(simulation.scene(), simulation.history(), log);
+      unsigned int n_reported = simulation.history().warnings.size();
 
       RunTimes times;
       times.set_up            = since_start.wall_time();
@@ -217,7 +217,7 @@ namespace ThermoContact
              [&](const Simulation<dim> &s) {
                n_reported =
                  report_warnings(s.history().warnings, n_reported, log);
-               progress.observe(s);
+               progress.observe(s.history());
              },
              [&](const Simulation<dim> &s) { checkpointer.observe(s); }});
           output.finish();
@@ -240,9 +240,14 @@ namespace ThermoContact
           throw;
         }
       finish_times();
-      report_result(simulation, times, progress.initial_energy(), log);
+      report_result(simulation.scene(),
+                    simulation.history(),
+                    simulation.counters(),
+                    times,
+                    progress.initial_energy(),
+                    log);
       if (errors)
-        report_errors(simulation, *errors, log);
+        report_errors(simulation.scene(), simulation.history(), *errors, log);
       write_summary(
         summary, "done", simulation, times, errors ? &*errors : nullptr);
     }

@@ -8,7 +8,6 @@
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/table.h>
 #include <thermocontact/output/output_directory.h>
-#include <thermocontact/output/output_tables.h>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -32,24 +31,25 @@ namespace ThermoContact
      * What a run leaves behind beside its fields; other files are the user's
      * and stay.
      */
-    std::vector<std::string>
-    run_files()
-    {
-      std::vector<std::string> names = {"checkpoint.bin",
-                                        "checkpoint.next.bin",
-                                        "checkpoint.previous.bin",
-                                        "contact.pvd",
-                                        "fields.pvd",
-                                        "log.txt",
-                                        "obstacle.pvd",
-                                        "space-time.columns",
-                                        "study.md",
-                                        "study.txt"};
-      for (const OutputTable &table : output_tables())
-        if (table.file.find('*') == std::string::npos)
-          names.push_back(table.file);
-      return names;
-    }
+    const char *const run_files[] = {"checkpoint.bin",
+                                     "checkpoint.next.bin",
+                                     "checkpoint.previous.bin",
+                                     "contact.csv",
+                                     "contact.pvd",
+                                     "events.csv",
+                                     "fields.pvd",
+                                     "log.txt",
+                                     "obstacle.pvd",
+                                     "obstacle.vtu",
+                                     "poincare.csv",
+                                     "probes.csv",
+                                     "space-time.columns",
+                                     "space-time.vtu",
+                                     "steps.csv",
+                                     "study.csv",
+                                     "study.md",
+                                     "study.txt",
+                                     "summary.json"};
 
 
 
@@ -92,7 +92,7 @@ namespace ThermoContact
     void
     remove_earlier_run(const fs::path &directory)
     {
-      for (const std::string &name : run_files())
+      for (const std::string name : run_files)
         {
           fs::remove(directory / name);
           fs::remove(directory / (name + part_suffix));

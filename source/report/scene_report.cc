@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/machine_memory.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/forecast/forecast.h>
-#include <thermocontact/forecast/steady_state.h>
 #include <thermocontact/output/output_units.h>
-#include <thermocontact/report/contact_description.h>
-#include <thermocontact/report/memory_report.h>
 #include <thermocontact/report/scene_report.h>
 #include <thermocontact/scene/coarser_scenes.h>
 #include <thermocontact/scene/scene_terms.h>
@@ -86,6 +85,66 @@ namespace ThermoContact
                   solver.is_iterative ?
                     text("; relative residual ", solver.tolerance) :
                     "");
+    }
+
+
+
+    /** Prints what a body is expected to take of the memory of this machine. */
+    void
+    report_memory(const Scene &scene, const MPI_Comm communicator, Log &log)
+    {
+      const double expected =
+        share_of_ranks_here(communicator) *
+        expected_memory(scene, Utilities::MPI::n_mpi_processes(communicator));
+      const double available = machine_memory();
+      log.line("  memory    about " + gigabytes(expected) + ", here are " +
+               gigabytes(available));
+      if (expected > available)
+        log.line(text("  warning:  that may not be enough memory",
+                      scene.linear_solver.is_iterative ?
+                        "" :
+                        "; Solver/Linear solver = iterative takes less"));
+    }
+
+
+
+    /** A formula with its values at t = 0, or a length. */
+    template <int dim>
+    std::string
+    describe_gap(const Simulation<dim> &simulation, const OutputUnits &units)
+    {
+      const Scene &scene  = simulation.scene();
+      const bool   moves  = scene.sources.has_moving_obstacle;
+      const bool   is_one = scene.contact.has_uniform_gap();
+      if (is_one && !moves)
+        return units.text("length", scene.contact.gap);
+      const auto [smallest, largest] =
+        simulation.discretization().contact_end().range_of_gap();
+      return text(scene.parameters.contact.gap_expression,
+                  " (",
+                  units.text("length", smallest),
+                  is_one ? "" : " to " + units.text("length", largest),
+                  is_one ? "" : " at the contact nodes",
+                  moves ? " at t = 0)" : ")");
+    }
+
+
+
+    template <int dim>
+    std::string
+    describe_contact(const Simulation<dim> &simulation)
+    {
+      const SceneContact &contact = simulation.scene().contact;
+      const OutputUnits   units(simulation.parameters());
+      if (!contact.law->is_active())
+        return contact.law->description();
+      return text(contact.law->description(),
+                  ", g = ",
+                  describe_gap(simulation, units),
+                  contact.rear_gap ?
+                    ", g_2 = " + units.text("length", *contact.rear_gap) :
+                    "",
+                  contact.has_massless_nodes ? ", massless contact nodes" : "");
     }
 
 
@@ -172,15 +231,6 @@ namespace ThermoContact
                   state.is_stable                    ? ", stable" :
                                                        ", unstable");
       return lines + (forecast.remark.empty() ? "" : "; " + forecast.remark);
-    }
-
-
-
-    /** With two significant digits. */
-    std::string
-    about(const double value)
-    {
-      return significant(round_to_digits(value, 2), 12);
     }
 
 

@@ -57,14 +57,9 @@ namespace ThermoContact
           seconds / (table.size() - n_before) * (n_runs - table.size());
         const std::string line = text(
           "  run ", table.size(), '/', n_runs, "  ", clock_time(left), " left");
-        if (log.has_live_line())
-          log.live_line(line);
-        if (10 * table.size() / n_runs == 10 * n_known / n_runs)
-          return;
-        if (log.has_live_line())
-          log.file_line(line);
-        else
-          log.line(line);
+        log.live_line(line);
+        if (10 * table.size() / n_runs != 10 * n_known / n_runs)
+          log.milestone(line);
       }
 
     private:
@@ -299,12 +294,11 @@ namespace ThermoContact
             refused += "\n  " + plan.description(run) + ": " + error.what();
         }
     if (n_known > 0)
-      log.line(text(
-        "  expected  ",
-        significant(round_to_digits(steps * parameters.repetitions, 2), 12),
-        " steps, about, of ",
-        n_known,
-        " runs"));
+      log.line(text("  expected  ",
+                    about(steps * parameters.repetitions),
+                    " steps, about, of ",
+                    n_known,
+                    " runs"));
     if (table.size() < plan.n_runs())
       if (const std::string lines = report_memory(plan, memory); !lines.empty())
         log.line(lines);

@@ -4,7 +4,6 @@
 #include <thermocontact/base/machine_memory.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/expected_memory.h>
-#include <thermocontact/report/memory_report.h>
 #include <thermocontact/study/study_memory.h>
 
 #include <deal.II/base/mpi.h>

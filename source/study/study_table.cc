@@ -137,7 +137,7 @@ namespace ThermoContact
         columns.push_back(error_column("final_error_", final_value, q));
       columns.push_back(
         error_column("final_error_", final_value, Trajectory::energy));
-      for (unsigned int k = 0; k < n_key_results; ++k)
+      for (unsigned int k = 0; k < key_result_names.size(); ++k)
         columns.emplace_back(key_result_names[k], [k](const StudyRow &row) {
           return row.run.key_results ? (*row.run.key_results)[k] : nan;
         });

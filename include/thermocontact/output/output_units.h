@@ -18,7 +18,7 @@ namespace ThermoContact
 
     using QuantityUnits::of;
 
-    /** Of a column, key or array in @p file of output_tables(). */
+    /** Of a column, key or array in @p file of the output_page. */
     const Conversion &
     of(const std::string &file, const std::string &name) const;
 
