@@ -117,19 +117,13 @@ namespace ThermoContact
   std::string
   find_short_file(const std::string &directory, const OutputProgress &progress)
   {
-    for (const auto &[name, size] :
-         {std::make_pair("/contact.csv", progress.contact_size),
-          std::make_pair("/events.csv", progress.events_size),
-          std::make_pair("/steps.csv", progress.steps_size),
-          std::make_pair("/probes.csv", progress.probes_size),
-          std::make_pair("/poincare.csv", progress.poincare_size),
-          std::make_pair("/space-time.columns", progress.space_time_size)})
+    for (const auto &[name, size] : progress.sizes)
       {
-        std::error_code     error;
-        const std::uint64_t found =
-          std::filesystem::file_size(directory + name, error);
+        std::error_code   error;
+        const std::string path  = directory + "/" + name;
+        const auto        found = std::filesystem::file_size(path, error);
         if (size > 0 && (error || found < size))
-          return directory + name + ": " +
+          return path + ": " +
                  (error ? error.message() :
                           "is shorter than the checkpoint says") +
                  "\n  remedy:  put the file of the run back, or run without "

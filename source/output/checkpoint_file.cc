@@ -25,7 +25,7 @@ namespace ThermoContact
   namespace
   {
     /** Changes whenever an older program could not read the file. */
-    const std::string format = "thermocontact checkpoint 8";
+    const std::string format = "thermocontact checkpoint 9";
 
 
 
