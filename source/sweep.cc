@@ -8,12 +8,12 @@
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/scene_run.h>
 #include <thermocontact/study/study.h>
+#include <thermocontact/study/study_forecast.h>
 #include <thermocontact/study/study_report.h>
 #include <thermocontact/sweep.h>
 
 #include <filesystem>
 #include <fstream>
-#include <map>
 
 namespace ThermoContact
 {

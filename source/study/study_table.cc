@@ -271,6 +271,18 @@ namespace ThermoContact
 
 
 
+  std::vector<unsigned int>
+  StudyTable::missing_runs() const
+  {
+    std::vector<unsigned int> runs;
+    for (unsigned int run = 0; run < plan_.n_runs(); ++run)
+      if (!has(run))
+        runs.push_back(run);
+    return Utilities::MPI::broadcast(MPI_COMM_WORLD, runs);
+  }
+
+
+
   const std::string &
   StudyTable::words(const unsigned int run, const std::string &name) const
   {
