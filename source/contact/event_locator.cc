@@ -19,28 +19,6 @@ namespace ThermoContact
 
 
 
-    bool
-    any_in_contact(const ContactValues &values)
-    {
-      return std::any_of(values.pressure.begin(),
-                         values.pressure.end(),
-                         [](const double p) { return p > 0.; });
-    }
-
-
-
-    /** Between two stops: at that which the values are not seen from. */
-    bool
-    any_at_other_stop(const ContactValues &values)
-    {
-      return !values.rear_penetration.empty() &&
-             std::any_of(values.pressure.begin(),
-                         values.pressure.end(),
-                         [](const double p) { return p < 0.; });
-    }
-
-
-
     /** 0 if it cannot be told apart from the start. */
     double
     first_zero(const CubicHermite &s, const double dip, const double resolution)
@@ -49,38 +27,55 @@ namespace ThermoContact
       return zero <= resolution || (s.value(0.) == 0. && zero < 1e-9) ? 0. :
                                                                         zero;
     }
-
-
-
-    /** Past the play: a miss of an event is less than that. */
-    bool
-    is_beyond_other_stop(const ContactValues &values, const unsigned int node)
-    {
-      return !values.rear_penetration.empty() &&
-             values.rear_penetration[node] > 0.;
-    }
-
-
-
-    /** The node that contact changes first or last. */
-    unsigned int
-    foremost(const ContactValues &values)
-    {
-      return std::max_element(values.penetration.begin(),
-                              values.penetration.end()) -
-             values.penetration.begin();
-    }
   } // namespace
 
 
 
-  void
-  EventLocator::Scales::add(const ContactValues &values)
+  bool
+  LocalValues::is_any_in_contact() const
   {
-    for (unsigned int i = 0; i < values.displacement.size(); ++i)
+    for (unsigned int i = 0; i < size(); ++i)
+      if (is_in_contact(i))
+        return true;
+    return false;
+  }
+
+
+
+  unsigned int
+  LocalValues::foremost() const
+  {
+    unsigned int node = 0;
+    for (unsigned int i = 1; i < size(); ++i)
+      if (penetration(i) > penetration(node))
+        node = i;
+    return node;
+  }
+
+
+
+  bool
+  LocalValues::are_all_local() const
+  {
+    for (unsigned int i = 0; i < size(); ++i)
       {
-        displacement = std::max(displacement, std::abs(values.displacement[i]));
-        pressure     = std::max(pressure, values.pressure[i]);
+        const double own = penetration(i), opposite = opposite_penetration(i);
+        if (opposite > own || (side < 0 && opposite == own))
+          return false;
+      }
+    return true;
+  }
+
+
+
+  void
+  EventLocator::Scales::add(const LocalValues &local)
+  {
+    for (unsigned int i = 0; i < local.size(); ++i)
+      {
+        displacement =
+          std::max(displacement, std::abs(local.values.displacement[i]));
+        pressure = std::max(pressure, local.pressure(i));
       }
   }
 
@@ -109,34 +104,37 @@ namespace ThermoContact
   {
     if (!is_active)
       return ContactMode::unilateral;
-    const auto is_closed = [](const double p) { return p > 0.; };
-    if (std::all_of(values.pressure.begin(), values.pressure.end(), is_closed))
-      return ContactMode::closed;
-    return any_in_contact(values) || any_at_other_stop(values) ?
-             ContactMode::unilateral :
-             ContactMode::open;
+    const LocalValues local{values, side}, opposite{values, -side};
+    unsigned int      n_closed = 0;
+    for (unsigned int i = 0; i < local.size(); ++i)
+      n_closed += local.is_in_contact(i);
+    return n_closed == local.size() ? ContactMode::closed :
+           n_closed > 0 || opposite.is_any_in_contact() ?
+                                      ContactMode::unilateral :
+                                      ContactMode::open;
   }
 
 
 
   void
-  EventLocator::start(const ContactValues       &first,
+  EventLocator::start(const ContactValues       &initial,
                       std::vector<ContactEvent> &events)
   {
-    side = any_at_other_stop(first) && !any_in_contact(first) ? -1 : 1;
-    const ContactValues &initial = seen_from(first, side, mirrored_next);
-    present                      = initial;
-    mode_                        = mode_of(initial);
-    is_in_contact                = false;
+    const LocalValues front{initial, 1}, rear{initial, -1};
+    side    = rear.is_any_in_contact() && !front.is_any_in_contact() ? -1 : 1;
+    present = initial;
+    mode_   = mode_of(initial);
+    is_in_contact = false;
     pending.clear();
     events.clear();
     largest = Scales();
-    largest.add(initial);
-    if (any_in_contact(initial))
+    const LocalValues local{initial, side};
+    largest.add(local);
+    if (local.is_any_in_contact())
       add_event({initial.time,
                  ContactEvent::begin,
                  !has_velocity ? std::numeric_limits<double>::quiet_NaN() :
-                                 side * initial.velocity[foremost(initial)],
+                                 initial.velocity[local.foremost()],
                  side},
                 events);
   }
@@ -186,30 +184,30 @@ namespace ThermoContact
   EventLocator::closed_nodes(const ContactValues &values) const
   {
     Scales sizes(largest);
-    sizes.add(values);
+    sizes.add({values, side});
     const double allowed =
       (miss_of_event * tolerance + rounding_of_event) * sizes.displacement;
+    const auto is_closed_at = [&](const int at, const unsigned int node) {
+      const LocalValues local{values, at};
+      return local.is_in_contact(node) || local.penetration(node) >= -allowed;
+    };
     std::vector<bool> is_closed;
     for (unsigned int i = 0; i < values.pressure.size(); ++i)
-      is_closed.push_back(
-        values.pressure[i] > 0. || values.penetration[i] >= -allowed ||
-        (!values.rear_penetration.empty() &&
-         (values.pressure[i] < 0. || values.rear_penetration[i] >= -allowed)));
+      is_closed.push_back(is_closed_at(1, i) || is_closed_at(-1, i));
     return is_closed;
   }
 
 
 
   EventLocator::Finding
-  EventLocator::examine_stop(const ContactValues &from,
-                             const ContactValues &next,
-                             const bool           is_aimed,
-                             const BodyScales    &scales) const
+  EventLocator::examine_local(const LocalValues &next,
+                              const bool         is_aimed,
+                              const BodyScales  &scales) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Scales           sizes(largest);
     sizes.add(next);
-    const double size         = next.time - present.time;
+    const double size         = next.values.time - present.time;
     double       zero         = infinity;
     unsigned int node         = 0;    // that changes first or is nearest to it
     bool         ends_near    = true; // where it ends beyond a zero
@@ -221,9 +219,9 @@ namespace ThermoContact
     const double dip          = is_margin_pressure() ?
                                   0. :
                                   miss_of_event * tolerance * sizes.displacement;
-    for (unsigned int i = 0; i < next.displacement.size(); ++i)
+    for (unsigned int i = 0; i < next.size(); ++i)
       {
-        const CubicHermite s         = margin(from, next, i);
+        const CubicHermite s         = margin(next, i);
         const double       s1        = s.value(1.);
         const double       node_zero = first_zero(s, dip, resolution);
         const bool         starts_here =
@@ -233,12 +231,12 @@ namespace ThermoContact
         starts_near |= starts_here;
         all_start &= starts_here;
         if (node_zero < zero ||
-            (zero == infinity && s1 < margin(from, next, node).value(1.)))
+            (zero == infinity && s1 < margin(next, node).value(1.)))
           node = i;
         zero = std::min(zero, node_zero);
         const bool is_node_near =
           is_near(s1, s.slope(1.) / size, sizes, scales) &&
-          !is_beyond_other_stop(next, i);
+          next.opposite_penetration(i) <= 0.; // past the play
         ends_near &= s1 >= 0. || is_node_near;
         is_near_zero |= is_node_near;
         all_change &= s1 < 0. || is_node_near;
@@ -250,17 +248,17 @@ namespace ThermoContact
               all_start,
               node,
               zero < 1. ?
-                change_of_velocity(margin(from, next, node), 0., zero, size) :
+                change_of_velocity(margin(next, node), 0., zero, size) :
                 0.};
     if (zero < infinity)
       {
         const bool is_last = is_aimed ? ends_near : ends_near && zero > 0.9;
         if (is_last && is_near_zero)
-          return {Finding::at_end, next.time, all_change, node};
+          return {Finding::at_end, next.values.time, all_change, node};
         return {Finding::within, present.time + zero * size};
       }
     if (is_aimed && is_near_zero)
-      return {Finding::at_end, next.time, all_change, node};
+      return {Finding::at_end, next.values.time, all_change, node};
     return {Finding::nothing, 0.};
   }
 
@@ -299,56 +297,56 @@ namespace ThermoContact
     const bool begins = mode_ == ContactMode::open;
     if (begins)
       {
-        turn_to(new_side);
-        if (!is_at_its_stop(present))
+        side = new_side;
+        if (!LocalValues{present, side}.are_all_local())
           {
             leave_to_law();
             return false;
           }
       }
-    pending = {
-      {time,
-       begins ? ContactEvent::begin : ContactEvent::end,
-       side * (present.velocity[foremost(present)] + change_of_velocity),
-       side}};
-    mode_ = begins ? ContactMode::closed : ContactMode::open;
+    const unsigned int node = LocalValues{present, side}.foremost();
+    pending                 = {{time,
+                begins ? ContactEvent::begin : ContactEvent::end,
+                                present.velocity[node] + side * change_of_velocity,
+                                side}};
+    mode_                   = begins ? ContactMode::closed : ContactMode::open;
     return true;
   }
 
 
 
   void
-  EventLocator::accept_unilateral(const ContactValues       &next_values,
+  EventLocator::accept_unilateral(const ContactValues       &next,
                                   std::vector<ContactEvent> &events)
   {
-    if (const ContactValues &seen = seen_from(next_values, side, mirrored_next);
-        any_at_other_stop(seen) && !any_in_contact(seen))
+    const LocalValues opposite{next, -side};
+    if (opposite.is_any_in_contact() &&
+        !LocalValues{next, side}.is_any_in_contact())
       {
-        if (is_in_contact) // from one stop to the other
+        if (is_in_contact) // from one obstacle to the other
           add_event({present.time,
                      ContactEvent::end,
-                     side * present.velocity[foremost(present)],
+                     present.velocity[LocalValues{present, side}.foremost()],
                      side},
                     events);
-        turn_to(-side);
+        side = -side;
       }
-    const ContactValues &next    = seen_from(next_values, side, mirrored_next);
-    const bool           touches = any_in_contact(next);
+    const LocalValues old{present, side}, local{next, side};
+    const bool        touches = local.is_any_in_contact();
     if (is_in_contact != touches)
       {
         // A closed rigid obstacle holds the gap at zero, up to rounding, so
         // that the root is an end of the step. Contact changes the velocity
         // within it: that of the free side counts.
-        const unsigned int old_node = foremost(present);
-        const unsigned int node     = foremost(next);
-        const double       gap0     = -present.penetration[old_node];
-        const double       gap1     = -next.penetration[node];
+        const unsigned int old_node = old.foremost();
+        const unsigned int node     = local.foremost();
+        const double       gap0     = -old.penetration(old_node);
+        const double       gap1     = -local.penetration(node);
         const double       fraction = gap0 == gap1 ? 1. : gap0 / (gap0 - gap1);
         add_event({present.time + std::min(std::max(fraction, 0.), 1.) *
                                     (next.time - present.time),
                    touches ? ContactEvent::begin : ContactEvent::end,
-                   side * (touches ? present.velocity[old_node] :
-                                     next.velocity[node]),
+                   touches ? present.velocity[old_node] : next.velocity[node],
                    side},
                   events);
       }
@@ -358,7 +356,7 @@ namespace ThermoContact
 
 
   void
-  EventLocator::accept(const ContactValues       &next_values,
+  EventLocator::accept(const ContactValues       &next,
                        const Finding             &finding,
                        std::vector<ContactEvent> &events)
   {
@@ -366,65 +364,63 @@ namespace ThermoContact
       add_event(event, events);
     pending.clear();
     if (mode_ == ContactMode::open && finding.kind == Finding::at_end)
-      turn_to(finding.side);
+      side = finding.side;
     if (mode_ == ContactMode::unilateral)
-      accept_unilateral(next_values, events);
+      accept_unilateral(next, events);
     else if (finding.kind == Finding::at_end)
       {
-        const ContactValues &next = seen_from(next_values, side, mirrored_next);
-        const bool           begins = mode_ == ContactMode::open;
-        const CubicHermite   s      = margin(present, next, finding.node);
-        const double         zero   = s.zero_near_end();
-        const double         velocity =
-          next.velocity[finding.node] +
+        const LocalValues  local{next, side};
+        const bool         begins = mode_ == ContactMode::open;
+        const CubicHermite s      = margin(local, finding.node);
+        const double       zero   = s.zero_near_end();
+        const double       change =
           change_of_velocity(s, 1., zero, next.time - present.time);
         // contact begins with the first node and ends with the last
         if (begins || finding.is_of_all_nodes)
           add_event({present.time + zero * (next.time - present.time),
                      begins ? ContactEvent::begin : ContactEvent::end,
-                     side * velocity,
+                     next.velocity[finding.node] + side * change,
                      side},
                     events);
-        mode_ = !finding.is_of_all_nodes || (begins && !is_at_its_stop(next)) ?
+        mode_ = !finding.is_of_all_nodes || (begins && !local.are_all_local()) ?
                   ContactMode::unilateral :
                 begins ? ContactMode::closed :
                          ContactMode::open;
       }
-    present = seen_from(next_values, side, mirrored_next);
-    largest.add(present);
+    present = next;
+    largest.add({present, side});
   }
 
 
 
   CubicHermite
-  EventLocator::margin(const ContactValues &from,
-                       const ContactValues &next,
-                       const unsigned int   node) const
+  EventLocator::margin(const LocalValues &next, const unsigned int node) const
   {
+    const LocalValues from{present, next.side};
     if (is_margin_pressure())
       {
-        const double p0 = from.pressure[node], p1 = next.pressure[node];
+        const double p0 = from.pressure(node), p1 = next.pressure(node);
         return CubicHermite(p0, p1 - p0, p1, p1 - p0);
       }
     const double sign = mode_ == ContactMode::closed ? 1. : -1.;
-    const double size = next.time - from.time;
-    double       s0   = sign * from.penetration[node];
-    double       s1   = sign * next.penetration[node];
+    const double size = next.values.time - present.time;
+    double       s0   = sign * from.penetration(node);
+    double       s1   = sign * next.penetration(node);
     if (mode_ == ContactMode::closed && nodes != NodeOrder::inertial &&
         law.damping() == 0.)
       {
         // the same with the digits that a stiff obstacle needs; the pressures
         // that a damped one has here are those of the penetrations, and
-        // between two stops there is none
-        s0 = law.penetration(from.pressure[node]);
-        s1 = law.penetration(next.pressure[node]);
+        // between two obstacles there is none
+        s0 = law.penetration(from.pressure(node));
+        s1 = law.penetration(next.pressure(node));
       }
     if (!has_velocity)
       return CubicHermite(s0, s1 - s0, s1, s1 - s0);
     return CubicHermite(s0,
-                        sign * size * from.velocity[node],
+                        sign * size * from.velocity(node),
                         s1,
-                        sign * size * next.velocity[node]);
+                        sign * size * next.velocity(node));
   }
 
 
@@ -443,51 +439,10 @@ namespace ThermoContact
 
 
 
-  const ContactValues &
-  seen_from(const ContactValues &values,
-            const int            side,
-            ContactValues       &mirrored)
-  {
-    if (side > 0)
-      return values;
-    mirrored = values;
-    mirrored.penetration.swap(mirrored.rear_penetration);
-    for (std::vector<double> *column :
-         {&mirrored.displacement, &mirrored.velocity, &mirrored.pressure})
-      for (double &value : *column)
-        value = -value;
-    return mirrored;
-  }
-
-
-
-  bool
-  EventLocator::is_at_its_stop(const ContactValues &values) const
-  {
-    // seen from the stop: the other one is nearer only behind it
-    for (unsigned int i = 0; i < values.rear_penetration.size(); ++i)
-      if (values.rear_penetration[i] > values.penetration[i] ||
-          (side < 0 && values.rear_penetration[i] == values.penetration[i]))
-        return false;
-    return true;
-  }
-
-
-
-  void
-  EventLocator::turn_to(const int new_side)
-  {
-    ContactValues mirrored;
-    present = seen_from(present, side * new_side, mirrored);
-    side    = new_side;
-  }
-
-
-
   void
   EventLocator::release(const ContactValues &stopped)
   {
-    present = seen_from(stopped, side, mirrored_next);
+    present = stopped;
     pending.push_back(
       {pending.back().time, ContactEvent::end, stopped.velocity.front(), side});
     mode_ = ContactMode::open;
@@ -500,17 +455,11 @@ namespace ThermoContact
                         const bool           is_aimed,
                         const BodyScales    &scales) const
   {
-    Finding finding = examine_stop(present,
-                                   seen_from(next, side, mirrored_next),
-                                   is_aimed,
-                                   scales);
+    Finding finding = examine_local({next, side}, is_aimed, scales);
     finding.side    = side;
-    if (mode_ != ContactMode::open || next.rear_penetration.empty())
+    if (mode_ != ContactMode::open || std::isinf(next.rear_penetration.front()))
       return finding;
-    Finding other    = examine_stop(seen_from(present, -1, mirrored_present),
-                                 seen_from(next, -side, mirrored_next),
-                                 is_aimed,
-                                 scales);
+    Finding other    = examine_local({next, -side}, is_aimed, scales);
     other.side       = -side;
     const auto is_of = [](const Finding &f) {
       return f.kind != Finding::nothing;
@@ -519,7 +468,4 @@ namespace ThermoContact
              other :
              finding;
   }
-
-
-
 } // namespace ThermoContact

@@ -206,6 +206,15 @@ namespace ThermoContact
 
 
   double
+  NodeLaw::pressure_at(const double position, const double velocity) const
+  {
+    return law->damped_pressure(front_penetration(position), velocity) -
+           law->damped_pressure(rear_penetration(position), -velocity);
+  }
+
+
+
+  double
   NodeLaw::position_of_pressure(const double pressure) const
   {
     const double s = law->penetration(pressure); // odd

@@ -61,9 +61,9 @@ namespace ThermoContact
   {
     const Material   &material = scene.material;
     const ContactLaw &law      = *scene.contact.law;
-    if (!law.is_active() || law.damping() > 0. || scene.contact.rear_gap ||
-        !material.has_inertia() || scene.parameters.dimension > 1 ||
-        scene.sources.any())
+    if (!law.is_active() || law.damping() > 0. ||
+        scene.contact.is_two_sided() || !material.has_inertia() ||
+        scene.parameters.dimension > 1 || scene.sources.any())
       return {};
     // a wave has run four times through the rod, or the rod has crept
     const double waves =

@@ -58,8 +58,7 @@ namespace ThermoContact
           const double expansion = free_expansion(scene, drop);
           // where an obstacle and a body of stiffness 1 meet
           NodeLaw law(*scene.contact.law);
-          if (scene.contact.rear_gap)
-            law.play = scene.contact.gap + *scene.contact.rear_gap;
+          law.play = scene.contact.gap + scene.contact.rear_gap;
           state.contact_force =
             law.resolve(expansion - scene.contact.gap, 1.).pressure;
           state.in_contact       = state.contact_force != 0.;
@@ -79,10 +78,8 @@ namespace ThermoContact
     {
       const SteadyState state = state_of_drop(scene, drop);
       const double      u     = state.displacement_end;
-      const double      reach = // beyond the nearer stop
-        !scene.contact.rear_gap ?
-               u - scene.contact.gap :
-               std::max(u - scene.contact.gap, -u - *scene.contact.rear_gap);
+      const double      reach = // beyond the nearer obstacle
+        std::max(u - scene.contact.gap, -u - scene.contact.rear_gap);
       const double k =
         scene.heat.exchange->coefficient(state.in_contact ? 0. : reach,
                                          std::abs(state.contact_force));

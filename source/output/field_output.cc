@@ -100,7 +100,10 @@ namespace ThermoContact
       {
         gap->set_time(state.time);
         write(obstacle->next_path(),
-              obstacle_file(body.contact_end(), units, {}, gap.get()));
+              obstacle_file(body.contact_end(),
+                            units,
+                            body.scene.contact.rear_gap,
+                            gap.get()));
       }
     else if (fields.times().empty() && !body.scene.contact.has_uniform_gap())
       write(directory + "/obstacle.vtu",

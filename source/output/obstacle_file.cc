@@ -50,13 +50,13 @@ namespace ThermoContact
   std::string
   obstacle_file(const ContactEnd<dim>       &end,
                 const OutputUnits           &units,
-                const std::optional<double> &rear_gap,
+                const double                 rear_gap,
                 const dealii::Function<dim> *gap_at)
   {
     auto       nodes   = sorted_nodes(end);
     auto       corners = contact_face_corners(nodes);
     const auto n_front = nodes.size();
-    if (rear_gap)
+    if (std::isfinite(rear_gap))
       {
         const auto front_corners = corners;
         for (const unsigned int corner : front_corners)
@@ -64,7 +64,7 @@ namespace ThermoContact
         for (unsigned int i = 0; i < n_front; ++i)
           {
             nodes.push_back(nodes[i]);
-            nodes.back().gap = *rear_gap;
+            nodes.back().gap = rear_gap;
           }
       }
     const unsigned int n_nodes = nodes.size(), n_corners = dim > 2 ? 4 : 2,
@@ -123,16 +123,16 @@ namespace ThermoContact
   template std::string
   obstacle_file(const ContactEnd<1> &,
                 const OutputUnits &,
-                const std::optional<double> &,
+                const double,
                 const dealii::Function<1> *);
   template std::string
   obstacle_file(const ContactEnd<2> &,
                 const OutputUnits &,
-                const std::optional<double> &,
+                const double,
                 const dealii::Function<2> *);
   template std::string
   obstacle_file(const ContactEnd<3> &,
                 const OutputUnits &,
-                const std::optional<double> &,
+                const double,
                 const dealii::Function<3> *);
 } // namespace ThermoContact

@@ -31,8 +31,7 @@ namespace ThermoContact
     , contact_file("contact.csv", contact_columns(simulation.scene()), units)
     , poincare_file("poincare.csv", contact_columns(simulation.scene()), units)
     , events_file("events.csv",
-                  event_columns(
-                    simulation.scene().contact.rear_gap.has_value()),
+                  event_columns(simulation.scene().contact.is_two_sided()),
                   units)
     , steps_file("steps.csv", attempt_columns(), units)
     , of_fields{parameters.fields_interval}

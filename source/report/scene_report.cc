@@ -141,8 +141,8 @@ namespace ThermoContact
       return text(contact.law->description(),
                   ", g = ",
                   describe_gap(simulation, units),
-                  contact.rear_gap ?
-                    ", g_2 = " + units.text("length", *contact.rear_gap) :
+                  contact.is_two_sided() ?
+                    ", g_2 = " + units.text("length", contact.rear_gap) :
                     "",
                   contact.has_massless_nodes ? ", massless contact nodes" : "");
     }

@@ -42,9 +42,7 @@ namespace ThermoContact
   void
   check_rear_gap(const Scene &scene)
   {
-    if (!scene.contact.rear_gap)
-      return;
-    const double rear_gap = *scene.contact.rear_gap;
+    const double rear_gap = scene.contact.rear_gap;
     const auto   refuse   = [rear_gap](const std::string &allowed,
                                    const std::string &remedy) {
       throw InputError(text("Contact/Rear gap = ",

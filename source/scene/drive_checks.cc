@@ -54,7 +54,7 @@ namespace ThermoContact
                    "an expression without t, since Time/Start = paper",
                    "Time/Start = automatic: the paper prescribes the first "
                    "step before an obstacle that rests");
-      if (scene.contact.rear_gap)
+      if (scene.contact.is_two_sided())
         refuse_gap(scene,
                    "an expression without t, since Contact/Rear gap is not "
                    "none",

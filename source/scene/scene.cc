@@ -256,8 +256,8 @@ namespace ThermoContact
       SceneContact contact;
       contact.law = resolve_law(parameters.contact, fields);
       contact.gap = resolve_gap(parameters, gap);
-      if (contact.law->is_active())
-        contact.rear_gap = parameters.contact.rear_gap;
+      if (contact.law->is_active() && parameters.contact.rear_gap)
+        contact.rear_gap = *parameters.contact.rear_gap;
       contact.has_massless_nodes = resolve_massless_nodes(parameters,
                                                           *contact.law,
                                                           scheme,

@@ -55,7 +55,7 @@ namespace ThermoContact
     terms.add_if(law.is_active() && !law.is_rigid(),
                  scene.parameters.contact.condition);
     terms.add_if(law.damping() > 0., "damped contact");
-    terms.add_if(scene.contact.rear_gap.has_value(), "two stops");
+    terms.add_if(scene.contact.is_two_sided(), "two stops");
     terms.add_if(scene.contact.has_massless_nodes, "massless contact nodes");
     terms.add_if(scene.has_lumped_mass &&
                    (has_temperature || material.has_inertia()),

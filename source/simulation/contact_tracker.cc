@@ -67,20 +67,19 @@ namespace ThermoContact
     end.get_relative_velocities(state, values.velocity);
     values.pressure = state.contact_pressure;
     values.rear_penetration.clear();
-    if (body.scene.contact.rear_gap)
-      end.get_rear_penetrations(state.displacement,
-                                *body.scene.contact.rear_gap,
-                                values.rear_penetration);
+    for (const double displacement : values.displacement)
+      values.rear_penetration.push_back(-displacement -
+                                        body.scene.contact.rear_gap);
     // a damped obstacle is left where the penetration ends
     const ContactLaw &law = body.law();
     if (law.damping() > 0.)
       for (unsigned int i = 0; i < values.pressure.size(); ++i)
         {
-          const double s = values.penetration[i];
-          values.pressure[i] =
-            values.rear_penetration.empty() ?
-              std::copysign(law.pressure(std::abs(s)), s) :
-              law.pressure(s) - law.pressure(values.rear_penetration[i]);
+          const double s     = values.penetration[i];
+          const double rear  = values.rear_penetration[i];
+          values.pressure[i] = std::isinf(rear) ?
+                                 std::copysign(law.pressure(std::abs(s)), s) :
+                                 law.pressure(s) - law.pressure(rear);
         }
   }
 

@@ -5,11 +5,9 @@
 #include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/space/h1_projection.h>
-#include <thermocontact/time/contact_equilibrium.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -97,8 +95,10 @@ namespace ThermoContact
     bool
     are_one(const double displacement, const double gap)
     {
-      return std::abs(displacement - gap) <=
-             rounding_of_gap * std::max(std::abs(displacement), std::abs(gap));
+      return displacement == gap ||
+             std::abs(displacement - gap) <
+               rounding_of_gap *
+                 std::max(std::abs(displacement), std::abs(gap));
     }
 
 
@@ -127,9 +127,7 @@ namespace ThermoContact
           double      &projected = state.displacement.begin()[entry];
           if (are_one(given, gap) || (given < gap && projected > gap))
             projected = gap;
-          if (!body.scene.contact.rear_gap)
-            continue;
-          const double rear = -*body.scene.contact.rear_gap;
+          const double rear = -body.scene.contact.rear_gap;
           if (are_one(given, rear) || (given > rear && projected < rear))
             projected = rear;
         }
@@ -166,12 +164,12 @@ namespace ThermoContact
     void
     check_overlap(const Body<dim> &body, const State &state)
     {
-      const std::optional<double> &rear_gap = body.scene.contact.rear_gap;
-      const double                 smallest =
+      const double rear_gap = body.scene.contact.rear_gap;
+      const double smallest =
         *std::min_element(state.gap.begin(), state.gap.end());
-      if (rear_gap && smallest + *rear_gap <= 0.)
+      if (smallest + rear_gap <= 0.)
         throw InputError(text("Contact/Rear gap = ",
-                              *rear_gap,
+                              rear_gap,
                               "\n  allowed: above ",
                               -smallest,
                               ", minus the smallest Contact/Gap\n  remedy:  a "
@@ -199,13 +197,12 @@ namespace ThermoContact
                                     velocity);
       const bool is_prescribed =
         scene.has_prescribed_start && scene.parameters.time.end_time > 0.;
-      if (scene.contact.rear_gap)
-        for (unsigned int i = 0; i < displacement.size(); ++i)
-          check_rear_penetration(displacement[i],
-                                 displacement[i] +
-                                   (is_prescribed ? first_step_size : 0.) *
-                                     velocity[i],
-                                 *scene.contact.rear_gap);
+      for (unsigned int i = 0; i < displacement.size(); ++i)
+        check_rear_penetration(displacement[i],
+                               displacement[i] +
+                                 (is_prescribed ? first_step_size : 0.) *
+                                   velocity[i],
+                               scene.contact.rear_gap);
       std::vector<double> penetration;
       body.contact_end().get_penetrations(state, penetration);
       const unsigned int deepest =
@@ -305,12 +302,8 @@ namespace ThermoContact
          discretization.constrained_entries(Field::temperature))
       state.temperature.begin()[entry] = body.scene.heat.fixed_end_temperature;
 
-    body.set_pressures_of_law(state);
-    if (body.scene.fields.has_displacement &&
-        !body.scene.material.has_inertia())
-      reset.complete(state);
-    else if (body.scene.contact.is_in_equilibrium())
-      settle_contact_nodes(body, state);
+    set_pressures_of_law(body, state);
+    reset.complete(state);
     warn_of_contact(body, state, warnings);
 
     set_exchange_coefficients(body, state);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/simulation/measurements.h>
+#include <thermocontact/space/node_laws.h>
 
 #include <deal.II/base/bounding_box.h>
 
@@ -146,17 +147,12 @@ namespace ThermoContact
     record.displacement_end = end.mean(contact_values);
     if (body.law().is_active())
       {
-        end.get_penetrations(state, contact_values);
-        record.gap =
-          0. - *std::max_element(contact_values.begin(), contact_values.end());
-      }
-    if (body.scene.contact.rear_gap)
-      {
-        end.get_rear_penetrations(state.displacement,
-                                  *body.scene.contact.rear_gap,
-                                  contact_values);
-        for (const double penetration : contact_values)
-          record.gap = std::min(record.gap, 0. - penetration);
+        get_node_laws(body, state, contact_laws, contact_values);
+        record.gap = std::numeric_limits<double>::infinity();
+        for (unsigned int i = 0; i < contact_laws.size(); ++i)
+          record.gap =
+            std::min(record.gap,
+                     0. - contact_laws[i].penetration(contact_values[i]));
       }
 
     if (!(body.scene.material.is_static() && state.was_moved_at_once()))
@@ -170,11 +166,10 @@ namespace ThermoContact
     const auto [smallest, largest] =
       std::minmax_element(state.contact_pressure.begin(),
                           state.contact_pressure.end());
-    const double largest_pressure = // of either stop
-      body.scene.contact.rear_gap ? std::max(*largest, -*smallest) : *largest;
-    record.contact_force = end.mean(state.contact_pressure);
-    record.penetration   = body.law().penetration(largest_pressure);
-    record.in_contact    = largest_pressure > 0.;
+    const double largest_pressure = std::max(*largest, 0. - *smallest);
+    record.contact_force          = end.mean(state.contact_pressure);
+    record.penetration            = body.law().penetration(largest_pressure);
+    record.in_contact             = largest_pressure > 0.;
     if (body.law().damping() > 0.)
       {
         record.penetration = std::max(0., 0. - record.gap);
@@ -217,8 +212,7 @@ namespace ThermoContact
     const bool is_axis_inside   = !body.scene.geometry->has_axis_at_side();
     face                        = FaceRecord();
     for (unsigned int i = 0; i < end.n_nodes(); ++i)
-      if (const double p = state.contact_pressure[i];
-          p > 0. || (p < 0. && body.scene.contact.rear_gap))
+      if (const double p = state.contact_pressure[i]; p != 0.)
         {
           face.contact_area += end.share(i);
           face.max_pressure = std::max(face.max_pressure, std::abs(p));

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/reset.h>
+#include <thermocontact/space/load_scan.h>
 #include <thermocontact/space/node_laws.h>
-#include <thermocontact/time/contact_equilibrium.h>
-#include <thermocontact/time/iterative_solver.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -54,8 +55,10 @@ namespace ThermoContact
   template <int dim>
   Reset<dim>::Reset(Body<dim> &body)
     : body(body)
-    , inertia(body, Equilibrium<dim>::Matrix::inertia, counters_)
-    , stiffness(body, Equilibrium<dim>::Matrix::stiffness, counters_)
+    , inertia(
+        make_equilibrium(body, Equilibrium<dim>::Matrix::inertia, counters_))
+    , stiffness(
+        make_equilibrium(body, Equilibrium<dim>::Matrix::stiffness, counters_))
   {}
 
 
@@ -66,7 +69,7 @@ namespace ThermoContact
   {
     if (counters.factorizations > counters_.factorizations &&
         body.scene.contact.has_mass())
-      inertia.provide();
+      inertia->provide();
     counters_ = counters;
   }
 
@@ -74,78 +77,47 @@ namespace ThermoContact
 
   template <int dim>
   Vector
-  Reset<dim>::forces_at_rest(const State &state) const
+  Reset<dim>::momentum_load(const State &state) const
   {
-    Vector heat_load = body.discretization.make_vector(Field::temperature);
-    Vector load      = body.discretization.make_vector(Field::displacement);
-    Vector forces(load);
-    body.loads.assemble(state.time, heat_load, load);
-    if (!body.scene.material.is_static())
-      body.driven_end.subtract_viscous_stress(state.time, load);
-    body.equations.momentum_residual(
-      state.temperature, state.displacement, nullptr, nullptr, load, forces);
+    Vector heat = body.discretization.make_vector(Field::temperature);
+    Vector load = body.discretization.make_vector(Field::displacement);
+    body.loads.assemble(state.time, heat, load);
+    return load;
+  }
+
+
+
+  template <int dim>
+  Vector
+  Reset<dim>::forces(const State  &state,
+                     const Vector &momentum_load,
+                     const Vector *velocity) const
+  {
+    Vector forces(momentum_load);
+    body.equations.momentum_residual(state.temperature,
+                                     state.displacement,
+                                     velocity,
+                                     nullptr,
+                                     momentum_load,
+                                     forces);
     body.equations.zero_constrained(Field::displacement, forces);
     return forces;
   }
 
 
 
-  namespace
+  template <int dim>
+  std::vector<double>
+  Reset<dim>::node_forces(const State &state, const Vector *velocity) const
   {
-    /**
-     * complete() without matrices: stages of length 1 with the temperature as
-     * it is. Their equations have the matrix $(\zeta+1)S$ and the forces on the
-     * body as loads.
-     */
-    template <int dim>
-    void
-    complete_iteratively(Body<dim>               &body,
-                         const std::vector<bool> &is_closed,
-                         IterativeSolver<dim>    &solver,
-                         State                   &state)
-    {
-      const Discretization<dim> &space = body.discretization;
-      Vector heat_load                 = space.make_vector(Field::temperature);
-      Vector momentum_load             = space.make_vector(Field::displacement);
-      body.loads.assemble(state.time, heat_load, momentum_load);
-      StageRates rates;
-      rates.velocity = momentum_load;
-      State known(state);
-      known.velocity           = 0.;
-      const Material &material = body.scene.material;
-      if (material.is_static())
-        {
-          solver.solve_equilibrium(heat_load, momentum_load, known);
-          state.displacement     = known.displacement;
-          state.contact_pressure = known.contact_pressure;
-          return;
-        }
-      body.driven_end.subtract_viscous_stress(state.time, momentum_load);
-      if (body.law().is_rigid())
-        {
-          std::vector<NodeLaw> laws;
-          get_velocity_laws(body,
-                            state,
-                            closed_nodes(body, state, is_closed),
-                            laws);
-          solver.solve_quasi_static_velocity(
-            known, heat_load, momentum_load, laws, rates);
-          state.contact_pressure = rates.pressure;
-        }
-      else
-        {
-          body.contact_end().subtract_load(Field::displacement,
-                                           state.contact_pressure,
-                                           1.,
-                                           momentum_load);
-          solver.solve_momentum(
-            known, 1., heat_load, momentum_load, ContactMode::open, rates);
-        }
-      state.velocity.equ((material.viscosity + 1.) / material.viscosity,
-                         rates.velocity);
-      body.driven_end.set_velocity(state.time, state.velocity);
-    }
-  } // namespace
+    std::vector<double> at_nodes;
+    body.contact_end().get_all_values(Field::displacement,
+                                      forces(state,
+                                             momentum_load(state),
+                                             velocity),
+                                      at_nodes);
+    return at_nodes;
+  }
 
 
 
@@ -156,10 +128,11 @@ namespace ThermoContact
   {
     const double viscosity = body.scene.material.viscosity;
     const double factor    = (viscosity + 1.) / viscosity;
-    Vector       forces    = forces_at_rest(state);
+    Vector       load      = momentum_load(state);
+    body.driven_end.subtract_viscous_stress(state.time, load);
 
     std::vector<NodeLaw> laws;
-    std::vector<double>  position, velocity;
+    std::vector<double>  position;
     if (body.law().is_rigid())
       {
         get_velocity_laws(body,
@@ -183,20 +156,13 @@ namespace ThermoContact
       body.contact_end().subtract_load(Field::displacement,
                                        state.contact_pressure,
                                        1.,
-                                       forces);
-    stiffness.solve(forces, state.velocity);
-    if (!laws.empty())
-      {
-        body.contact_end().get_values(Field::displacement,
-                                      state.velocity,
-                                      velocity);
-        for (double &v : velocity)
-          v *= factor;
-        for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
-          velocity[i] -= state.gap_rate[i];
-        stiffness.add_contact(
-          laws, velocity, factor, &state.velocity, state.contact_pressure);
-      }
+                                       load);
+    position.assign(laws.size(), 0.);
+    for (unsigned int i = 0; i < position.size(); ++i)
+      position[i] -= state.gap_rate[i];
+    const Vector r = forces(state, load);
+    stiffness->solve(
+      &r, laws, position, factor, state.velocity, state.contact_pressure);
     state.velocity *= factor;
     body.driven_end.set_velocity(state.time, state.velocity);
   }
@@ -205,36 +171,247 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Reset<dim>::complete(State &state, const std::vector<bool> &is_closed)
+  Reset<dim>::set_static_displacement(State &state)
   {
-    if constexpr (dim > 1)
-      if (!body.scene.linear_solver.has_matrices())
-        {
-          if (!iterative)
-            iterative = std::make_unique<IterativeSolver<dim>>(body);
-          iterative->restore({}); // what it makes is always the same
-          complete_iteratively(body,
-                               is_closed,
-                               static_cast<IterativeSolver<dim> &>(*iterative),
-                               state);
-          SolverCounters made = iterative->counters();
-          made.solves         = 0; // those of stages count
-          counters_ += made;
-          return;
-        }
-    if (!body.scene.material.is_static())
+    // What iterations leave of the forces would move the body in the first
+    // stage, however short that is: once more, relative to what is left.
+    const Vector       load = momentum_load(state);
+    Vector             change(state.displacement);
+    const unsigned int n_passes =
+      body.scene.linear_solver.has_matrices() ? 1 : 2;
+    for (unsigned int i = 0; i < n_passes; ++i)
+      {
+        const Vector         r = forces(state, load);
+        std::vector<NodeLaw> laws;
+        std::vector<double>  position;
+        get_node_laws(body, state, laws, position);
+        stiffness->solve(
+          &r, laws, position, 1., change, state.contact_pressure);
+        state.displacement += change;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Reset<dim>::complete(State &state)
+  {
+    const Material &material = body.scene.material;
+    if (!body.scene.fields.has_displacement)
+      return;
+    if (material.is_static())
+      set_static_displacement(state);
+    else if (!material.has_inertia())
+      set_quasi_static_velocity({}, state);
+    else if (body.scene.contact.is_in_equilibrium())
+      settle_static_nodes(state);
+  }
+
+
+
+  template <int dim>
+  void
+  Reset<dim>::settle_static_nodes(State &state)
+  {
+    const ContactEnd<dim> &end = body.contact_end();
+    std::vector<double>   &p   = state.contact_pressure;
+    if (!static_nodes)
+      static_nodes = make_node_equilibrium(body, 1., counters_);
+    get_node_laws(body, state, node_laws, node_positions);
+    const std::vector<double> change =
+      static_nodes->solve(node_forces(state), node_laws, node_positions, p);
+
+    Vector rate_of_force(state.velocity);
+    body.equations.stiffness().vmult(rate_of_force, state.velocity);
+    rate_of_force *= -1.;
+    std::vector<double> rate_load, rate;
+    end.get_all_values(Field::displacement, rate_of_force, rate_load);
+    end.get_relative_velocities(state, rate);
+    const std::vector<double> acceleration =
+      static_nodes->solve_rates(rate_load, rate);
+
+    std::vector<double> displacement, velocity;
+    end.get_all_values(Field::displacement, state.displacement, displacement);
+    end.get_all_values(Field::displacement, state.velocity, velocity);
+    for (unsigned int i = 0; i < displacement.size(); ++i)
+      {
+        velocity[i] += acceleration[i];
+        // where there is pressure, the law is exact to rounding of u
+        displacement[i] = i < p.size() && p[i] != 0. ?
+                            displacement_of_law(body, state, i) :
+                            displacement[i] + change[i];
+      }
+    end.set_all_values(Field::displacement, displacement, state.displacement);
+    end.set_all_values(Field::displacement, velocity, state.velocity);
+  }
+
+
+
+  template <int dim>
+  void
+  Reset<dim>::settle_viscous_nodes(const std::vector<bool> &is_closed,
+                                   State                   &state)
+  {
+    const ContactEnd<dim> &end = body.contact_end();
+    std::vector<double>   &p   = state.contact_pressure;
+    if (!viscous_nodes)
+      viscous_nodes =
+        make_node_equilibrium(body, body.scene.material.viscosity, counters_);
+    std::vector<double> rate, velocity;
+    get_velocity_laws(body, state, is_closed, node_laws);
+    for (unsigned int i = 0; i < p.size(); ++i)
+      if (!is_closed[i] || node_laws[i].side * p[i] <= 0.)
+        p[i] = 0.;
+    end.get_relative_velocities(state, rate);
+    const std::vector<double> change = viscous_nodes->solve(
+      node_forces(state, &state.velocity), node_laws, rate, p);
+    end.get_all_values(Field::displacement, state.velocity, velocity);
+    for (unsigned int i = 0; i < velocity.size(); ++i)
+      velocity[i] = i < p.size() && p[i] != 0. ? state.gap_rate[i] :
+                                                 velocity[i] + change[i];
+    end.set_all_values(Field::displacement, velocity, state.velocity);
+  }
+
+
+
+  template <int dim>
+  double
+  Reset<dim>::move_static_nodes(State &state)
+  {
+    Vector motion(state.displacement);
+    if (!adiabatic_nodes)
+      adiabatic_nodes = make_node_equilibrium(body, 1., counters_, true);
+    std::vector<double> pressure(state.contact_pressure);
+    get_node_laws(body, state, node_laws, node_positions);
+    adiabatic_nodes->add_heating(adiabatic_nodes->solve(node_forces(state),
+                                                        node_laws,
+                                                        node_positions,
+                                                        pressure),
+                                 state.temperature);
+    settle_static_nodes(state); // to rounding, with velocities
+    motion.sadd(-1., 1., state.displacement);
+    set_exchange_of_law(body, state);
+    return body.energy.work_of_motion(momentum_load(state), state, motion);
+  }
+
+
+
+  template <int dim>
+  double
+  Reset<dim>::move_static_body(StageSolver &solver, State &state)
+  {
+    Vector heat_load  = body.discretization.make_vector(Field::temperature);
+    Vector forces     = body.discretization.make_vector(Field::displacement);
+    const double size = jump_length(body.scene, 0.);
+    StageRates   rates;
+    rates.temperature_rate = heat_load;
+    rates.velocity         = forces;
+    body.loads.assemble(state.time, heat_load, forces);
+    solver.solve(
+      state, size, heat_load, forces, ContactMode::unilateral, rates);
+    if (!rates.failure.empty())
+      throw ComputationError(rates.failure);
+    state.temperature.add(size, rates.temperature_rate);
+    state.displacement.add(size, rates.velocity);
+    state.velocity             = rates.velocity;
+    state.contact_pressure     = rates.pressure;
+    state.exchange_coefficient = rates.exchange_coefficient;
+    const double work =
+      body.energy.has_work() ?
+        size * body.energy.work_rate(heat_load, forces, state) :
+        0.;
+    state.velocity = 0.; // that of a motion at once says nothing
+    return work;
+  }
+
+
+
+  namespace
+  {
+    /** Parts of the time by which a load is looked at beside a jump. */
+    constexpr double beside_jump = 1e-12;
+
+    /** Parts of a load that are rounding. */
+    constexpr double rounding_of_load = 1e-13;
+
+
+
+    /**
+     * True if the loads of the momentum equation jump: if what they change from
+     * one time to the next is no part of what they change around; not beyond
+     * the end time, where the jumps of another run may be.
+     */
+    template <int dim>
+    bool
+    forces_jump(Body<dim> &body, const double old_time, const double new_time)
+    {
+      Vector heat_load = body.discretization.make_vector(Field::temperature);
+      Vector sides[2], around[2];
+      for (Vector *load : {&sides[0], &sides[1], &around[0], &around[1]})
+        load->reinit(body.discretization.make_vector(Field::displacement));
+      body.loads.assemble(old_time, heat_load, sides[0]);
+      body.loads.assemble(new_time, heat_load, sides[1]);
+      const double width =
+        std::max(beside_jump * new_time, std::numeric_limits<double>::min());
+      body.loads.assemble(std::max(old_time - width, 0.), heat_load, around[0]);
+      const double end_time = body.scene.parameters.time.end_time;
+      body.loads.assemble(std::min(new_time + width,
+                                   std::max(new_time, end_time)),
+                          heat_load,
+                          around[1]);
+      const double size =
+        std::max(sides[0].linfty_norm(), sides[1].linfty_norm());
+      sides[1] -= sides[0];
+      around[1] -= around[0];
+      const double change = sides[1].linfty_norm();
+      return change > rounding_of_load * size &&
+             change > 0.5 * around[1].linfty_norm();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  Reset<dim>::responds_to_discontinuities() const
+  {
+    return body.scene.fields.has_displacement &&
+           (!body.scene.material.has_inertia() ||
+            body.scene.contact.is_in_equilibrium());
+  }
+
+
+
+  template <int dim>
+  bool
+  Reset<dim>::pass_discontinuity(StageSolver             &solver,
+                                 const std::vector<bool> &is_closed,
+                                 const LoadBreak         &at,
+                                 StepResult              &result)
+  {
+    if (!forces_jump(body, at.old_time, at.new_time))
+      return false;
+    State       &state      = result.state;
+    const double time       = state.time;
+    const double old_energy = result.energy.sum();
+    double       work       = 0.;
+    state.time              = at.new_time;
+    if (body.scene.material.is_static())
+      work = move_static_body(solver, state);
+    else if (body.scene.contact.is_in_equilibrium())
+      work = move_static_nodes(state);
+    else
       {
         set_quasi_static_velocity(is_closed, state);
-        return;
+        set_exchange_of_law(body, state);
       }
-    Vector change(state.displacement);
-    stiffness.solve(forces_at_rest(state), change);
-    state.displacement += change;
-    std::vector<NodeLaw> laws;
-    std::vector<double>  position;
-    get_node_laws(body, state, laws, position);
-    stiffness.add_contact(
-      laws, position, 1., &state.displacement, state.contact_pressure);
+    state.time      = time;
+    state.jump_time = time;
+    result.energy   = body.energy.energy(state);
+    result.work += work;
+    result.numerical_dissipation += old_energy + work - result.energy.sum();
+    return true;
   }
 
 
@@ -249,8 +426,10 @@ namespace ThermoContact
       {
         std::vector<double> velocity, impulses;
         end.get_relative_velocities(state, velocity);
-        inertia.add_contact(
-          held_laws(body, state), velocity, 1., &state.velocity, impulses);
+        Vector change(state.velocity);
+        inertia->solve(
+          nullptr, held_laws(body, state), velocity, 1., change, impulses);
+        state.velocity += change;
         for (unsigned int i = 0; i < impulses.size(); ++i)
           own.work -= end.share(i) * impulses[i] * state.gap_rate[i];
         own.impulse += end.mean(impulses);
@@ -260,7 +439,7 @@ namespace ThermoContact
     get_node_laws(body, state, laws, position);
     for (const auto &[node, entry] : end.entries(Field::displacement))
       state.displacement.begin()[entry] =
-        laws[node].side > 0 ? state.gap[node] : -*body.scene.contact.rear_gap;
+        obstacle_at(body, state.gap, node, laws[node].side);
     set_exchange_of_law(body, state);
     const double old_energy   = energy_terms.sum();
     energy_terms              = body.energy.energy(state);
@@ -274,27 +453,20 @@ namespace ThermoContact
   void
   Reset<dim>::set_pressures_of_acceleration(State &state)
   {
-    Vector heat = body.discretization.make_vector(Field::temperature);
-    Vector load = body.discretization.make_vector(Field::displacement);
-    Vector forces(load), acceleration(load);
-    body.loads.assemble(state.time, heat, load);
-    body.equations.momentum_residual(state.temperature,
-                                     state.displacement,
-                                     &state.velocity,
-                                     nullptr,
-                                     load,
-                                     forces);
-    body.equations.zero_constrained(Field::displacement, forces);
-    inertia.solve(forces, acceleration);
-    ++counters_.solves;
-    std::vector<double>          excess;
+    const Vector r = forces(state, momentum_load(state), &state.velocity);
+    Vector       acceleration(r);
+    std::vector<double>          relative;
     std::vector<TimeDerivatives> obstacle;
-    body.contact_end().get_values(Field::displacement, acceleration, excess);
     body.obstacle.get_derivatives(state.time, obstacle);
-    for (unsigned int i = 0; i < excess.size(); ++i)
-      excess[i] -= obstacle[i].second;
-    inertia.add_contact(
-      held_laws(body, state), excess, 1., nullptr, state.contact_pressure);
+    for (const TimeDerivatives &gap : obstacle)
+      relative.push_back(-gap.second);
+    inertia->solve(&r,
+                   held_laws(body, state),
+                   relative,
+                   1.,
+                   acceleration,
+                   state.contact_pressure);
+    ++counters_.solves;
     set_exchange_of_law(body, state);
   }
 
@@ -306,18 +478,10 @@ namespace ThermoContact
   {
     if (result.closed_nodes.empty() || !body.law().is_rigid())
       return;
-    if (!body.scene.material.has_inertia())
-      complete(result.state, result.closed_nodes);
+    if (body.scene.material.has_inertia())
+      settle_viscous_nodes(result.closed_nodes, result.state);
     else
-      {
-        if (body.scene.linear_solver.has_matrices() &&
-            contact_stiffness_.empty())
-          contact_stiffness_ = contact_stiffness(body);
-        settle_contact_velocities(body,
-                                  contact_stiffness_,
-                                  result.closed_nodes,
-                                  result.state);
-      }
+      set_quasi_static_velocity(result.closed_nodes, result.state);
     set_exchange_of_law(body, result.state);
   }
 
@@ -330,9 +494,9 @@ namespace ThermoContact
     if (body.law().damping() == 0.)
       return;
     if (body.scene.material.has_inertia())
-      body.set_pressures_of_law(state);
+      set_pressures_of_law(body, state);
     else
-      complete(state);
+      set_quasi_static_velocity({}, state);
     set_exchange_of_law(body, state);
   }
 
@@ -370,7 +534,7 @@ namespace ThermoContact
     if (is_event && mode == ContactMode::open && !body.law().is_rigid())
       {
         changed = true;
-        body.set_pressures_of_law(result.state);
+        set_pressures_of_law(body, result.state);
       }
     if (changed || (is_event && mode == ContactMode::closed))
       set_exchange_of_law(body, result.state);

@@ -8,7 +8,6 @@
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/scene/mass_checks.h>
 #include <thermocontact/simulation/initial_state.h>
-#include <thermocontact/simulation/load_jump.h>
 #include <thermocontact/simulation/simulation.h>
 #include <thermocontact/space/load_scan.h>
 #include <thermocontact/space/state_serialiser.h>
@@ -368,8 +367,9 @@ namespace ThermoContact
   Simulation<dim>::jump_at(const double time) const
   {
     const LoadBreak *at = controller.followed_loads().break_at(time);
-    return at != nullptr && at->is_jump && moves_at_jumps(scene_) ? at :
-                                                                    nullptr;
+    return at != nullptr && at->is_jump && reset.responds_to_discontinuities() ?
+             at :
+             nullptr;
   }
 
 
@@ -395,12 +395,10 @@ namespace ThermoContact
     bool has_jumped = false;
     try
       {
-        has_jumped = apply_load_jump(body_,
-                                     reset,
-                                     integrator->stage_solver(),
-                                     tracker.closed_nodes(result),
-                                     *at,
-                                     result);
+        has_jumped = reset.pass_discontinuity(integrator->stage_solver(),
+                                              tracker.closed_nodes(result),
+                                              *at,
+                                              result);
       }
     catch (const ComputationError &error)
       {

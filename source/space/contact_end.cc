@@ -270,20 +270,6 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactEnd<dim>::get_rear_penetrations(
-    const Vector        &displacement,
-    const double         rear_gap,
-    std::vector<double> &penetrations) const
-  {
-    get_values(Field::displacement, displacement, penetrations);
-    for (double &value : penetrations) // displacements so far
-      value = -value - rear_gap;
-  }
-
-
-
-  template <int dim>
-  void
   ContactEnd<dim>::set_all_values(const Field::Block         field,
                                   const std::vector<double> &values,
                                   Vector                    &vector) const

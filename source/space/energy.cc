@@ -164,7 +164,7 @@ namespace ThermoContact
                    end_displacement);
     for (unsigned int i = 0; i < pressure.size(); ++i)
       if (const double tangent = law.tangent(pressure[i]);
-          (pressure[i] > 0. || (rear_gap && pressure[i] < 0.)) && tangent > 0.)
+          pressure[i] != 0. && tangent > 0.)
         terms.obstacle += 0.5 / tangent * end.share(i) * end_displacement[i] *
                           end_displacement[i];
     return common(terms);
@@ -379,13 +379,10 @@ namespace ThermoContact
                           rounding_of_penetration *
                             std::max(size, std::abs(state.gap[i])));
     };
+    end.get_values(Field::displacement, state.displacement, end_displacement);
     for (unsigned int i = 0; i < scratch.size(); ++i)
-      scratch[i] = stored(i, scratch[i], 1.);
-    if (!rear_gap)
-      return scratch;
-    end.get_rear_penetrations(state.displacement, *rear_gap, rear_penetration);
-    for (unsigned int i = 0; i < scratch.size(); ++i)
-      scratch[i] -= stored(i, rear_penetration[i], -1.);
+      scratch[i] = stored(i, scratch[i], 1.) -
+                   stored(i, -end_displacement[i] - rear_gap, -1.);
     return scratch;
   }
 
@@ -442,15 +439,14 @@ namespace ThermoContact
       {
         const double change = end_displacement[i] - old_end_displacement[i] -
                               (state.gap[i] - old_state.gap[i]);
+        const double front = old_penetration[i];
+        const double rear  = -old_end_displacement[i] - rear_gap;
         sum +=
-          end.share(i) *
-          (rear_gap && pressure[i] < 0. ? // mirrored
-             law.numerical_dissipation(-change,
-                                       -old_end_displacement[i] - *rear_gap,
-                                       -old_pressure[i],
-                                       -pressure[i]) :
-             law.numerical_dissipation(
-               change, old_penetration[i], old_pressure[i], pressure[i]));
+          end.share(i) * (pressure[i] < 0. && std::isfinite(rear) ?
+                            law.numerical_dissipation(
+                              -change, rear, -old_pressure[i], -pressure[i]) :
+                            law.numerical_dissipation(
+                              change, front, old_pressure[i], pressure[i]));
       }
     return sum;
   }

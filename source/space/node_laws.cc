@@ -6,28 +6,24 @@ namespace ThermoContact
 {
   template <int dim>
   void
-  get_node_laws(const Body<dim>      &body,
-                const State          &state,
-                std::vector<NodeLaw> &laws,
-                std::vector<double>  &position)
+  get_node_laws(const Body<dim>           &body,
+                const std::vector<double> &gap,
+                const std::vector<double> &displacement,
+                std::vector<NodeLaw>      &laws,
+                std::vector<double>       &position)
   {
-    const std::optional<double> &rear_gap = body.scene.contact.rear_gap;
-    body.contact_end().get_penetrations(state, position);
-    laws.assign(position.size(), NodeLaw(body.law()));
-    if (!rear_gap)
-      return;
-    std::vector<double> rear;
-    body.contact_end().get_rear_penetrations(state.displacement,
-                                             *rear_gap,
-                                             rear);
-    for (unsigned int i = 0; i < laws.size(); ++i)
+    const double rear_gap = body.scene.contact.rear_gap;
+    laws.assign(gap.size(), NodeLaw(body.law()));
+    position.resize(gap.size());
+    for (unsigned int i = 0; i < gap.size(); ++i)
       {
-        laws[i].play = state.gap[i] + *rear_gap;
-        if (rear[i] > position[i])
-          {
-            laws[i].side = -1;
-            position[i]  = -rear[i];
-          }
+        const double u = displacement[i]; // may be position[i]
+        position[i]    = u - gap[i];
+        laws[i].play   = gap[i] + rear_gap;
+        if (laws[i].nearer_side(position[i]) > 0)
+          continue;
+        laws[i].side = -1;
+        position[i]  = u + rear_gap;
       }
   }
 
@@ -35,26 +31,19 @@ namespace ThermoContact
 
   template <int dim>
   void
-  get_node_laws(const Body<dim>           &body,
-                const std::vector<double> &gap,
-                const std::vector<double> &displacement,
-                std::vector<NodeLaw>      &laws,
-                std::vector<double>       &position)
+  get_node_laws(const Body<dim>      &body,
+                const State          &state,
+                std::vector<NodeLaw> &laws,
+                std::vector<double>  &position)
   {
-    const std::optional<double> &rear_gap = body.scene.contact.rear_gap;
-    laws.assign(gap.size(), NodeLaw(body.law()));
-    position.resize(gap.size());
-    for (unsigned int i = 0; i < gap.size(); ++i)
-      {
-        position[i] = displacement[i] - gap[i];
-        if (!rear_gap)
-          continue;
-        laws[i].play = gap[i] + *rear_gap;
-        if (laws[i].nearer_side(position[i]) > 0)
-          continue;
-        laws[i].side = -1;
-        position[i]  = displacement[i] + *rear_gap;
-      }
+    std::vector<double> &displacement = position; // so far
+    body.contact_end().get_values(Field::displacement,
+                                  state.displacement,
+                                  displacement);
+    get_node_laws(body, state.gap, displacement, laws, position);
+    for (unsigned int i = 0; i < state.known_penetration.size(); ++i)
+      if (laws[i].side > 0)
+        position[i] = state.known_penetration[i];
   }
 
 
@@ -80,15 +69,39 @@ namespace ThermoContact
 
   template <int dim>
   double
+  obstacle_at(const Body<dim>           &body,
+              const std::vector<double> &gap,
+              const unsigned int         node,
+              const int                  side)
+  {
+    return side > 0 ? gap[node] : -body.scene.contact.rear_gap;
+  }
+
+
+
+  template <int dim>
+  double
   displacement_of_law(const Body<dim>   &body,
                       const State       &state,
                       const unsigned int node)
   {
     const double p = state.contact_pressure[node];
-    return (p < 0. && body.scene.contact.rear_gap ?
-              -*body.scene.contact.rear_gap :
-              state.gap[node]) +
+    return obstacle_at(body, state.gap, node, p < 0. ? -1 : 1) +
            body.law().penetration(p);
+  }
+
+
+
+  template <int dim>
+  void
+  set_pressures_of_law(const Body<dim> &body, State &state)
+  {
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position, velocity;
+    get_node_laws(body, state, laws, position);
+    body.contact_end().get_relative_velocities(state, velocity);
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      state.contact_pressure[i] = laws[i].pressure_at(position[i], velocity[i]);
   }
 
 
@@ -107,9 +120,14 @@ namespace ThermoContact
                                     const State &,             \
                                     const std::vector<bool> &, \
                                     std::vector<NodeLaw> &);   \
+  template double obstacle_at(const Body<dim> &,               \
+                              const std::vector<double> &,     \
+                              const unsigned int,              \
+                              const int);                      \
   template double displacement_of_law(const Body<dim> &,       \
                                       const State &,           \
-                                      const unsigned int)
+                                      const unsigned int);     \
+  template void   set_pressures_of_law(const Body<dim> &, State &)
 
   INSTANTIATE(1);
   INSTANTIATE(2);

@@ -320,7 +320,7 @@ namespace ThermoContact
     result.state.temperature.add(tau, stage.temperature_rate);
     result.state.displacement.add(tau, state.velocity);
 
-    body.set_pressures_of_law(result.state);
+    set_pressures_of_law(body, result.state);
 
     start_sums(result);
     book(result.state, tau, result);
@@ -476,7 +476,7 @@ namespace ThermoContact
   {
     for (StageRates &stage : stages)
       stage.held_at.clear();
-    if (mode != ContactMode::closed || !body.scene.contact.rear_gap)
+    if (mode != ContactMode::closed || !body.scene.contact.is_two_sided())
       return;
     std::vector<NodeLaw> laws;
     std::vector<double>  position;
@@ -496,7 +496,7 @@ namespace ThermoContact
     std::vector<bool> &is_held = stages[i].is_held;
     std::vector<int>  &held_at = stages[i].held_at;
     is_held.assign(state.contact_pressure.size(), false);
-    if (body.scene.contact.rear_gap)
+    if (body.scene.contact.is_two_sided())
       held_at.assign(is_held.size(), 0);
     for (unsigned int j = 0; j < i; ++j)
       for (unsigned int node = 0; node < is_held.size(); ++node)

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/local_sums.h>
-#include <thermocontact/space/direct_solver.h>
 #include <thermocontact/space/node_laws.h>
-#include <thermocontact/time/contact_equilibrium.h>
 #include <thermocontact/time/energy_conserving_integrator.h>
 #include <thermocontact/time/make_stage_solver.h>
 #include <thermocontact/time/schemes.h>
@@ -249,43 +247,15 @@ namespace ThermoContact
 
   template <int dim>
   void
-  EnergyConservingIntegrator<dim>::add_heating(FullMatrix<double> &stiffness)
-  {
-    const ContactEnd<dim> &end = body.contact_end();
-    DirectSolver           mass_solver(body.equations.heat_stage_matrix(0.));
-    ++counters_.factorizations;
-    Vector unit(momentum_load), force(momentum_load), heat(heat_load);
-    stiffness.add(-1.,
-                  end.all_response_matrix(
-                    [&](const unsigned int node) -> const Vector & {
-                      std::vector<double> unit_value(end.n_all_nodes(), 0.);
-                      unit_value[node] = 1.;
-                      unit             = 0.;
-                      end.set_all_values(Field::displacement, unit_value, unit);
-                      heat = 0.;
-                      body.equations.subtract_heating(unit, heat);
-                      Vector &response =
-                        temperature_responses.emplace_back(heat);
-                      mass_solver.solve(response, heat);
-                      ++counters_.responses;
-                      force = 0.;
-                      body.equations.add_thermal_stress(response, 1., force);
-                      return force;
-                    }));
-  }
-
-
-
-  template <int dim>
-  void
   EnergyConservingIntegrator<dim>::set_up_contact()
   {
-    FullMatrix<double> stiffness = contact_stiffness(body);
-    if (body.equations.is_coupled())
-      add_heating(stiffness);
-    stiffness.gauss_jordan(); // its inverse
-    all_receptance = contact_receptance(body.contact_end(), stiffness);
-    receptance     = between_pressures(all_receptance);
+    const unsigned int n = body.contact_end().n_nodes();
+    nodes                = std::make_unique<DirectNodeEquilibrium<dim>>(body,
+                                                         1.,
+                                                         this->counters_,
+                                                         true);
+    receptance.reinit(n, n);
+    receptance.fill(nodes->receptance());
     contact = std::make_unique<ConservingContact>(body.law(), receptance);
   }
 
@@ -332,12 +302,12 @@ namespace ThermoContact
     std::vector<double> free_end(n);
     for (unsigned int i = 0; i < n; ++i)
       {
-        const double obstacle_at = // the local one, at the end
-          laws[i].side > 0 ? obstacle.gap[i] : -*body.scene.contact.rear_gap;
-        free_end[i] = free_position[i] - obstacle_at;
+        const double at_end = // where the local one is
+          obstacle_at(body, obstacle.gap, i, laws[i].side);
+        free_end[i] = free_position[i] - at_end;
         displacement_scale =
           std::max(displacement_scale,
-                   std::abs(obstacle_at) + std::abs(old_free_position[i]));
+                   std::abs(at_end) + std::abs(old_free_position[i]));
       }
     FullMatrix<double> difference(solver->response());
     difference.add(-1., receptance);
@@ -377,17 +347,16 @@ namespace ThermoContact
     for (unsigned int i = 0; i < change.size(); ++i)
       change[i] =
         2. * rates.pressure[i] - state.contact_pressure[i] - change[i];
-    std::vector<double> position = product(all_receptance, change);
+    std::vector<double> position = product(nodes->receptance(), change);
     for (unsigned int i = 0; i < position.size(); ++i)
       {
         position[i] =
           i >= pressure.size() ? displacement[i] + position[i] :
           pressure[i] != 0.    ? displacement_of_law(body, new_state, i) :
                                  free_position[i] - loss[i];
-        if (!temperature_responses.empty())
-          new_state.temperature.add(position[i] - displacement[i],
-                                    temperature_responses[i]);
+        displacement[i] = position[i] - displacement[i];
       }
+    nodes->add_heating(displacement, new_state.temperature);
     for (const auto &[node, entry] :
          body.contact_end().all_entries(Field::displacement))
       {
@@ -432,7 +401,7 @@ namespace ThermoContact
   {
     new_state.contact_pressure = rates.pressure;
     if (has_mean_pressure)
-      body.set_pressures_of_law(new_state);
+      set_pressures_of_law(body, new_state);
   }
 
 

@@ -1,79 +1,161 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/contact/interface_problem.h>
+#include <thermocontact/space/direct_solver.h>
 #include <thermocontact/time/equilibrium.h>
+#include <thermocontact/time/iterative_solver.h>
 
 namespace ThermoContact
 {
-  template <int dim>
-  Equilibrium<dim>::Equilibrium(const Body<dim> &body,
-                                const Matrix     matrix,
-                                SolverCounters  &counters)
-    : body(body)
-    , kind(matrix)
-    , counters(counters)
-  {}
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::provide()
+  namespace
   {
-    if (factors)
-      return;
-    // a stage without length has bM_u, one of length 1 without inertia the sum
-    // of elastic and viscous stiffness
-    factors = std::make_unique<DirectSolver>(
-      body.equations.momentum_stage_matrix(kind == Matrix::inertia ? 0. : 1.));
-    ++counters.factorizations;
-    if (!body.law().is_active())
-      return;
-    const ContactEnd<dim> &end = body.contact_end();
-    Vector unit_load = body.discretization.make_vector(Field::displacement);
-    receptance =
-      end.response_matrix([&](const unsigned int node) -> const Vector & {
-        end.set_load_of_node(Field::displacement, node, 1., unit_load);
-        Vector &response = unit_responses.emplace_back(unit_load);
-        factors->solve(response, unit_load);
-        ++counters.responses;
-        return response;
-      });
+    /** By factors and responses to unit pressures. */
+    template <int dim>
+    class DirectEquilibrium : public Equilibrium<dim>
+    {
+    public:
+      using Matrix = typename Equilibrium<dim>::Matrix;
+
+      DirectEquilibrium(const Body<dim> &body,
+                        const Matrix     matrix,
+                        SolverCounters  &counters)
+        : body(body)
+        , kind(matrix)
+        , counters(counters)
+      {}
+
+      void
+      provide() override
+      {
+        if (factors)
+          return;
+        // a stage without length has bM_u, one of length 1 without inertia the
+        // sum of elastic and viscous stiffness
+        factors =
+          std::make_unique<DirectSolver>(body.equations.momentum_stage_matrix(
+            kind == Matrix::inertia ? 0. : 1.));
+        ++counters.factorizations;
+        if (!body.law().is_active())
+          return;
+        const ContactEnd<dim> &end = body.contact_end();
+        Vector unit_load = body.discretization.make_vector(Field::displacement);
+        receptance =
+          end.response_matrix([&](const unsigned int node) -> const Vector & {
+            end.set_load_of_node(Field::displacement, node, 1., unit_load);
+            Vector &response = unit_responses.emplace_back(unit_load);
+            factors->solve(response, unit_load);
+            ++counters.responses;
+            return response;
+          });
+      }
+
+      void
+      solve(const Vector               *forces,
+            const std::vector<NodeLaw> &laws,
+            const std::vector<double>  &position,
+            const double                factor,
+            Vector                     &y,
+            std::vector<double>        &pressure) override
+      {
+        provide();
+        if (forces != nullptr)
+          factors->solve(y, *forces);
+        else
+          y = 0.;
+        if (laws.empty() || !body.law().is_active())
+          return;
+        std::vector<double> free;
+        body.contact_end().get_values(Field::displacement, y, free);
+        for (unsigned int i = 0; i < free.size(); ++i)
+          free[i] = position[i] + factor * free[i];
+        FullMatrix<double> response(receptance);
+        response *= factor;
+        InterfaceProblem().solve(response, laws, free, pressure);
+        for (unsigned int i = 0; i < pressure.size(); ++i)
+          y.add(-pressure[i], unit_responses[i]);
+      }
+
+    private:
+      const Body<dim>              &body;
+      const Matrix                  kind;
+      SolverCounters               &counters;
+      std::unique_ptr<DirectSolver> factors;
+      std::vector<Vector>           unit_responses; ///< to pressures
+      FullMatrix<double>            receptance;     ///< of the contact nodes
+    };
+
+
+
+    /**
+     * Without matrices. Only the levels are kept, and preconditioners made anew
+     * each time, so that a run that is resumed makes the same.
+     */
+    template <int dim>
+    class IterativeEquilibrium : public Equilibrium<dim>
+    {
+    public:
+      IterativeEquilibrium(const Body<dim> &body, SolverCounters &counters)
+        : body(body)
+        , counters(counters)
+      {}
+
+      void
+      provide() override
+      {
+        if (!solver)
+          solver = std::make_unique<IterativeSolver<dim>>(body);
+      }
+
+      void
+      solve(const Vector               *forces,
+            const std::vector<NodeLaw> &laws,
+            const std::vector<double>  &position,
+            const double                factor,
+            Vector                     &y,
+            std::vector<double>        &pressure) override
+      {
+        provide();
+        solver->restore({});
+        std::vector<double> start(position);
+        for (double &x : start)
+          x /= factor;
+        solver->solve_forces(*forces, laws, start, y, pressure);
+        SolverCounters made = solver->counters();
+        made.solves         = 0; // those of stages count
+        counters += made;
+      }
+
+    private:
+      const Body<dim>                      &body;
+      SolverCounters                       &counters;
+      std::unique_ptr<IterativeSolver<dim>> solver;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<Equilibrium<dim>>
+  make_equilibrium(const Body<dim>                        &body,
+                   const typename Equilibrium<dim>::Matrix matrix,
+                   SolverCounters                         &counters)
+  {
+    if constexpr (dim > 1)
+      if (!body.scene.linear_solver.has_matrices() &&
+          matrix == Equilibrium<dim>::Matrix::stiffness)
+        return std::make_unique<IterativeEquilibrium<dim>>(body, counters);
+    return std::make_unique<DirectEquilibrium<dim>>(body, matrix, counters);
   }
 
 
 
-  template <int dim>
-  void
-  Equilibrium<dim>::solve(const Vector &forces, Vector &y)
-  {
-    provide();
-    factors->solve(y, forces);
-  }
+#define INSTANTIATE(dim)                                       \
+  template std::unique_ptr<Equilibrium<dim>> make_equilibrium( \
+    const Body<dim> &, const Equilibrium<dim>::Matrix, SolverCounters &)
 
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
 
-
-  template <int dim>
-  void
-  Equilibrium<dim>::add_contact(const std::vector<NodeLaw> &laws,
-                                const std::vector<double>  &free,
-                                const double                factor,
-                                Vector                     *y,
-                                std::vector<double>        &pressure)
-  {
-    if (!body.law().is_active())
-      return;
-    provide();
-    FullMatrix<double> response(receptance);
-    response *= factor;
-    InterfaceProblem().solve(response, laws, free, pressure);
-    if (y != nullptr)
-      for (unsigned int i = 0; i < pressure.size(); ++i)
-        y->add(-pressure[i], unit_responses[i]);
-  }
-
-
-
-  template class Equilibrium<1>;
-  template class Equilibrium<2>;
-  template class Equilibrium<3>;
+#undef INSTANTIATE
 } // namespace ThermoContact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/fixed_point_solver.h>
 
 #include <algorithm>
@@ -85,11 +86,8 @@ namespace ThermoContact
     rates.pressure.resize(contact_velocity.size());
     for (unsigned int i = 0; i < rates.pressure.size(); ++i)
       {
-        const double way  = tau * contact_velocity[i];
-        rates.pressure[i] = body.law().pressure(known_penetration[i] + way);
-        if (!known_rear_penetration.empty())
-          rates.pressure[i] -=
-            body.law().pressure(known_rear_penetration[i] - way);
+        const double v    = contact_velocity[i];
+        rates.pressure[i] = laws[i].pressure_at(known_position[i] + tau * v, v);
       }
   }
 
@@ -111,11 +109,7 @@ namespace ThermoContact
       factorize(tau);
     body.equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
-    body.contact_end().get_penetrations(known, known_penetration);
-    if (body.scene.contact.rear_gap)
-      body.contact_end().get_rear_penetrations(known.displacement,
-                                               *body.scene.contact.rear_gap,
-                                               known_rear_penetration);
+    get_node_laws(body, known, laws, known_position);
 
     // the gap may be far beyond reach; it counts only if nothing moves
     const double reach =

@@ -124,7 +124,7 @@ namespace ThermoContact
     stage.set_laws(laws);
     if (body.law().is_active() && mode == ContactMode::unilateral)
       {
-        solve_contact(branch, rates);
+        rates.n_iterations = solve_contact(branch, rates.pressure);
         return;
       }
     stage.set_branches(branch);
@@ -150,17 +150,18 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  IterativeSolver<dim>::solve_contact(std::vector<int> &branch,
-                                      StageRates       &rates)
+  unsigned int
+  IterativeSolver<dim>::solve_contact(std::vector<int>    &branch,
+                                      std::vector<double> &pressure)
   {
-    rates.n_iterations = solve_by_branches(*this,
-                                           stage.contact_laws(),
-                                           stage.receptances(),
-                                           sign_rounding,
-                                           branch,
-                                           rates.pressure);
-    counters_.active_set_iterations += rates.n_iterations;
+    const unsigned int n_sets = solve_by_branches(*this,
+                                                  stage.contact_laws(),
+                                                  stage.receptances(),
+                                                  sign_rounding,
+                                                  branch,
+                                                  pressure);
+    counters_.active_set_iterations += n_sets;
+    return n_sets;
   }
 
 
@@ -190,42 +191,6 @@ namespace ThermoContact
         sum += unsolved * stage.unknowns(Field::displacement);
       }
     return -sum / (tau * body.discretization.geometry().cross_section());
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeSolver<dim>::solve_fields(const State      &known,
-                                     const double      tau,
-                                     const Vector     &heat_load,
-                                     const Vector     &momentum_load,
-                                     const ContactMode mode,
-                                     const bool        with_heat,
-                                     StageRates       &rates)
-  {
-    const StopWatch    watch(counters_.solve_seconds);
-    const unsigned int n_made = stage.preconditioners().n_made();
-    {
-      const StopWatch watch_of_hierarchy(counters_.factorization_seconds);
-      stage.preconditioners().provide(tau);
-    }
-    stage.prepare(known,
-                  tau,
-                  heat_load,
-                  momentum_load,
-                  mode == ContactMode::open ?
-                    std::vector<double>(known.contact_pressure.size(), 0.) :
-                    known.contact_pressure,
-                  with_heat);
-    solve_prepared(known, mode, rates);
-    counters_.factorizations += stage.preconditioners().n_made() - n_made;
-    ++counters_.solves;
-    if (with_heat)
-      rates.temperature_rate.equ(1. / tau, stage.unknowns(Field::temperature));
-    if (body.scene.fields.has_displacement)
-      rates.velocity.copy_locally_owned_data_from(
-        stage.unknowns(Field::displacement));
   }
 
 
@@ -275,13 +240,29 @@ namespace ThermoContact
                               const ContactMode mode,
                               StageRates       &rates)
   {
-    solve_fields(known,
-                 tau,
-                 heat_load,
-                 momentum_load,
-                 mode,
-                 body.scene.fields.has_temperature,
-                 rates);
+    const StopWatch    watch(counters_.solve_seconds);
+    const unsigned int n_made   = stage.preconditioners().n_made();
+    const bool         has_heat = body.scene.fields.has_temperature;
+    {
+      const StopWatch watch_of_hierarchy(counters_.factorization_seconds);
+      stage.preconditioners().provide(tau);
+    }
+    stage.prepare(known,
+                  tau,
+                  heat_load,
+                  momentum_load,
+                  mode == ContactMode::open ?
+                    std::vector<double>(known.contact_pressure.size(), 0.) :
+                    known.contact_pressure,
+                  has_heat);
+    solve_prepared(known, mode, rates);
+    counters_.factorizations += stage.preconditioners().n_made() - n_made;
+    ++counters_.solves;
+    if (has_heat)
+      rates.temperature_rate.equ(1. / tau, stage.unknowns(Field::temperature));
+    if (body.scene.fields.has_displacement)
+      rates.velocity.copy_locally_owned_data_from(
+        stage.unknowns(Field::displacement));
     rates.algebraic_power = algebraic_power(known, tau, rates.pressure);
   }
 
@@ -289,80 +270,38 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeSolver<dim>::solve_momentum(const State      &known,
-                                       const double      tau,
-                                       const Vector     &heat_load,
-                                       const Vector     &momentum_load,
-                                       const ContactMode mode,
-                                       StageRates       &rates)
-  {
-    solve_fields(known, tau, heat_load, momentum_load, mode, false, rates);
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeSolver<dim>::solve_equilibrium(const Vector &heat_load,
-                                          const Vector &momentum_load,
-                                          State        &known)
-  {
-    const double tau = 1.; // its matrix is S
-    StageRates   rates;
-    const auto   move = [&]() {
-      known.displacement += rates.velocity;
-      known.contact_pressure = rates.pressure;
-    };
-    rates.velocity = momentum_load;
-    known.velocity = 0.;
-    solve_momentum(
-      known, tau, heat_load, momentum_load, ContactMode::unilateral, rates);
-    move();
-    const std::vector<int> branch = branches_of(known.contact_pressure);
-
-    // What is left of the forces would move the body in the first stage,
-    // however short that is: once more, relative to what is left.
-    const StopWatch watch(counters_.solve_seconds);
-    stage.prepare(
-      known, tau, heat_load, momentum_load, known.contact_pressure, false);
-    stage.set_branches(branch);
-    count(stage.solve(body.scene.linear_solver.tolerance,
-                      IterativeStage<dim>::Measure::of_start));
-    stage.get_pressures(rates.pressure);
-    rates.velocity.copy_locally_owned_data_from(
-      stage.unknowns(Field::displacement));
-    move();
-    for (unsigned int i = 0; i < branch.size(); ++i)
-      if (branch[i] * known.contact_pressure[i] <= 0.)
-        known.contact_pressure[i] = 0.;
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeSolver<dim>::solve_quasi_static_velocity(
-    const State                &known,
-    const Vector               &heat_load,
-    const Vector               &momentum_load,
-    const std::vector<NodeLaw> &laws,
-    StageRates                 &rates)
+  IterativeSolver<dim>::solve_forces(const Vector               &forces,
+                                     const std::vector<NodeLaw> &laws,
+                                     const std::vector<double>  &position,
+                                     Vector                     &y,
+                                     std::vector<double>        &pressure)
   {
     const StopWatch watch(counters_.solve_seconds);
-    const double    tau      = 1.; // its matrix is (zeta + 1) S
-    const Material &material = body.scene.material;
-    stage.prepare(
-      known, tau, heat_load, momentum_load, known.contact_pressure, false);
-    std::vector<double> velocity(laws.size(), 0.);
-    for (unsigned int i = 0; i < known.gap_rate.size(); ++i)
-      velocity[i] -=
-        material.viscosity / (material.viscosity + 1.) * known.gap_rate[i];
-    stage.set_laws(laws, velocity);
-    std::vector<int> branch(laws.size(), 0);
-    solve_contact(branch, rates);
+    const State     at_rest = body.discretization.make_state();
+    const Vector no_heat = body.discretization.make_vector(Field::temperature);
+    const unsigned int  n_made = stage.preconditioners().n_made();
+    const unsigned int  n      = at_rest.contact_pressure.size();
+    std::vector<double> expected =
+      laws.empty() ? std::vector<double>() : pressure;
+    expected.resize(n, 0.);
+    stage.prepare(at_rest, 1., no_heat, forces, expected, false);
+    if (laws.empty())
+      {
+        stage.set_branches(std::vector<int>(n, 0));
+        solve_linear(body.scene.linear_solver.tolerance, expected);
+      }
+    else
+      {
+        stage.set_laws(laws, position);
+        std::vector<int> branch = branches_of(expected);
+        for (unsigned int i = 0; i < n; ++i)
+          if (laws[i].law == nullptr)
+            branch[i] = 0;
+        solve_contact(branch, pressure);
+      }
+    counters_.factorizations += stage.preconditioners().n_made() - n_made;
     ++counters_.solves;
-    rates.velocity.copy_locally_owned_data_from(
-      stage.unknowns(Field::displacement));
+    y.copy_locally_owned_data_from(stage.unknowns(Field::displacement));
   }
 
 

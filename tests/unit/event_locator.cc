@@ -40,6 +40,7 @@
 #include <thermocontact/method/bracketed_root.h>
 
 #include <cmath>
+#include <limits>
 
 #include "../tests.h"
 
@@ -158,7 +159,9 @@ namespace
             displacement,
             penetration,
             std::vector<double>(displacement.size(), velocity),
-            pressure};
+            pressure,
+            std::vector<double>(displacement.size(),
+                                -std::numeric_limits<double>::infinity())};
   }
 
 

@@ -6,6 +6,7 @@
 #include <thermocontact/contact/contact_law.h>
 #include <thermocontact/method/cubic_hermite.h>
 
+#include <cmath>
 #include <vector>
 
 namespace ThermoContact
@@ -22,7 +23,7 @@ namespace ThermoContact
     double time     = 0.;
     Kind   kind     = begin;
     double velocity = 0.; ///< $u_t(1)-g'$ of the free end next to that time
-    int    side     = 1;  ///< of the stop; -1: the one behind the end
+    int    side     = 1;  ///< of the obstacle; -1: the one behind the end
 
     template <class Archive>
     void
@@ -48,7 +49,7 @@ namespace ThermoContact
      */
     std::vector<double> pressure;
 
-    /** $-u_n-g_2$ of a stop behind the nodes; empty: there is none. */
+    /** $-u_n-g_2$ of an obstacle behind the nodes; $-\infty$: there is none. */
     std::vector<double> rear_penetration;
 
     template <class Archive>
@@ -63,14 +64,64 @@ namespace ThermoContact
 
 
   /**
-   * The same seen from a stop: mirrored for the one behind, @p side = -1.
-   *
-   * @param mirrored memory for what is returned then
+   * The same as one of the obstacles sees them, the one behind the nodes if
+   * side is -1: penetrations, velocities and pressures are positive into it.
    */
-  const ContactValues &
-  seen_from(const ContactValues &values,
-            const int            side,
-            ContactValues       &mirrored);
+  struct LocalValues
+  {
+    const ContactValues &values;
+    int                  side;
+
+    unsigned int
+    size() const
+    {
+      return values.pressure.size();
+    }
+
+    double
+    penetration(const unsigned int node) const
+    {
+      return (side > 0 ? values.penetration : values.rear_penetration)[node];
+    }
+
+    /** Of the other obstacle. */
+    double
+    opposite_penetration(const unsigned int node) const
+    {
+      return LocalValues{values, -side}.penetration(node);
+    }
+
+    double
+    velocity(const unsigned int node) const
+    {
+      return side * values.velocity[node];
+    }
+
+    double
+    pressure(const unsigned int node) const
+    {
+      return side * values.pressure[node];
+    }
+
+    /** A pull, or the sign of an open gap, is no contact with an obstacle
+     * that is not there. */
+    bool
+    is_in_contact(const unsigned int node) const
+    {
+      return pressure(node) > 0. && !std::isinf(penetration(node));
+    }
+
+    bool
+    is_any_in_contact() const;
+
+    /** The node that contact changes first or last. */
+    unsigned int
+    foremost() const;
+
+    /** False if a node is nearer to the other obstacle. */
+    bool
+    are_all_local() const;
+  };
 
 
 
@@ -164,8 +215,7 @@ namespace ThermoContact
       /** Of nodes with mass: what is to be added to their velocity. */
       double change_of_velocity = 0.;
 
-      /** The stop. */
-      int side = 1;
+      int side = 1; ///< of the obstacle
     };
 
     /**
@@ -186,9 +236,9 @@ namespace ThermoContact
      * already, contact is about to change at once in both modes: that event is
      * taken back and the next attempt is unilateral.
      *
-     * @param change_of_velocity from where the body stands to that time, seen
-     *   from the stop
-     * @param new_side of the stop, as examine() has it
+     * @param change_of_velocity from where the body stands to that time, into
+     *   the obstacle
+     * @param new_side of the obstacle, as examine() has it
      * @return true if the mode was switched
      */
     bool
@@ -243,7 +293,7 @@ namespace ThermoContact
     void
     set_present(const ContactValues &values)
     {
-      present = seen_from(values, side, mirrored_next);
+      present = values;
     }
 
     /**
@@ -265,7 +315,7 @@ namespace ThermoContact
       double pressure     = 0.;
 
       void
-      add(const ContactValues &values);
+      add(const LocalValues &values);
 
       template <class Archive>
       void
@@ -282,14 +332,11 @@ namespace ThermoContact
     const bool                has_small_changes;
     const bool                has_velocity;
     ContactMode               mode_;
-    ContactValues             present;       ///< seen from the stop
+    ContactValues             present;
     bool                      is_in_contact; ///< as the events say
     std::vector<ContactEvent> pending;       ///< at the start of the step
     Scales                    largest;
-    int                       side = 1; ///< the stop of the last contact
-
-    // memory for what is seen from the other side
-    mutable ContactValues mirrored_present, mirrored_next;
+    int                       side = 1; ///< of the last contact
 
     /** True if the margin of a node is its pressure. */
     bool
@@ -300,24 +347,13 @@ namespace ThermoContact
 
     /** Margin s of a node over the step. */
     CubicHermite
-    margin(const ContactValues &from,
-           const ContactValues &next,
-           const unsigned int   node) const;
+    margin(const LocalValues &next, const unsigned int node) const;
 
-    /** examine() for one stop, all seen from it. */
+    /** examine() for the obstacle that sees these values. */
     Finding
-    examine_stop(const ContactValues &from,
-                 const ContactValues &next,
-                 const bool           is_aimed,
-                 const BodyScales    &scales) const;
-
-    /** False if a node is nearer to the other stop. */
-    bool
-    is_at_its_stop(const ContactValues &values) const;
-
-    /** What was seen from one stop is seen from that of @p new_side. */
-    void
-    turn_to(const int new_side);
+    examine_local(const LocalValues &next,
+                  const bool         is_aimed,
+                  const BodyScales  &scales) const;
 
     /**
      * Change of the velocity of a node with mass from one part of a step to

@@ -279,6 +279,10 @@ namespace ThermoContact
                                          rear_penetration(position);
     }
 
+    /** The pressure at a position where the node has this velocity. */
+    double
+    pressure_at(const double position, const double velocity) const;
+
     /** What pushes the node back, without a pull of what holds it. */
     double
     push(const double pressure) const

@@ -6,7 +6,6 @@
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/space/contact_end.h>
 
-#include <optional>
 #include <string>
 
 namespace ThermoContact
@@ -14,10 +13,11 @@ namespace ThermoContact
   /**
    * A VTU file with the shape of an obstacle: the contact nodes of the
    * undeformed end, their gap and, so that what moves the body moves the
-   * obstacle to its place, the displacement (gap, 0, 0); of a rear stop
+   * obstacle to its place, the displacement (gap, 0, 0); of one behind the end
    * (-rear_gap, 0, 0) at points behind those. Lines between the
    * nodes if dim = 2, quadrilaterals if dim = 3.
    *
+   * @param rear_gap infinite: there is no obstacle behind the end
    * @param gap of an obstacle that moves, at the time of the file; else the
    *   gaps are those of the nodes
    */
@@ -25,8 +25,8 @@ namespace ThermoContact
   std::string
   obstacle_file(const ContactEnd<dim>       &end,
                 const OutputUnits           &units,
-                const std::optional<double> &rear_gap = {},
-                const dealii::Function<dim> *gap      = nullptr);
+                const double                 rear_gap,
+                const dealii::Function<dim> *gap = nullptr);
 } // namespace ThermoContact
 
 #endif

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -212,8 +213,9 @@ namespace ThermoContact
      */
     double gap;
 
-    /** $g_2$ of a stop behind the end, (M.107); none if there is no such. */
-    std::optional<double> rear_gap;
+    /** $g_2$ of an obstacle behind the end, (M.107); infinite: there is none.
+     */
+    double rear_gap = std::numeric_limits<double>::infinity();
 
     /** Of the contact nodes; meaningless without obstacle. */
     NodeOrder order;
@@ -228,6 +230,12 @@ namespace ThermoContact
     has_uniform_gap() const
     {
       return !std::isnan(gap);
+    }
+
+    bool
+    is_two_sided() const
+    {
+      return std::isfinite(rear_gap);
     }
 
     bool

@@ -111,11 +111,12 @@ namespace ThermoContact
     Weights mid_weights; ///< of the middle of the body
 
     /** Of the middle of the last cell, where nodes do not have the velocity. */
-    Weights             last_cell_weights;
-    Vector              mean_weights;
-    Vector              lateral_weights;  ///< of the temperature in the loss
-    double              lateral_sum = 0.; ///< their sum
-    std::vector<double> contact_values;
+    Weights              last_cell_weights;
+    Vector               mean_weights;
+    Vector               lateral_weights;  ///< of the temperature in the loss
+    double               lateral_sum = 0.; ///< their sum
+    std::vector<double>  contact_values;
+    std::vector<NodeLaw> contact_laws;
 
     /** Of the axial displacement at @p position on the axis. Collective. */
     Weights

@@ -4,9 +4,11 @@
 #define thermocontact_simulation_reset_h
 
 #include <thermocontact/contact/event_locator.h>
+#include <thermocontact/method/load_history.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
 #include <thermocontact/time/equilibrium.h>
+#include <thermocontact/time/node_equilibrium.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <memory>
@@ -49,20 +51,55 @@ namespace ThermoContact
     explicit Reset(Body<dim> &body);
 
     /**
-     * Completes the state of a body without inertia, doc/model.md section 12:
-     * with viscosity the velocity follows from the displacement, (M.34);
-     * without, the displacement is in equilibrium with the temperature, (M.35),
-     * and the velocity, which has no value yet, is left at zero.
+     * Completes an initial state, doc/model.md sections 12 and 13: what is not
+     * inertial follows from what is given. A body without inertia gets with
+     * viscosity its velocity, (M.34), and without its displacement, (M.35), and
+     * no velocity; contact nodes without mass and viscosity go to their
+     * equilibrium, (M.38), with velocities that keep them there, (M.64).
      *
-     * @param state in: temperature and, with viscosity, displacement and
-     *   pressure of the compliance law
-     * @param is_closed with viscosity, at a rigid obstacle: the nodes in
-     *   contact; empty: those that do not lie before it
+     * @param state in: temperature and, with inertia or viscosity, displacement
+     *   and pressure of the compliance law
      * @throw ComputationError if the stiffness matrix cannot be factorised or
-     *   the contact nodes do not settle
+     *   the pressures of contact are not found
      */
     void
-    complete(State &state, const std::vector<bool> &is_closed = {});
+    complete(State &state);
+
+    /**
+     * True if a discontinuity of the loads moves something at once, a body
+     * without inertia and viscosity or contact nodes in equilibrium, or gives a
+     * body without inertia another velocity.
+     */
+    bool
+    responds_to_discontinuities() const;
+
+    /**
+     * The state behind a discontinuity of the loads at the end of a step,
+     * doc/model.md section 18: what is static goes to its equilibrium with the
+     * new loads, with the contact law, and takes heat for it, (M.67); a body
+     * with viscosity and without inertia stays and gets the velocity, and at a
+     * rigid obstacle the pressures, of (M.34); all else stays. The loads do the
+     * work of the displacement that they cause, and what is too much for the
+     * new energy is numerical dissipation. Collective.
+     *
+     * @param solver of the stages of the body
+     * @param is_closed nodes that are in contact before it: only they may have
+     *   a pressure in (M.34), where all nodes stay where they are; not used for
+     *   (M.67), which finds its contact
+     * @param at the end of the step, with the times of the old and new loads
+     * @param result in: a step that is accepted; out: with the state behind the
+     *   discontinuity, at the same time, and its energy; work and numerical
+     *   dissipation are added to, and all else, closed_nodes too, is still that
+     *   of the step
+     * @return false if the loads of the momentum equation are continuous there,
+     *   as at a time that is only listed; then nothing is changed
+     * @throw ComputationError if the new equilibrium is not found
+     */
+    bool
+    pass_discontinuity(StageSolver             &solver,
+                       const std::vector<bool> &is_closed,
+                       const LoadBreak         &at,
+                       StepResult              &result);
 
     /**
      * Impact of all contact nodes on a rigid obstacle: they are put on it, and
@@ -134,30 +171,69 @@ namespace ThermoContact
     restore(const SolverCounters &counters);
 
   private:
-    Body<dim>         &body;
-    SolverCounters     counters_;
-    Equilibrium<dim>   inertia;
-    Equilibrium<dim>   stiffness;
-    FullMatrix<double> contact_stiffness_; ///< computed when needed
+    using Nodes = std::unique_ptr<NodeEquilibrium<dim>>;
+
+    Body<dim>                              &body;
+    SolverCounters                          counters_;
+    const std::unique_ptr<Equilibrium<dim>> inertia;
+    const std::unique_ptr<Equilibrium<dim>> stiffness;
+
+    // of contact nodes without mass, made when they are needed
+    Nodes static_nodes;    ///< $S_{NN}$
+    Nodes adiabatic_nodes; ///< the same for a body that is deformed at once
+    Nodes viscous_nodes;   ///< $\zeta S_{NN}$
 
     // of the contact nodes, scratch
     mutable std::vector<NodeLaw> node_laws;
     mutable std::vector<double>  node_positions;
 
-    /**
-     * An IterativeSolver, without matrices; only its levels are kept, and
-     * preconditioners made anew each time, so that a run that is resumed makes
-     * the same.
-     */
-    std::unique_ptr<StageSolver> iterative;
-
-    /** Forces on a body that rests, with constrained rows zero. */
+    /** Loads at the time of a state. */
     Vector
-    forces_at_rest(const State &state) const;
+    momentum_load(const State &state) const;
 
-    /** (M.34). */
+    /** Forces on a body by these loads, with constrained rows zero. */
+    Vector
+    forces(const State  &state,
+           const Vector &momentum_load,
+           const Vector *velocity = nullptr) const;
+
+    /** The same at the nodes of the contact end. */
+    std::vector<double>
+    node_forces(const State &state, const Vector *velocity = nullptr) const;
+
+    /**
+     * (M.34).
+     *
+     * @param is_closed at a rigid obstacle: nodes in contact; empty: those that
+     *   do not lie before it
+     */
     void
     set_quasi_static_velocity(const std::vector<bool> &is_closed, State &state);
+
+    /** (M.35). */
+    void
+    set_static_displacement(State &state);
+
+    /** (M.38), (M.64). */
+    void
+    settle_static_nodes(State &state);
+
+    /**
+     * Velocities and pressures of contact nodes without mass, with viscosity,
+     * at a rigid obstacle, that go with displacements, temperatures and the
+     * velocities of all other nodes, (M.63): no node in contact moves into the
+     * obstacle, and those with pressure rest.
+     */
+    void
+    settle_viscous_nodes(const std::vector<bool> &is_closed, State &state);
+
+    /** (M.67) of static nodes alone; returns the work of the loads. */
+    double
+    move_static_nodes(State &state);
+
+    /** (M.67) of a static body, in a short stage; likewise. */
+    double
+    move_static_body(StageSolver &solver, State &state);
 
     /**
      * No pressure pulls: of nodes that are held closed none at the obstacle

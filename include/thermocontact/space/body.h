@@ -75,29 +75,6 @@ namespace ThermoContact
     {
       return discretization.contact_end();
     }
-
-    /**
-     * The pressures become those of the displacements and velocities, as the
-     * law says; 0 where it says nothing, as for a rigid obstacle. Collective.
-     */
-    void
-    set_pressures_of_law(State &state) const
-    {
-      std::vector<double> penetration, velocity;
-      contact_end().get_penetrations(state, penetration);
-      contact_end().get_relative_velocities(state, velocity);
-      for (unsigned int i = 0; i < penetration.size(); ++i)
-        state.contact_pressure[i] =
-          law().damped_pressure(penetration[i], velocity[i]);
-      if (!scene.contact.rear_gap)
-        return;
-      contact_end().get_rear_penetrations(state.displacement,
-                                          *scene.contact.rear_gap,
-                                          penetration);
-      for (unsigned int i = 0; i < penetration.size(); ++i)
-        state.contact_pressure[i] -=
-          law().damped_pressure(penetration[i], -velocity[i]);
-    }
   };
 } // namespace ThermoContact
 

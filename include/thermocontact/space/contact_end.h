@@ -144,12 +144,6 @@ namespace ThermoContact
     get_relative_velocities(const State         &state,
                             std::vector<double> &velocities) const;
 
-    /** Penetrations of a stop behind them, $-u_n-g_2$. */
-    void
-    get_rear_penetrations(const Vector        &displacement,
-                          const double         rear_gap,
-                          std::vector<double> &penetrations) const;
-
     /** Sets the locally owned values of a vector, one for each of all nodes. */
     void
     set_all_values(const Field::Block         field,

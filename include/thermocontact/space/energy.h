@@ -157,7 +157,7 @@ namespace ThermoContact
     const Material                        &material;
     const SceneHeat                       &heat;
     const bool                             has_work_;
-    const std::optional<double>            rear_gap;
+    const double                           rear_gap;
     Vector                                 steady_profile_;
     std::vector<double>                    steady_end;    ///< at contact nodes
     Vector                                 steady_stress; ///< $D^T\theta_s$
@@ -172,7 +172,6 @@ namespace ThermoContact
     mutable std::vector<double>            end_temperature;
     mutable std::vector<double>            end_pressure;
     mutable std::vector<double>            old_end_pressure;
-    mutable std::vector<double>            rear_penetration;
 
     /** The terms of rank 0, on all ranks. */
     EnergyTerms

@@ -46,12 +46,28 @@ namespace ThermoContact
                     const std::vector<bool> &is_closed,
                     std::vector<NodeLaw>    &laws);
 
+  /** Displacement of a node that touches the obstacle on this side, 1 or -1. */
+  template <int dim>
+  double
+  obstacle_at(const Body<dim>           &body,
+              const std::vector<double> &gap,
+              const unsigned int         node,
+              const int                  side);
+
   /** The displacement of a node whose pressure is that of its law at rest. */
   template <int dim>
   double
   displacement_of_law(const Body<dim>   &body,
                       const State       &state,
                       const unsigned int node);
+
+  /**
+   * The pressures become those of displacements and velocities, as the law
+   * says; 0 where it says nothing, as for a rigid obstacle. Collective.
+   */
+  template <int dim>
+  void
+  set_pressures_of_law(const Body<dim> &body, State &state);
 } // namespace ThermoContact
 
 #endif

@@ -5,6 +5,7 @@
 
 #include <thermocontact/contact/conserving_contact.h>
 #include <thermocontact/time/driven_step.h>
+#include <thermocontact/time/node_equilibrium.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <memory>
@@ -66,15 +67,10 @@ namespace ThermoContact
     Vector             acceleration; ///< of an end that rests
     FullMatrix<double> receptance;   ///< $X$ of (M.39)
 
-    /** $X$ with rows for nodes that have no pressure. */
-    FullMatrix<double> all_receptance;
+    /** At fixed entropy. */
+    std::unique_ptr<DirectNodeEquilibrium<dim>> nodes;
+    std::unique_ptr<ConservingContact>          contact;
 
-    /** Temperature per unit displacement of a node at fixed entropy. */
-    std::vector<Vector>                temperature_responses;
-    std::unique_ptr<ConservingContact> contact;
-
-    /** Of a node that keeps its mass; one of the two, if there is an obstacle.
-     */
     /** A node that keeps its mass, (M.81). */
     bool has_contact_mass = false;
 
@@ -95,13 +91,6 @@ namespace ThermoContact
     /** Computes $X$ and what goes with it. */
     void
     set_up_contact();
-
-    /**
-     * Takes from a stiffness between the contact nodes what their motion gives
-     * back by heating the body at fixed entropy.
-     */
-    void
-    add_heating(FullMatrix<double> &stiffness);
 
     /** Where the obstacle will be, and its mean velocity. */
     void

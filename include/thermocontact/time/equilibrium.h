@@ -3,12 +3,9 @@
 #ifndef thermocontact_time_equilibrium_h
 #define thermocontact_time_equilibrium_h
 
-#include <thermocontact/contact/interface_problem.h>
+#include <thermocontact/contact/interface_law.h>
 #include <thermocontact/space/body.h>
-#include <thermocontact/space/direct_solver.h>
 #include <thermocontact/time/stage_solver.h>
-
-#include <deal.II/lac/full_matrix.h>
 
 #include <memory>
 #include <vector>
@@ -17,11 +14,11 @@ namespace ThermoContact
 {
   /**
    * What forces do to a body at one instant: $Ky+Np=r$ for all rows of the
-   * displacement, with pressures p of contact nodes that meet laws of $y_n$.
-   * With $K=bM_u$ y is an acceleration, or a change of the velocity and p an
-   * impulse; with $K=(\zeta+1)S$ of a body without inertia it is a displacement
-   * or, times $(\zeta+1)/\zeta$, a velocity. Factors and responses are made
-   * when they are needed first, and kept.
+   * displacement, with pressures of contact nodes that their laws give at $x+c
+   * y_n$. With $K=bM_u$ y is an acceleration, or a change of the velocity and p
+   * an impulse; with $K=(\zeta+1)S$ of a body without inertia it is a
+   * displacement or, times $(\zeta+1)/\zeta$, a velocity. Factors and responses
+   * are made when they are needed first, and kept.
    */
   template <int dim>
   class Equilibrium
@@ -29,49 +26,45 @@ namespace ThermoContact
   public:
     enum class Matrix
     {
-      inertia,  ///< $bM_u$
+      inertia,  ///< $bM_u$; of bodies that have matrices
       stiffness ///< $(\zeta+1)S$, of a body without inertia
     };
 
-    /**
-     * @param body borrowed; it has matrices
-     * @param counters of what is made; borrowed
-     */
-    Equilibrium(const Body<dim> &body,
-                const Matrix     matrix,
-                SolverCounters  &counters);
+    virtual ~Equilibrium() = default;
 
-    /** Makes what is not there yet. Collective. */
-    void
-    provide();
-
-    /** $y=K^{-1}r$ without pressures; constrained entries are zero. */
-    void
-    solve(const Vector &forces, Vector &y);
+    /** Makes what is kept and is not there yet. Collective. */
+    virtual void
+    provide() = 0;
 
     /**
-     * Adds to y what the pressures do that it leads to.
-     *
-     * @param laws of the nodes, of some $x=$ @p factor $y_n$ + constant
-     * @param free x without pressures
-     * @param y in, out; null: not wanted
+     * @param forces $r$, constrained rows are zero; null: there are none
+     * @param laws,position of the contact nodes, $x$; empty: no contact
+     * @param factor $c$
+     * @param y out; constrained entries are zero
      * @param pressure in: a guess; out: the solution
+     * @throw ComputationError if K cannot be factorised or the pressures are
+     *   not found
      */
-    void
-    add_contact(const std::vector<NodeLaw> &laws,
-                const std::vector<double>  &free,
-                const double                factor,
-                Vector                     *y,
-                std::vector<double>        &pressure);
-
-  private:
-    const Body<dim>              &body;
-    const Matrix                  kind;
-    SolverCounters               &counters;
-    std::unique_ptr<DirectSolver> factors;
-    std::vector<Vector>           unit_responses; ///< to pressures
-    FullMatrix<double>            receptance;     ///< of the contact nodes
+    virtual void
+    solve(const Vector               *forces,
+          const std::vector<NodeLaw> &laws,
+          const std::vector<double>  &position,
+          const double                factor,
+          Vector                     &y,
+          std::vector<double>        &pressure) = 0;
   };
+
+
+
+  /**
+   * @param body borrowed
+   * @param counters of what is made; borrowed
+   */
+  template <int dim>
+  std::unique_ptr<Equilibrium<dim>>
+  make_equilibrium(const Body<dim>                        &body,
+                   const typename Equilibrium<dim>::Matrix matrix,
+                   SolverCounters                         &counters);
 } // namespace ThermoContact
 
 #endif

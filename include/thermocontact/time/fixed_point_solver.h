@@ -65,14 +65,14 @@ namespace ThermoContact
     std::unique_ptr<DirectSolver> heat_solver;
     std::unique_ptr<DirectSolver> momentum_solver;
 
-    Vector              heat_rhs;
-    Vector              momentum_rhs;
-    Vector              rhs;
-    Vector              momentum_stage_rhs;
-    Vector              last_velocity;
-    std::vector<double> known_penetration;
-    std::vector<double> known_rear_penetration; ///< empty: there is one stop
-    std::vector<double> contact_velocity;
+    Vector               heat_rhs;
+    Vector               momentum_rhs;
+    Vector               rhs;
+    Vector               momentum_stage_rhs;
+    Vector               last_velocity;
+    std::vector<NodeLaw> laws;
+    std::vector<double>  known_position;
+    std::vector<double>  contact_velocity;
 
     void
     factorize(const double tau);

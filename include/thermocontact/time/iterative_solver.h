@@ -33,15 +33,6 @@ namespace ThermoContact
           ContactMode   mode,
           StageRates   &rates) override;
 
-    /** The same with a given rate of temperature, zero. */
-    void
-    solve_momentum(const State  &known,
-                   const double  tau,
-                   const Vector &heat_load,
-                   const Vector &momentum_load,
-                   ContactMode   mode,
-                   StageRates   &rates);
-
     std::string
     linear_solver() const override
     {
@@ -49,31 +40,17 @@ namespace ThermoContact
     }
 
     /**
-     * Displacement and pressures that balance all forces on a body without
-     * inertia and viscosity, for its temperature, (M.35); to rounding.
+     * $(\zeta+1)Sy+Np=r$ of a body without inertia, as
+     * Equilibrium::solve() with $c=1$.
      *
-     * @param known in: also to start from; its velocity becomes zero
-     * @throw ComputationError if the solver does not converge, or the set of
-     *   nodes in contact does not settle
+     * @param laws,position empty: no contact
      */
     void
-    solve_equilibrium(const Vector &heat_load,
-                      const Vector &momentum_load,
-                      State        &known);
-
-    /**
-     * The velocity of a body without inertia that does not move nodes in
-     * contact into a rigid obstacle, times $\zeta/(\zeta+1)$, and pressures
-     * there, (M.34).
-     *
-     * @param laws of velocities: nodes in contact cannot move into an obstacle
-     */
-    void
-    solve_quasi_static_velocity(const State                &known,
-                                const Vector               &heat_load,
-                                const Vector               &momentum_load,
-                                const std::vector<NodeLaw> &laws,
-                                StageRates                 &rates);
+    solve_forces(const Vector               &forces,
+                 const std::vector<NodeLaw> &laws,
+                 const std::vector<double>  &position,
+                 Vector                     &y,
+                 std::vector<double>        &pressure);
 
     bool
     can_hold_nodes() const override
@@ -116,19 +93,13 @@ namespace ThermoContact
                    const ContactMode mode,
                    StageRates       &rates);
 
-    /** A stage with or without its temperature: solve() or solve_momentum(). */
-    void
-    solve_fields(const State      &known,
-                 const double      tau,
-                 const Vector     &heat_load,
-                 const Vector     &momentum_load,
-                 const ContactMode mode,
-                 const bool        with_heat,
-                 StageRates       &rates);
-
-    /** The same from these branches on. */
-    void
-    solve_contact(std::vector<int> &branch, StageRates &rates);
+    /**
+     * The contact of what is prepared, from these branches on.
+     *
+     * @return number of sets of branches
+     */
+    unsigned int
+    solve_contact(std::vector<int> &branch, std::vector<double> &pressure);
 
     void
     solve(const std::vector<int> &branch,

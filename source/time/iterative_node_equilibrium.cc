@@ -3,7 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/matrix_free_operator.h>
-#include <thermocontact/time/contact_node_problem.h>
+#include <thermocontact/time/iterative_node_equilibrium.h>
 
 #include <deal.II/lac/diagonal_matrix.h>
 
@@ -13,9 +13,9 @@
 namespace ThermoContact
 {
   template <int dim>
-  ContactNodeProblem<dim>::ContactNodeProblem(const Body<dim> &body,
-                                              const double     factor,
-                                              const bool       takes_heat)
+  IterativeNodeEquilibrium<dim>::IterativeNodeEquilibrium(const Body<dim> &body,
+                                                          const double factor,
+                                                          const bool takes_heat)
     : body(body)
     , factor(factor)
     , takes_heat(takes_heat && body.equations.is_coupled())
@@ -40,7 +40,7 @@ namespace ThermoContact
 
   template <int dim>
   double
-  ContactNodeProblem<dim>::spring(const unsigned int node) const
+  IterativeNodeEquilibrium<dim>::spring(const unsigned int node) const
   {
     return branches[node] != 0 && !body.law().is_rigid() ?
              body.contact_end().nodes()[node].weight / body.law().tangent(0.) :
@@ -51,7 +51,7 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<double>
-  ContactNodeProblem<dim>::product(const std::vector<double> &x) const
+  IterativeNodeEquilibrium<dim>::product(const std::vector<double> &x) const
   {
     values = 0.;
     body.contact_end().set_all_values(Field::displacement, x, values);
@@ -88,7 +88,8 @@ namespace ThermoContact
 
   template <int dim>
   Vector
-  ContactNodeProblem<dim>::heating(const std::vector<double> &change) const
+  IterativeNodeEquilibrium<dim>::heating(
+    const std::vector<double> &change) const
   {
     Vector heat = body.discretization.make_vector(Field::temperature);
     Vector temperature(heat);
@@ -110,8 +111,8 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactNodeProblem<dim>::vmult(dealii::Vector<double>       &y,
-                                 const dealii::Vector<double> &x) const
+  IterativeNodeEquilibrium<dim>::vmult(dealii::Vector<double>       &y,
+                                       const dealii::Vector<double> &x) const
   {
     std::vector<double> free(x.begin(), x.end());
     for (unsigned int i = 0; i < free.size(); ++i)
@@ -126,7 +127,7 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<double>
-  ContactNodeProblem<dim>::solve_for_same_branches(
+  IterativeNodeEquilibrium<dim>::solve_branches(
     const std::vector<double> &load,
     const std::vector<double> &penetration)
   {
@@ -162,11 +163,34 @@ namespace ThermoContact
 
 
   template <int dim>
+  std::vector<double>
+  IterativeNodeEquilibrium<dim>::solve_rates(const std::vector<double> &load,
+                                             const std::vector<double> &rate)
+  {
+    std::vector<double> of_all(rate);
+    of_all.resize(load.size(), 0.);
+    return solve_branches(load, of_all);
+  }
+
+
+
+  template <int dim>
   void
-  ContactNodeProblem<dim>::solve(const std::vector<int> &branch,
-                                 const bool,
-                                 std::vector<double> &new_position,
-                                 std::vector<double> &pressure)
+  IterativeNodeEquilibrium<dim>::add_heating(const std::vector<double> &change,
+                                             Vector &temperature) const
+  {
+    if (takes_heat)
+      temperature += heating(change);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeNodeEquilibrium<dim>::solve(const std::vector<int> &branch,
+                                       const bool,
+                                       std::vector<double> &new_position,
+                                       std::vector<double> &pressure)
   {
     const unsigned int n = branch.size();
     std::copy(branch.begin(), branch.end(), branches.begin());
@@ -174,7 +198,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < n; ++i)
       if (branch[i] != 0)
         penetration[i] = (*position)[i] - (*laws)[i].obstacle(branch[i]);
-    change = solve_for_same_branches(*load, penetration);
+    change                          = solve_branches(*load, penetration);
     const std::vector<double> force = product(change);
     new_position.resize(n);
     pressure.resize(n);
@@ -192,10 +216,10 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<double>
-  ContactNodeProblem<dim>::solve(const std::vector<double>  &load,
-                                 const std::vector<NodeLaw> &laws,
-                                 const std::vector<double>  &position,
-                                 std::vector<double>        &pressure)
+  IterativeNodeEquilibrium<dim>::solve(const std::vector<double>  &load,
+                                       const std::vector<NodeLaw> &laws,
+                                       const std::vector<double>  &position,
+                                       std::vector<double>        &pressure)
   {
     this->load                 = &load;
     this->laws                 = &laws;
@@ -216,6 +240,6 @@ namespace ThermoContact
 
 
 
-  template class ContactNodeProblem<2>;
-  template class ContactNodeProblem<3>;
+  template class IterativeNodeEquilibrium<2>;
+  template class IterativeNodeEquilibrium<3>;
 } // namespace ThermoContact
