@@ -6,7 +6,6 @@
 #include <thermocontact/base/parallel_file.h>
 #include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/field_output.h>
-#include <thermocontact/output/obstacle_file.h>
 #include <thermocontact/output/patch_units.h>
 #include <thermocontact/output/snapshot.h>
 

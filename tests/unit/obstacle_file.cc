@@ -8,7 +8,7 @@
 // a rear stop at 0.01 there are five points more, 0.01 behind the end, and
 // their lines.
 
-#include <thermocontact/output/obstacle_file.h>
+#include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/space/body.h>
 
 #include <deal.II/base/mpi.h>
