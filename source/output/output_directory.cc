@@ -13,8 +13,6 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -67,11 +65,8 @@ namespace ThermoContact
     bool
     is_numbered(const std::string &name, const std::string &prefix)
     {
-      return name.size() > prefix.size() &&
-             name.compare(0, prefix.size(), prefix) == 0 &&
-             std::all_of(name.begin() + prefix.size(),
-                         name.end(),
-                         [](unsigned char c) { return std::isdigit(c); });
+      return name.size() > prefix.size() && name.rfind(prefix, 0) == 0 &&
+             name.find_first_not_of("0123456789", prefix.size()) == name.npos;
     }
 
 

@@ -33,8 +33,7 @@ namespace ThermoContact
             units.text("time", events[i].time - events[i - 1].time));
       std::string line;
       if (!durations.empty() && durations.size() <= few)
-        for (const std::string &duration : durations)
-          line += (line.empty() ? ", for " : ", ") + duration;
+        line = ", for " + join_words(durations);
       return line + (durations.size() > 1 || record.in_contact ?
                        text(", in contact altogether ",
                             units.text("time",
@@ -69,18 +68,15 @@ namespace ThermoContact
                       const StepRecord  &record,
                       const Scene       &scene)
     {
-      std::string       line = describe_steady_state(rest, scene) + "; differs";
-      const OutputUnits units(scene.parameters);
-      const char       *comma = " in ";
-      const auto        add   = [&](const char  *name,
+      const OutputUnits        units(scene.parameters);
+      std::vector<std::string> words;
+      const auto               add = [&](const char  *name,
                            const char  *kind,
                            const double value,
                            const double predicted) {
-        if (!std::isfinite(predicted))
-          return;
-        line +=
-          text(comma, name, " by ", units.text(kind, value - predicted, 2));
-        comma = ", ";
+        if (std::isfinite(predicted))
+          words.push_back(
+            text(name, " by ", units.text(kind, value - predicted, 2)));
       };
       add("u(1)", "length", record.displacement_end, rest.displacement_end);
       add("theta(1)",
@@ -89,7 +85,8 @@ namespace ThermoContact
           rest.temperature_end);
       if (scene.contact.law->is_active())
         add("force", "force", record.contact_force, rest.contact_force);
-      return line;
+      return describe_steady_state(rest, scene) + "; differs in " +
+             join_words(words);
     }
 
 
@@ -105,27 +102,21 @@ namespace ThermoContact
         return units.text("energy", energy, digits);
       };
       const double defect = initial_energy - starting_energy(record);
-      return text(
-        in(initial_energy),
-        " at first + work ",
-        in(record.work),
-        " = ",
-        in(record.energy),
-        " + dissipated ",
-        in(record.dissipation),
-        record.lateral_dissipation == 0. ?
-          "" :
-          text(" (", in(record.lateral_dissipation), " to the surroundings)"),
-        record.contact_dissipation == 0. ?
-          "" :
-          text(" + taken by the obstacle ", in(record.contact_dissipation)),
-        " + lost to the scheme ",
-        in(record.numerical_dissipation),
-        record.algebraic == 0. ?
-          "" :
-          text("; brought in by residuals ", in(record.algebraic, 2)),
-        "; defect ",
-        in(defect, 2));
+      return in(initial_energy) + " at first + work " + in(record.work) +
+             " = " + in(record.energy) + " + dissipated " +
+             in(record.dissipation) +
+             (record.lateral_dissipation == 0. ?
+                "" :
+                " (" + in(record.lateral_dissipation) +
+                  " to the surroundings)") +
+             (record.contact_dissipation == 0. ?
+                "" :
+                " + taken by the obstacle " + in(record.contact_dissipation)) +
+             " + lost to the scheme " + in(record.numerical_dissipation) +
+             (record.algebraic == 0. ?
+                "" :
+                "; brought in by residuals " + in(record.algebraic, 2)) +
+             "; defect " + in(defect, 2);
     }
 
 

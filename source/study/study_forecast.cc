@@ -104,19 +104,18 @@ namespace ThermoContact
       double bytes = 0.;
       for (std::size_t i = 0; i < n_at_once; ++i)
         bytes += runs[i].bytes;
-      std::string what;
+      std::vector<std::string> words;
       if (n_at_once > 0)
-        what = gigabytes(runs[0].bytes) + " for " + runs[0].name;
+        words.push_back(gigabytes(runs[0].bytes) + " for " + runs[0].name);
       if (n_at_once > 1)
-        what += text(", ",
-                     gigabytes(bytes),
-                     " for the ",
-                     n_at_once,
-                     " largest runs, which may be under way at the same time");
+        words.push_back(text(gigabytes(bytes),
+                             " for the ",
+                             n_at_once,
+                             " largest runs, which may be under way at the "
+                             "same time"));
       if (bytes_of_reference > 0.)
-        what += text(what.empty() ? "" : ", ",
-                     gigabytes(bytes_of_reference),
-                     " for the reference");
+        words.push_back(gigabytes(bytes_of_reference) + " for the reference");
+      const std::string what        = join_words(words);
       const double      needed      = std::max(bytes, bytes_of_reference);
       const std::string fewer_ranks = n_at_once > 1 ? "fewer ranks, " : "";
       if (needed > 2. * memory.bytes)
