@@ -114,12 +114,11 @@ namespace ThermoContact
     if (body.law().is_active() && mode != ContactMode::open)
       for (unsigned int i = 0; i < laws.size(); ++i)
         {
-          laws[i].is_held = mode == ContactMode::closed ||
-                            (!rates.is_held.empty() && rates.is_held[i]);
-          const double p = known.contact_pressure[i];
-          branch[i]      = !laws[i].is_held ? (p > 0.) - (p < 0.) :
-                           !rates.held_at.empty() && rates.held_at[i] < 0 ? -1 :
-                                                                            1;
+          laws[i].is_held = mode == ContactMode::closed;
+          const double p  = known.contact_pressure[i];
+          branch[i]       = !laws[i].is_held ? (p > 0.) - (p < 0.) :
+                            !rates.held_at.empty() && rates.held_at[i] < 0 ? -1 :
+                                                                             1;
         }
     stage.set_laws(laws);
     if (body.law().is_active() && mode == ContactMode::unilateral)

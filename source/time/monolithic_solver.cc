@@ -369,12 +369,10 @@ namespace ThermoContact
     body.contact_end().get_values(Field::displacement, rates.velocity, free);
     for (unsigned int i = 0; i < laws.size(); ++i)
       {
-        NodeLaw   &law    = laws[i];
-        const bool has_to = !rates.held_at.empty() && rates.held_at[i] != 0;
-        if (has_to && rates.held_at[i] != law.side)
+        NodeLaw &law = laws[i];
+        if (!rates.held_at.empty() && rates.held_at[i] != law.side)
           start[i] = law.change_side(start[i]);
-        law.is_held = mode == ContactMode::closed ||
-                      (!rates.is_held.empty() && rates.is_held[i]);
+        law.is_held = mode == ContactMode::closed;
         if (mode == ContactMode::open)
           law.law = nullptr;
         if (body.law().damping() == 0.)
