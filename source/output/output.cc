@@ -29,7 +29,10 @@ namespace ThermoContact
     , units(simulation.parameters())
     , field_output(directory, simulation.body())
     , contact_file("contact.csv", contact_columns(simulation.scene()), units)
-    , poincare_file("poincare.csv", contact_columns(simulation.scene()), units)
+    , poincare_file("poincare.csv",
+                    contact_columns(simulation.scene()),
+                    units,
+                    contact_file.name)
     , events_file("events.csv",
                   event_columns(simulation.scene().contact.is_two_sided()),
                   units)

@@ -14,13 +14,24 @@ namespace ThermoContact
   class CsvFile
   {
   public:
-    /** @param name of the file, by which its columns have their units */
+    /**
+     * @param name of the file
+     * @param listed_in the file whose table on the output_page has the columns
+     */
+    CsvFile(const std::string        &name,
+            const CsvColumns<Record> &columns,
+            const OutputUnits        &units,
+            const std::string        &listed_in)
+      : name(name)
+      , columns(columns)
+      , conversions(units.of_columns(listed_in, columns))
+    {}
+
+    /** The same for a file that has a table of its own. */
     CsvFile(const std::string        &name,
             const CsvColumns<Record> &columns,
             const OutputUnits        &units)
-      : name(name)
-      , columns(columns)
-      , conversions(units.of_columns(name, columns))
+      : CsvFile(name, columns, units, name)
     {}
 
     /**
