@@ -149,7 +149,7 @@ namespace ThermoContact
                 const KeyErrors       *errors)
   {
     const Scene         &scene    = simulation.scene();
-    const RunHistory    &history  = history;
+    const RunHistory    &history  = simulation.history();
     const StepRecord    &record   = history.record;
     const SolverCounters counters = simulation.counters();
     const auto          &space    = simulation.discretization();
