@@ -379,8 +379,8 @@ namespace ThermoContact
   Simulation<dim>::load_time() const
   {
     const LoadBreak *at = jump_at(state_.time);
-    return at != nullptr && state_.was_moved_at_once() ? at->new_time :
-                                                         state_.time;
+    return at != nullptr && state_.jump_time == state_.time ? at->new_time :
+                                                              state_.time;
   }
 
 
