@@ -47,16 +47,6 @@ namespace ThermoContact
 
 
 
-  double
-  rod_response(const Material &material, const double tau)
-  {
-    const double b = material.inertia, damped = tau + material.viscosity;
-    return tau * std::sqrt(tau / (b * damped)) *
-           std::tanh(std::sqrt(b / (tau * damped)));
-  }
-
-
-
   std::optional<FirstImpact>
   first_impact(const Scene &scene)
   {

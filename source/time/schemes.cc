@@ -46,13 +46,10 @@ namespace ThermoContact
   const Scheme &
   default_scheme()
   {
-    return *std::max_element(schemes().begin(),
-                             schemes().end(),
-                             [](const Scheme &a, const Scheme &b) {
-                               return std::make_pair(a.has_error_estimate,
-                                                     a.order) <
-                                      std::make_pair(b.has_error_estimate,
-                                                     b.order);
-                             });
+    return *std::max_element(
+      schemes().begin(), schemes().end(), [](const Scheme &a, const Scheme &b) {
+        return std::make_pair(a.has_error_estimate, a.order) <
+               std::make_pair(b.has_error_estimate, b.order);
+      });
   }
 } // namespace ThermoContact
