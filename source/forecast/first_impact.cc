@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/simulation/simulation.h>
 
@@ -12,7 +13,7 @@ namespace ThermoContact
   namespace
   {
     constexpr unsigned int n_cells   = 16;
-    constexpr double       tolerance = 1e-3;
+    constexpr double       tolerance = Tolerances::forecast_run;
 
 
 

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/scene/exchange_expression.h>
 #include <thermocontact/scene/refusal.h>
@@ -334,7 +335,8 @@ namespace ThermoContact
     {
       const SolverParameters &solver = parameters.solver;
       const unsigned int      dim    = parameters.dimension;
-      const double tolerance         = solver.linear_tolerance.value_or(1e-9);
+      const double            tolerance =
+        solver.linear_tolerance.value_or(Tolerances::default_residual);
       if (solver.linear_solver != "automatic")
         return {solver.linear_solver == "iterative",
                 false,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/simulation/contact_tracker.h>
 
 #include <algorithm>
@@ -13,11 +14,6 @@ namespace ThermoContact
     /** Interpolants that miss a zero so often are not to be trusted. */
     constexpr unsigned int max_retakes = 10;
 
-    /** Relative accuracy of events where no tolerance is given. */
-    constexpr double fixed_step_tolerance = 1e-13;
-
-    /** Parts of the velocity of an obstacle by which it does not jump. */
-    constexpr double small_jump = 1e-6;
   } // namespace
 
 
@@ -31,7 +27,7 @@ namespace ThermoContact
               body.scene.contact.order,
               body.scene.parameters.time.has_error_control() ?
                 body.scene.parameters.time.tolerance :
-                fixed_step_tolerance,
+                Tolerances::fixed_step_event,
               !body.scene.fields.has_temperature ||
                 body.scene.heat.exchange->is_constant(),
               !body.scene.material.is_static())
@@ -269,7 +265,7 @@ namespace ThermoContact
       }
     const bool is_held =
       body.scene.contact.has_impacts() && locator.mode() == ContactMode::closed;
-    if (is_held && towards > small_jump * scale)
+    if (is_held && towards > Tolerances::continuous_velocity * scale)
       {
         ResetCost cost;
         reset.impact(state, result.energy, cost);
@@ -280,7 +276,8 @@ namespace ThermoContact
     get_values(state, next);
     locator.set_present(next);
     // what has inertia does not follow
-    if (is_held && towards <= small_jump * scale && away > small_jump * scale)
+    if (is_held && towards <= Tolerances::continuous_velocity * scale &&
+        away > Tolerances::continuous_velocity * scale)
       locator.switch_at_start(state.time);
   }
 

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/space/h1_projection.h>
@@ -37,8 +38,6 @@ namespace ThermoContact
           result = std::max(result, std::abs(vector.begin()[e] - value));
         return Utilities::MPI::max(result, communicator);
       };
-      const double rounding = 1e-12;
-
       // an end that moves gets its velocity from its drive in the first step
       Vector velocity_of_rest(state.velocity);
       for (const unsigned int e : body.driven_end.entries(Field::displacement))
@@ -51,7 +50,7 @@ namespace ThermoContact
                             initial.velocity,
                             &std::as_const(velocity_of_rest))})
         if (largest_constrained(Field::displacement, *field, 0.) >
-            rounding * largest(*field))
+            Tolerances::rounding_of_data * largest(*field))
           throw InputError(
             std::string("Initial values/") + name + " = " + expression +
             ": not zero at the fixed end x = 0 or normal to rollers\n  allowed: "
@@ -63,8 +62,8 @@ namespace ThermoContact
       const double mismatch =
         largest_constrained(Field::temperature, state.temperature, theta_A);
       std::ostringstream message;
-      if (mismatch >
-          rounding * std::max(std::abs(theta_A), largest(state.temperature)))
+      if (mismatch > Tolerances::rounding_of_data *
+                       std::max(std::abs(theta_A), largest(state.temperature)))
         {
           message << "Initial values/Temperature differs by " << mismatch
                   << " from theta_A = " << theta_A
@@ -86,18 +85,13 @@ namespace ThermoContact
 
 
 
-    /** Parts of displacements and gaps that are rounding. */
-    constexpr double rounding_of_gap = 1e-12;
-
-
-
     /** True if @p displacement and @p gap are one but for rounding. */
     bool
     are_one(const double displacement, const double gap)
     {
       return displacement == gap ||
              std::abs(displacement - gap) <
-               rounding_of_gap *
+               Tolerances::rounding_of_data *
                  std::max(std::abs(displacement), std::abs(gap));
     }
 

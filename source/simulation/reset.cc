@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/reset.h>
 #include <thermocontact/space/node_laws.h>
@@ -309,7 +310,9 @@ namespace ThermoContact
     length_of_motion_at_once(const Scene &scene)
     {
       const double end_time = scene.parameters.time.end_time;
-      return (scene.linear_solver.has_matrices() ? 1e-11 : 1e-7) *
+      return (scene.linear_solver.has_matrices() ?
+                Tolerances::motion_at_once :
+                Tolerances::iterative_motion_at_once) *
              (end_time > 0. ? std::min(end_time, 1.) : 1.);
     }
   } // namespace
@@ -383,12 +386,6 @@ namespace ThermoContact
 
   namespace
   {
-    /** Parts of the time by which a load is looked at beside a jump. */
-    constexpr double beside_jump = 1e-12;
-
-    /** Parts of a load that are rounding. */
-    constexpr double rounding_of_load = 1e-13;
-
 
 
     /**
@@ -407,8 +404,8 @@ namespace ThermoContact
                      const Vector    &load)
     {
       Vector       sides[2] = {load, load}, around[2] = {load, load};
-      const double width =
-        std::max(beside_jump * at.new_time, std::numeric_limits<double>::min());
+      const double width = std::max(Tolerances::same_time * at.new_time,
+                                    std::numeric_limits<double>::min());
       load_at(at.old_time, sides[0]);
       load_at(at.new_time, sides[1]);
       load_at(std::max(at.old_time - width, 0.), around[0]);
@@ -419,7 +416,7 @@ namespace ThermoContact
       sides[1] -= sides[0];
       around[1] -= around[0];
       const double change = sides[1].linfty_norm();
-      return change > rounding_of_load * size &&
+      return change > Tolerances::rounding_of_solution * size &&
              change > 0.5 * around[1].linfty_norm();
     }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/heat_mass.h>
 #include <thermocontact/space/matrix_free_operator.h>
@@ -10,9 +11,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Relative residual, near the rounding of a well conditioned matrix. */
-    constexpr double tolerance = 1e-13;
-
     constexpr unsigned int max_iterations = 10000;
 
 
@@ -68,7 +66,7 @@ namespace ThermoContact
                           temperature,
                           heat,
                           DiagonalMatrix<Vector>(inverse_diagonal),
-                          tolerance,
+                          Tolerances::rounding_of_solution,
                           max_iterations);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/time/step_controller.h>
 
@@ -84,7 +85,7 @@ namespace ThermoContact
     if (const auto best = attempt_before_rounding(attempts))
       message << ", of size " << time(best->size) << " it was " << best->error
               << ": rounding makes smaller steps worse";
-    else if (last.size < rounding_of_time * last.time)
+    else if (last.size < Tolerances::same_time * last.time)
       message << ", and times that are closer cannot be told apart";
     message
       << "\n  remedy:  a larger Time/Tolerance, Time/Break points where "
@@ -176,7 +177,7 @@ namespace ThermoContact
         step.end  = time + step.size;
         step.target = TimeStep::load;
       }
-    const double margin = multiple_slack * step.size;
+    const double margin = Tolerances::multiple_slack * step.size;
     const auto   end_at = [&](const double end, const TimeStep::Target target) {
       const double remainder = end - time;
       if (has_error_control || std::abs(end - step.end) > margin)
@@ -252,7 +253,7 @@ namespace ThermoContact
     event_time.reset();
     if (!has_error_control)
       return;
-    const double e = std::max(error, 1e-10); // an error of zero says nothing
+    const double e      = std::max(error, Tolerances::smallest_error);
     double       factor = ladder.keeps_sizes ? keeping_factor(e) :
                                                0.9 * std::pow(e, -0.8 / order) *
                                            std::pow(last_error, 0.3 / order);

@@ -3,6 +3,7 @@
 #ifndef thermocontact_time_iterative_node_equilibrium_h
 #define thermocontact_time_iterative_node_equilibrium_h
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/heat_mass.h>
 #include <thermocontact/time/node_equilibrium.h>
 
@@ -71,7 +72,8 @@ namespace ThermoContact
     double
     tolerance() const
     {
-      return takes_heat ? 1e-11 : 1e-13;
+      return takes_heat ? Tolerances::adiabatic_residual :
+                          Tolerances::rounding_of_solution;
     }
 
     bool

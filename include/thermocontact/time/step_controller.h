@@ -3,6 +3,7 @@
 #ifndef thermocontact_time_step_controller_h
 #define thermocontact_time_step_controller_h
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/method/load_history.h>
 
@@ -23,11 +24,6 @@ namespace ThermoContact
     std::string reason       = ""; ///< why it ends there or was rejected
     double      wall_seconds = 0.;
   };
-
-
-
-  /** Steps below that part of the time are not much above its rounding. */
-  inline constexpr double rounding_of_time = 1e-13;
 
 
 
@@ -229,7 +225,7 @@ namespace ThermoContact
     static bool
     is_as_short_as_time_allows(const TimeStep &step)
     {
-      return step.size < rounding_of_time * step.end;
+      return step.size < Tolerances::same_time * step.end;
     }
 
     double
