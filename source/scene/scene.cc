@@ -140,7 +140,7 @@ namespace ThermoContact
           TimeFunction(*heat.obstacle_drive, dealii::Point<3>(1., 0., 0.))
             .value(0.) :
           boundary.obstacle_temperature;
-      heat.reference_coefficient = // at the nearer stop
+      heat.reference_coefficient = // at the nearer obstacle
         heat.exchange->coefficient(-std::min(gap, rear_gap), 0.);
       heat.lateral_exchange    = boundary.lateral_heat_exchange;
       heat.ambient_temperature = boundary.ambient_temperature;

@@ -182,10 +182,6 @@ namespace ThermoContact
           if (++n_retakes < max_retakes)
             return {ContactVerdict::to_time, finding.time};
           return leave_to_law();
-        case EventLocator::Finding::at_end:
-          if (body.scene.contact.is_in_equilibrium())
-            return {ContactVerdict::accept_with_law};
-          return {};
         default:
           return {};
       }
@@ -205,8 +201,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactTracker<dim>::accept(const ContactVerdict      &verdict,
-                              StepResult                &result,
+  ContactTracker<dim>::accept(StepResult                &result,
                               std::vector<ContactEvent> &events)
   {
     const ContactMode mode = locator.mode();
@@ -218,22 +213,18 @@ namespace ThermoContact
       }
     locator.accept(next, finding, events);
     n_retakes = 0;
-    if (verdict.kind == ContactVerdict::accept_with_law)
+    reset.finish_pressure(mode, finding, result);
+    const bool is_impact = body.law().is_rigid() &&
+                           mode != ContactMode::closed &&
+                           locator.mode() == ContactMode::closed &&
+                           !body.scene.contact.is_in_equilibrium();
+    if (is_impact)
+      reset.impact(result.state, result.energy, cost);
+    if (is_impact || finding.kind == EventLocator::Finding::at_end)
       {
+        // an end of contact at once is that of nodes that have stopped
         get_values(result.state, next);
         locator.set_present(next);
-      }
-    else
-      {
-        reset.finish_pressure(mode, finding, result);
-        if (body.law().is_rigid() && mode != ContactMode::closed &&
-            locator.mode() == ContactMode::closed)
-          {
-            reset.impact(result.state, result.energy, cost);
-            // an end of contact at once is that of nodes that have stopped
-            get_values(result.state, next);
-            locator.set_present(next);
-          }
       }
     if (impacted)
       cost += impacted->cost;

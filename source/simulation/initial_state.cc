@@ -129,7 +129,7 @@ namespace ThermoContact
 
 
 
-    /** Nor must a rigid stop behind the end. */
+    /** Nor must a rigid obstacle behind the end. */
     void
     check_rear_penetration(const double displacement,
                            const double reached,
@@ -241,7 +241,7 @@ namespace ThermoContact
                     std::vector<std::string> &warnings)
     {
       const double gap = body.contact_end().range_of_gap().first;
-      // of the largest magnitude: a rear stop pushes with a negative one
+      // of the largest magnitude: one behind the end pushes with a negative one
       const double pressure =
         *std::max_element(state.contact_pressure.begin(),
                           state.contact_pressure.end(),

@@ -200,10 +200,20 @@ namespace ThermoContact
     const Material &material = body.scene.material;
     if (!body.scene.fields.has_displacement)
       return;
-    if (material.is_static())
-      set_static_displacement(state);
-    else if (!material.has_inertia())
+    if (material.has_inertia() || material.is_static())
+      set_static_equilibrium(state);
+    else
       set_quasi_static_velocity({}, state);
+  }
+
+
+
+  template <int dim>
+  void
+  Reset<dim>::set_static_equilibrium(State &state)
+  {
+    if (body.scene.material.is_static())
+      set_static_displacement(state);
     else if (body.scene.contact.is_in_equilibrium())
       settle_static_nodes(state);
   }
@@ -629,7 +639,12 @@ namespace ThermoContact
     const bool is_event = finding.kind == EventLocator::Finding::at_end;
     bool       changed =
       remove_pull(mode == ContactMode::closed ? finding.side : 0, result.state);
-    if (is_event && mode == ContactMode::open && !body.law().is_rigid())
+    if (is_event && body.scene.contact.is_in_equilibrium())
+      {
+        changed = true;
+        set_static_equilibrium(result.state);
+      }
+    else if (is_event && mode == ContactMode::open && !body.law().is_rigid())
       {
         changed = true;
         set_pressures_of_law(body, result.state);

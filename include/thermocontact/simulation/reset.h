@@ -149,8 +149,10 @@ namespace ThermoContact
 
     /**
      * Pressures of a step that is accepted: none pulls, and where contact
-     * begins they are those of the law, since no stage has seen them. So is the
-     * heat exchange, where contact ends as well.
+     * begins they are those of the law, since no stage has seen them. Static
+     * nodes and bodies go to the equilibrium of the law at an event, to the
+     * accuracy of which they are there. So does the heat exchange, where
+     * contact ends as well.
      *
      * @param mode of the step
      * @param finding at its end
@@ -223,6 +225,10 @@ namespace ThermoContact
     /** (M.38), (M.64). */
     void
     settle_static_nodes(State &state);
+
+    /** One of the two. */
+    void
+    set_static_equilibrium(State &state);
 
     /**
      * Velocities and pressures of contact nodes without mass, with viscosity,

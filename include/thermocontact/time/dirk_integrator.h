@@ -128,7 +128,7 @@ namespace ThermoContact
     choose_tableau(const ContactMode mode);
 
     /**
-     * Closed nodes between two stops stay at the one where @p state has them:
+     * Closed nodes between two obstacles stay at the one where @p state has them:
      * the known values of a stage, and its end, may be nearer to the other one.
      */
     void

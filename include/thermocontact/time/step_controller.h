@@ -52,7 +52,7 @@ namespace ThermoContact
     enum Target
     {
       none,   ///< nothing: its size is the controller's
-      load,   ///< a break of the loads, or as far as they let it go
+      load,   ///< a break of the loads, or the largest step that they allow
       event,  ///< the instant where contact was seen to change
       output, ///< an output time
       finish  ///< $T$
