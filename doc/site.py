@@ -23,6 +23,10 @@ import markdown
 
 top = Path(__file__).resolve().parent.parent
 MATHJAX = Path("/usr/share/javascript/mathjax")
+WORDY = ("messages", "how-to", "units")  # rows of their tables are places, too
+SIGNS = dict(zip("alpha beta gamma delta epsilon varepsilon zeta eta theta kappa lambda mu nu pi rho sigma tau varphi "
+                 "chi omega Delta Omega Gamma le ge ne lt gt sum int to infty cdot times approx".split(),
+                 "α β γ δ ε ε ζ η θ κ λ μ ν π ρ σ τ φ χ ω Δ Ω Γ ≤ ≥ ≠ &lt; &gt; Σ ∫ → ∞ · × ≈".split()))
 PLAIN = ("Dockerfile", "CITATION.cff", "LICENSE")  # copied as text
 HEAD = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8">
@@ -33,7 +37,7 @@ HEAD = """<!DOCTYPE html>
 <script type="text/x-mathjax-config">MathJax.Hub.Config({{
  extensions: ["tex2jax.js"], jax: ["input/TeX", "output/HTML-CSS"],
  TeX: {{extensions: ["AMSmath.js", "AMSsymbols.js"]}},
- "HTML-CSS": {{scale: 92, availableFonts: ["TeX"], webFont: "TeX", linebreaks: {{automatic: true}}}},
+ "HTML-CSS": {{scale: 92, availableFonts: ["TeX"], webFont: "TeX"}},
  tex2jax: {{inlineMath: [["\\\\(", "\\\\)"]], processClass: "math", ignoreClass: "page"}},
  messageStyle: "none", showMathMenu: false}});</script>
 <script src="mathjax/MathJax.js" defer></script>
@@ -59,6 +63,12 @@ def name_of(path):
 def slug(heading, _="-"):
     """The anchor of a heading, as GitHub makes it."""
     return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
+
+
+def words_of(formula):
+    """A formula in a line, as far as that can be read: Greek letters, indices."""
+    formula = re.sub(r"\\([a-zA-Z]+) ?", lambda m: SIGNS.get(m[1], ""), formula)
+    return re.sub(r"\\.|[{}]", "", formula)
 
 
 def menu_of(readme):
@@ -166,12 +176,14 @@ class Site:
         maker = markdown.Markdown(extensions=["tables", "fenced_code", "toc", "sane_lists"],
                                   extension_configs={"toc": {"slugify": slug, "toc_depth": "2-3"}})
         text = maker.convert("".join(code))
-        text = re.sub(r"<p>(KEPT\d+TEXT)</p>", r"\1", text)
-        text = re.sub(r"KEPT(\d+)TEXT", lambda m: kept[int(m[1])], text).replace("BARINCODE", "|")
+        text = re.sub(r"<p>(KEPT\d+TEXT)</p>", r"\1", text).replace("BARINCODE", "|")
         text = re.sub(r'(href|src)="([^"]*)"',
                       lambda m: f'{m[1]}="{self.link(page, m[2])}"', text)
-        text = re.sub(r'<a href="([\w-]+\.html)">[\w-]+\.(?:md|ipynb)</a>', lambda m:
+        text = re.sub(r'<a href="([\w-]+\.html)">[\w/-]+\.(?:md|ipynb)</a>', lambda m:
                       f'<a href="{m[1]}">{self.titles.get(m[1], m[1])}</a>', text)
+        text = re.sub(r"(?<!\">)<code>(prm/[\w/-]+\.prm)</code>", lambda m: m[0] if not (top / m[1]).is_file()
+                      else f'<code><a href="{m[1]}.txt">{m[1]}</a></code>', text)
+        text = self.with_run_in_headings(text)
         here = name_of(page)
         text = re.sub(r"(?<![\w{\"])\(([A-Z]\d*\.\d+)\)", lambda m: m[0] if m[1] not in self.equations
                       else f'(<a href="{self.equations[m[1]]}#{m[1]}">{m[1]}</a>)', text)
@@ -183,7 +195,22 @@ class Site:
                           if m[1] in self.entries else m[0], text)
         if maker.toc.count("<li>") > 3:
             text = text.replace("</h1>", "</h1>" + maker.toc, 1)
+        text = re.sub(r"KEPT(\d+)TEXT", lambda m: kept[int(m[1])], text)
         return re.sub(r"<table>", '<div class="wide"><table>', text).replace("</table>", "</table></div>")
+
+    @staticmethod
+    def with_run_in_headings(text):
+        """An anchor in each paragraph that begins with bold words."""
+        names = set(re.findall(r'id="([^"]*)"', text))
+
+        def place(match):
+            name = slug(html.unescape(re.sub(r"<[^>]+>|KEPT\d+TEXT", "", match[2])))
+            if not name or name in names:
+                return match[0]
+            names.add(name)
+            return f'<{match[1]} id="{name}"><strong>{match[2]}</strong>'
+
+        return re.sub(r"<(p|li)>\s*<strong>(.*?)</strong>", place, text)
 
     @staticmethod
     def with_places(text):
@@ -212,20 +239,32 @@ class Site:
         return "\n".join(items)
 
     def add_to_index(self, page, title, text):
-        """Sections, and rows of tables of names, as places to be found."""
+        """Sections, paragraphs with run-in headings and rows of tables as places to be found,
+        with the words of comments <!-- find: word, words --> that do not stand in them."""
         def plain(part):
+            part = re.sub(r'<div class="math".*?</div>', " … ", part, flags=re.S)
+            part = re.sub(r'<span class="math">\\\((.*?)\\\)</span>', lambda m: words_of(m[1]), part, flags=re.S)
             return " ".join(html.unescape(re.sub(r"<[^>]+>", " ", part)).split())
+
+        def add(anchor, heading, part, first=None):
+            found = re.search(r"<!-- find: (.*?) -->", part if first is None else first)
+            self.index.append([f"{name_of(page)}#{anchor}", title, plain(heading),
+                               plain(part), found[1] if found else ""])
 
         parts = re.split(r'<h[123] id="([^"]*)">(.*?)</h[123]>', text, flags=re.S)
         for anchor, heading, part in zip(parts[1::3], parts[2::3], parts[3::3]):
-            self.index.append([f"{name_of(page)}#{anchor}", title, plain(heading), plain(part)])
+            inner = re.split(r'(?=<(?:p|li) id=)', part)
+            add(anchor, heading, part, inner[0])
+            for place in inner[1:]:
+                at, name = re.match(r'<\w+ id="([^"]*)"><strong>(.*?)</strong>', place, re.S).groups()
+                add(at, name.rstrip(".: "), place)
             for row in re.findall(r"<tr[^>]*>.*?</tr>", part, re.S):
                 at = re.search(r'<tr id="([^"]*)"', row)
-                name = re.search(r"<td><code>(?:<a[^>]*>)?([^<]+)", row)
-                if name:
+                code = re.search(r"<td><code>(?:<a[^>]*>)?([^<]+)", row)
+                name = code[1] if code else plain(row.partition("</td>")[0])
+                if re.search(r"[A-Za-z]{3}", name) and (code or page.stem in WORDY) and "<td" in row:
                     entry = plain(heading) + "/" if at and at[1][0] != "/" else ""
-                    self.index.append([f"{name_of(page)}#{at[1] if at else anchor}", title,
-                                       entry + html.unescape(name[1]), plain(row)])
+                    add(at[1] if at else anchor, entry + html.unescape(name), row)
 
     def write(self):
         for page in self.pages:
@@ -265,7 +304,7 @@ HTML_EXTRA_STYLESHEET = "{top}/doc/classes.css"
             name = re.search(r"<title>.*?: (.*?) (?:Class|Struct).*</title>", path.read_text())
             if name:
                 self.index.append([f"classes/{path.name}", "Classes",
-                                   html.unescape(name[1]).replace("ThermoContact::", ""), ""])
+                                   html.unescape(name[1]).replace("ThermoContact::", ""), "", ""])
 
 
 def main(folder):

@@ -86,16 +86,16 @@ def drawn(runs, labels):
 
 def label_of(runs, name, label):
     """With the unit of the column."""
-    unit = runs[0].units.get(name)
-    return in_unit(label, unit)
+    if name == "gap" and any(math.isfinite(run.rear) for run in runs):
+        label = "gap to the nearer obstacle"
+    return in_unit(label, runs[0].units.get(name))
 
 
-def draw_obstacle(axes, g):
+def draw_obstacle(axes, g, name=""):
     low, high = axes.get_ylim()
     if 2 * low - high <= g <= 2 * high - low:  # not far away, not nan
         axes.axhline(g, zorder=2.5, **OBSTACLE)
-        axes.text(1.01, g, "$g$" if g else "", va="center",
-                  transform=axes.get_yaxis_transform())
+        axes.text(1.01, g, name, va="center", transform=axes.get_yaxis_transform())
 
 
 def mark_contacts(axes, runs, colour=None):
@@ -127,7 +127,9 @@ def draw_history(axes, column, runs):
     axes.ticklabel_format(axis="y", scilimits=(-3, 4))
     if column == "displacement_end":
         for g in {run.obstacle for run in runs if not run.moves}:
-            draw_obstacle(axes, g)
+            draw_obstacle(axes, g, "$g$" if g else "")
+        for rear in {run.rear for run in runs}:
+            draw_obstacle(axes, rear, "$-g_2$" if rear else "")
         for run in runs:
             if run.path:
                 axes.plot(*run.path, zorder=2.5, **OBSTACLE)
@@ -143,8 +145,12 @@ def legend_of(runs, obstacle):
     values = [g for g in values if math.isfinite(g)]
     if values and obstacle:
         unit = runs[0].units.get("gap")
-        handles.append(Line2D([], [], label="obstacle, $g$ = " + ", ".join(
-            f"{g:g}" for g in values) + (f" {unit}" if unit else ""), **OBSTACLE))
+        rear = sorted(-run.rear for run in runs if math.isfinite(run.rear))
+        words = ["$g$ = " + ", ".join(f"{g:g}" for g in values)]
+        if rear:
+            words.append("$g_2$ = " + ", ".join(dict.fromkeys(f"{g:g}" for g in rear)))
+        handles.append(Line2D([], [], label="obstacle, " + "; ".join(words) +
+                              (f" {unit}" if unit else ""), **OBSTACLE))
     elif obstacle and any(run.path for run in runs):
         handles.append(Line2D([], [], label="obstacle, $g(t)$", **OBSTACLE))
     return handles + legend_of_contacts(runs, "bars at the top")

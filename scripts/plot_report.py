@@ -16,12 +16,12 @@ RESULTS = [("first_contact_time", "first contact", "predicted_first_contact_time
            ("max_penetration", "largest penetration", None),
            ("contact_impulse", "contact impulse", None),
            ("restitution", "coefficient of restitution", None),
-           ("final_displacement_end", "displacement of the end, at last",
+           ("final_displacement_end", "final displacement of the end",
             "predicted_displacement_end"),
-           ("final_contact_force", "contact force, at last", "predicted_contact_force"),
-           ("final_temperature_end", "temperature of the end, at last",
+           ("final_contact_force", "final contact force", "predicted_contact_force"),
+           ("final_temperature_end", "final temperature of the end",
             "predicted_temperature_end"),
-           ("final_energy", "energy, at last", None)]
+           ("final_energy", "final energy", None)]
 STYLE = """body { font: 15px/1.5 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; }
 table { border-collapse: collapse; } td, th { border: 1px solid #ccc; padding: .2em .6em; text-align: left; }
 img { max-width: 100%; } pre { background: #f3f3f3; padding: .6em; white-space: pre-wrap; }

@@ -72,7 +72,10 @@ def read_data(path, end_time):
             data.get("contact_dissipation", nothing))]
     for name in OPTIONAL[1:]:
         data.setdefault(name, [math.nan] * count)
-    return comments, times[-1], data, units_of(comments, header)
+    units = units_of(comments, header)
+    if "energy" in units:
+        units["defect"] = units["energy"]
+    return comments, times[-1], data, units
 
 
 def how_it_ended(directory, time, unit):
@@ -129,18 +132,29 @@ def path_of_obstacle(directory, data):
     return data["time"], [u + gap for u, gap in zip(data["displacement_end"], data["gap"])]
 
 
+def obstacles(data, entries):
+    """Where they are, g and -g_2; nan: there is none, or none of two that was met. The gap
+    is that to the nearer one of two, which is the one that presses."""
+    two = entries.get("Contact/Rear gap", "none") != "none"
+    rows = [row for row in zip(data["displacement_end"], data["gap"], data["contact_force"])
+            if math.isfinite(row[0] + row[1])]
+    # rounding, and bending in 2-D and 3-D, spoil g least where u(1) is smallest
+    front = [(abs(u), u + gap) for u, gap, force in rows if force > 0 or not two]
+    rear = [(abs(u), u - gap) for u, gap, force in rows if force < 0]
+    return [rounded(min(ends)) if ends else math.nan for ends in (front, rear)]
+
+
 def read_run(directory, end_time):
     path = directory / "contact.csv"
     comments, last_time, data, units = read_data(path, end_time)
-    # rounding, and bending in 2-D and 3-D, spoil g least where u(1) is smallest
-    ends = [(abs(u), u + gap) for u, gap in zip(
-        data["displacement_end"], data["gap"]) if math.isfinite(u + gap)]
+    entries = entries_of(directory)
+    front, rear = obstacles(data, entries)
     return argparse.Namespace(
-        directory=directory, data=data, units=units, entries=entries_of(directory),
+        directory=directory, data=data, units=units, entries=entries,
         title=title_of(comments) or directory.resolve().name,
         ended=how_it_ended(directory, last_time, units.get("time", "")),
         contacts=read_contacts(directory / "events.csv", data),
-        obstacle=rounded(min(ends)) if ends else math.nan,
+        obstacle=front, rear=rear,
         moves=obstacle_moves(directory), path=path_of_obstacle(directory, data),
         steps=read_optional(directory / "steps.csv", lambda _: STEPS, end_time),
         probes=read_optional(

@@ -16,9 +16,10 @@ RESULTS = {"first_contact_time": "time of the first contact",
            "restitution": "coefficient of restitution",
            "final_displacement_end": r"final displacement  $u(1, T)$",
            "final_temperature_end": r"final temperature  $\theta(1, T)$",
-           "reached_state_of_rest": "state of rest"}
+           "reached_state_of_rest": "steady state reached, number"}
 WHOLE = ("contact_begins", "reached_state_of_rest")  # no ticks between them
 LEAST_MAP = 4  # values of each of two entries from which on there is a map
+MOST_CURVES = 12  # that can be told apart
 
 
 def number(word):
@@ -54,7 +55,15 @@ def numeric(sweep):
 def wanted(path):
     """Whether there is something to draw."""
     sweep = read_sweep(path)
-    return bool(sweep.results and numeric(sweep))
+    names = numeric(sweep)
+    return bool(sweep.results and names and (
+        is_map(sweep, names) or len(curves_of(sweep, names[0])) <= MOST_CURVES))
+
+
+def is_map(sweep, names):
+    """Whether two entries with enough numbers each, and no other, are varied."""
+    return len(names) > 1 and len({run[names[1]] for run in sweep.runs}) >= LEAST_MAP and not any(
+        len({run[name] for run in sweep.runs}) > 1 for name in sweep.varied if name not in names[:2])
 
 
 def scale_of(values):
@@ -96,7 +105,7 @@ def differs(sweep, result):
 
 def draw_curves(figure, sweep, results, axis):
     curves = curves_of(sweep, axis)
-    if len(curves) > 12:
+    if len(curves) > MOST_CURVES:
         fail(sweep.path, f"{len(curves)} curves cannot be told apart",
              "vary fewer entries in one study, or two with a number each")
     columns = columns_of(results, False)
@@ -159,10 +168,10 @@ def draw_maps(figure, sweep, results, axes):
     figure.align_ylabels()
 
 
-def columns_of(results, is_map):
+def columns_of(results, as_map):
     """Panels beside each other, so that the last row is full if that can be."""
     n = len(results)
-    return n if n < 3 else 2 if n % 2 == 0 and (n % 3 or n == 4) and is_map else 3
+    return n if n < 3 else 2 if n % 2 == 0 and (n % 3 or n == 4) and as_map else 3
 
 
 def draw(path, result):
@@ -176,18 +185,15 @@ def draw(path, result):
         fail(path, f"no run has a {result}", "draw another result")
     differing = [name for name in sweep.results if differs(sweep, name)]
     results = [result] if result else differing or sweep.results
-    count = {name: len({run[name] for run in sweep.runs}) for name in names}
-    others = [name for name in sweep.varied if name not in names[:2]
-              and len({run[name] for run in sweep.runs}) > 1]
-    is_map = len(names) > 1 and count[names[1]] >= LEAST_MAP and not others
-    columns = columns_of(results, is_map)
+    as_map = is_map(sweep, names)
+    columns = columns_of(results, as_map)
     figure = new_figure(3.6 * columns + 0.8,
                         2.9 * math.ceil(len(results) / columns) + 0.8)
     left_out = sweep.n_runs - len(sweep.runs)
     figure.suptitle(plain(sweep.title, 90) + (
         f"\n{left_out} of {sweep.n_runs} runs failed: not drawn"
         if left_out else ""))
-    if is_map:
+    if as_map:
         draw_maps(figure, sweep, results, names[:2])
     else:
         draw_curves(figure, sweep, results, names[0])

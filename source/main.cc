@@ -6,16 +6,15 @@
 #include <thermocontact/base/log.h>
 #include <thermocontact/base/serial_section.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/types.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/command_line.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameter_reference.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/si_scene.h>
-#include <thermocontact/output/output_directory.h>
-#include <thermocontact/report/output_reference.h>
+#include <thermocontact/output/output_page.h>
 #include <thermocontact/scene/scene_checks.h>
-#include <thermocontact/scene_run.h>
 #include <thermocontact/sweep.h>
 
 #include <deal.II/base/mpi.h>
@@ -45,29 +44,29 @@ namespace ThermoContact
 
 
     void
-    print_parameters(const std::vector<Assignment> &assignments,
-                     ParameterHandler              &prm,
-                     const std::string             &format)
+    print_parameters(const Request &request)
     {
-      std::vector<DeclaredEntry> entries = declared_entries(prm);
-      if (is_in_si(assignments))
+      const std::string         &format  = request.command.print_parameters;
+      std::vector<DeclaredEntry> entries = declared_entries(request.prm);
+      if (is_in_si(request.assignments))
         {
           if (format != "prm")
             throw InputError("--print-parameters=" + format +
                              ": the file has section Rod\n  allowed: prm");
-          add_units(assignments, entries);
+          add_units(request.assignments, entries);
           return print_entries(entries);
         }
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
         return;
       if (format == "markdown")
-        return write_parameter_reference(prm, std::cout);
+        return write_parameter_reference(request.prm, std::cout);
       const auto style = format == "json" ? ParameterHandler::JSON :
                                             (format == "description" ?
                                                ParameterHandler::Description :
                                                ParameterHandler::PRM);
-      prm.print_parameters(std::cout,
-                           style | ParameterHandler::KeepDeclarationOrder);
+      request.prm.print_parameters(std::cout,
+                                   style |
+                                     ParameterHandler::KeepDeclarationOrder);
     }
 
 
@@ -103,43 +102,32 @@ namespace ThermoContact
 
     /** Prints the scene of a file in SI units without them. */
     void
-    print_scene(const std::vector<Assignment> &assignments,
-                const ParameterHandler        &prm)
+    print_scene(const Request &request)
     {
-      std::vector<DeclaredEntry> entries = declared_entries(prm);
-      if (!is_in_si(assignments))
+      std::vector<DeclaredEntry> entries = declared_entries(request.prm);
+      if (!is_in_si(request.assignments))
         throw InputError(std::string(command_line_place) +
                          ": --units: the file has no section Rod, and no units"
                          "\n  remedy:  run it without --units");
-      remove_units(assignments, entries);
+      remove_units(request.assignments, entries);
       print_entries(entries);
     }
 
 
 
     void
-    run_dimension(const Parameters              &parameters,
-                  ParameterHandler              &prm,
-                  const std::vector<Assignment> &assignments,
-                  const CommandLine             &command,
-                  const Timer                   &since_start,
-                  Log                           &log)
+    run_dimension(const Request &request, const Timer &since_start, Log &log)
     {
-      switch (parameters.dimension)
+      switch (request.parameters.dimension)
         {
           case 1:
             return serial_section(
-              [&]() {
-                run_scene<1>(
-                  parameters, prm, assignments, command, since_start, log);
-              },
+              [&]() { run_scene<1>(request, since_start, log); },
               MPI_COMM_WORLD);
           case 2:
-            return run_scene<2>(
-              parameters, prm, assignments, command, since_start, log);
+            return run_scene<2>(request, since_start, log);
           default:
-            return run_scene<3>(
-              parameters, prm, assignments, command, since_start, log);
+            return run_scene<3>(request, since_start, log);
         }
     }
 
@@ -234,7 +222,7 @@ namespace ThermoContact
       if (command.show_output)
         {
           if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-            std::cout << output_reference();
+            std::cout << output_page;
           return;
         }
 
@@ -242,28 +230,25 @@ namespace ThermoContact
         throw InputError("no parameter file is given\n  remedy:  thermocontact "
                          "FILE.prm, e.g. prm/paper/experiment-1.prm");
 
-      const std::vector<Assignment> assignments = all_assignments(command);
-      Parameters                    parameters;
-      ParameterHandler              prm;
-      parameters.add_parameters(prm);
-      assign_entries(assignments, prm);
+      const Request     request(command, all_assignments(command));
+      const Parameters &parameters = request.parameters;
       if (!command.print_parameters.empty())
-        return print_parameters(assignments, prm, command.print_parameters);
+        return print_parameters(request);
 
       try
         {
           if (parameters.study.is_active() && !command.prints_scene)
-            return run_sweep(parameters, prm, assignments, command, log);
-          check_unused_entries(parameters, prm);
+            return run_sweep(request, log);
+          check_unused_entries(parameters, request.prm);
           check_scene(parameters);
           if (command.prints_scene)
-            return print_scene(assignments, prm);
-          run_dimension(
-            parameters, prm, assignments, command, since_start, log);
+            return print_scene(request);
+          run_dimension(request, since_start, log);
         }
       catch (const InputError &error)
         {
-          throw InputError(complete_message(error.what(), assignments, prm));
+          throw InputError(
+            complete_message(error.what(), request.assignments, request.prm));
         }
       catch (const std::bad_alloc &)
         {

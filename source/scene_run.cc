@@ -196,8 +196,8 @@ namespace ThermoContact
         simulation.parameters().output.checkpoint_interval,
         output,
         simulation.discretization().communicator());
-      Progress<dim> progress(simulation, log);
-      unsigned int  n_reported = simulation.history().warnings.size();
+      Progress     progress(simulation.scene(), simulation.history(), log);
+      unsigned int n_reported = simulation.history().warnings.size();
 
       RunTimes times;
       times.set_up            = since_start.wall_time();
@@ -217,7 +217,7 @@ namespace ThermoContact
              [&](const Simulation<dim> &s) {
                n_reported =
                  report_warnings(s.history().warnings, n_reported, log);
-               progress.observe(s);
+               progress.observe(s.history());
              },
              [&](const Simulation<dim> &s) { checkpointer.observe(s); }});
           output.finish();
@@ -240,9 +240,14 @@ namespace ThermoContact
           throw;
         }
       finish_times();
-      report_result(simulation, times, progress.initial_energy(), log);
+      report_result(simulation.scene(),
+                    simulation.history(),
+                    simulation.counters(),
+                    times,
+                    progress.initial_energy(),
+                    log);
       if (errors)
-        report_errors(simulation, *errors, log);
+        report_errors(simulation.scene(), simulation.history(), *errors, log);
       write_summary(
         summary, "done", simulation, times, errors ? &*errors : nullptr);
     }
@@ -250,8 +255,19 @@ namespace ThermoContact
 
 
 
+  Request::Request(const CommandLine             &command,
+                   const std::vector<Assignment> &assignments)
+    : command(command)
+    , assignments(assignments)
+  {
+    parameters.add_parameters(prm);
+    assign_entries(assignments, prm);
+  }
+
+
+
   std::string
-  output_directory(const Parameters &parameters, const CommandLine &command)
+  Request::output_directory() const
   {
     if (!parameters.output.directory.empty())
       return parameters.output.directory;
@@ -264,31 +280,26 @@ namespace ThermoContact
 
 
   std::string
-  resume_command(const CommandLine &command,
-                 const std::string &directory,
-                 const MPI_Comm     communicator)
+  Request::resume_command(const MPI_Comm communicator) const
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    return (n_ranks > 1 ? "mpirun -n " + std::to_string(n_ranks) + " " : "") +
+    return (n_ranks > 1 ? text("mpirun -n ", n_ranks, ' ') : "") +
            for_shell(command.program_name) + " --resume " +
-           for_shell(directory + "/used.prm");
+           for_shell(output_directory() + "/used.prm");
   }
 
 
 
   template <int dim>
   void
-  run_scene(const Parameters              &parameters,
-            ParameterHandler              &prm,
-            const std::vector<Assignment> &assignments,
-            const CommandLine             &command,
-            const Timer                   &since_start,
-            Log                           &log)
+  run_scene(const Request &request, const Timer &since_start, Log &log)
   {
-    const MPI_Comm communicator =
+    const Parameters  &parameters = request.parameters;
+    const CommandLine &command    = request.command;
+    const MPI_Comm     communicator =
       DimensionTraits<dim>::communicator(MPI_COMM_WORLD);
-    const std::string directory = output_directory(parameters, command);
-    const auto        entries   = entry_values(prm);
+    const std::string directory = request.output_directory();
+    const auto        entries   = entry_values(request.prm);
 
     std::optional<DirectoryLock> lock;
     std::optional<Checkpoint>    checkpoint;
@@ -314,7 +325,7 @@ namespace ThermoContact
       check_output_directory(directory, communicator);
     const auto report = [&]() {
       report_scene(simulation, log);
-      for (const std::string &doubt : implausible_numbers(assignments))
+      for (const std::string &doubt : implausible_numbers(request.assignments))
         log.line("  doubt     " + doubt);
       check_cost(simulation.scene(),
                  simulation.discretization().n_active_cells(),
@@ -332,8 +343,11 @@ namespace ThermoContact
       }
     else if (Utilities::MPI::this_mpi_process(communicator) == 0)
       keep_as_newest(directory, *checkpoint);
-    write_used_parameters(
-      directory, unused_paths(parameters), prm, assignments, communicator);
+    write_used_parameters(directory,
+                          unused_paths(parameters),
+                          request.prm,
+                          request.assignments,
+                          communicator);
     throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",
                                                      checkpoint.has_value()),
                                        communicator);
@@ -353,24 +367,17 @@ namespace ThermoContact
     catch (const Interruption &error)
       {
         throw Interruption(error.what() + std::string("\n  resume:  ") +
-                           resume_command(command, directory, communicator));
+                           request.resume_command(communicator));
       }
     log.line("  files     " + directory);
   }
 
 
 
-#define INSTANTIATE(dim)                                        \
-  template void run_scene<dim>(const Parameters &,              \
-                               ParameterHandler &,              \
-                               const std::vector<Assignment> &, \
-                               const CommandLine &,             \
-                               const Timer &,                   \
-                               Log &)
-
-  INSTANTIATE(1);
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template void
+  run_scene<1>(const Request &, const Timer &, Log &);
+  template void
+  run_scene<2>(const Request &, const Timer &, Log &);
+  template void
+  run_scene<3>(const Request &, const Timer &, Log &);
 } // namespace ThermoContact

@@ -6,14 +6,13 @@
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/scene/scales_checks.h>
 #include <thermocontact/scene/scene_checks.h>
-#include <thermocontact/scene_run.h>
 #include <thermocontact/study/study.h>
+#include <thermocontact/study/study_forecast.h>
 #include <thermocontact/study/study_report.h>
 #include <thermocontact/sweep.h>
 
 #include <filesystem>
 #include <fstream>
-#include <map>
 
 namespace ThermoContact
 {
@@ -75,21 +74,19 @@ namespace ThermoContact
 
     /** Makes the directory and study.csv ready, anew or to go on. */
     void
-    prepare(ParameterHandler              &prm,
-            const std::vector<Assignment> &assignments,
-            const CommandLine             &command,
-            const std::string             &directory,
-            StudyTable                    &table)
+    prepare(const Request     &request,
+            const std::string &directory,
+            StudyTable        &table)
     {
       const MPI_Comm communicator = MPI_COMM_WORLD;
       const bool is_first = Utilities::MPI::this_mpi_process(communicator) == 0;
       std::string mismatch;
-      if (!command.is_resumed)
+      if (!request.command.is_resumed)
         prepare_output_directory(directory, communicator);
       else if (is_first)
         try
           {
-            read_rows(directory, prm, table);
+            read_rows(directory, request.prm, table);
           }
         catch (const InputError &error)
           {
@@ -97,7 +94,8 @@ namespace ThermoContact
           }
       throw_everywhere<InputError>(mismatch, communicator);
       // what one run cannot use another may
-      write_used_parameters(directory, {}, prm, assignments, communicator);
+      write_used_parameters(
+        directory, {}, request.prm, request.assignments, communicator);
       throw_everywhere<ComputationError>(is_first ? table.sort() : "",
                                          communicator);
     }
@@ -106,22 +104,20 @@ namespace ThermoContact
 
 
   void
-  run_sweep(const Parameters              &parameters,
-            ParameterHandler              &prm,
-            const std::vector<Assignment> &assignments,
-            const CommandLine             &command,
-            Log                           &log)
+  run_sweep(const Request &request, Log &log)
   {
-    const MPI_Comm communicator = MPI_COMM_WORLD;
+    const MPI_Comm     communicator = MPI_COMM_WORLD;
+    const Parameters  &parameters   = request.parameters;
+    const CommandLine &command      = request.command;
     check_scales(parameters);
     check_error_bars(parameters);
-    const StudyPlan   plan(assignments, parameters.study);
-    const std::string directory = output_directory(parameters, command);
+    const StudyPlan   plan(request.assignments, parameters.study);
+    const std::string directory = request.output_directory();
     StudyTable        table(plan, directory + "/study.csv", parameters);
     if (command.check_only)
       {
         if (command.is_resumed)
-          read_rows(directory, prm, table);
+          read_rows(directory, request.prm, table);
         check_output_directory(directory, communicator);
         return check_study(table, parameters.study, log);
       }
@@ -130,7 +126,7 @@ namespace ThermoContact
     if (!command.is_resumed)
       memory = check_study_memory(table);
     const DirectoryLock lock(directory, command.is_resumed, communicator);
-    prepare(prm, assignments, command, directory, table);
+    prepare(request, directory, table);
     if (command.is_resumed)
       memory = check_study_memory(table);
     throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",
@@ -153,7 +149,7 @@ namespace ThermoContact
       {
         log.failure(std::string("  interrupted:  ") + error.what());
         throw Interruption(error.what() + std::string("\n  resume:  ") +
-                           resume_command(command, directory, communicator));
+                           request.resume_command(communicator));
       }
     write_study_tables(directory, parameters.title, table);
     log.line("  files     " + directory);

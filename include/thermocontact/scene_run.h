@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/log.h>
 #include <thermocontact/input/command_line.h>
+#include <thermocontact/input/parameter_text.h>
 #include <thermocontact/input/parameters.h>
 
 #include <deal.II/base/mpi.h>
@@ -12,39 +13,49 @@
 #include <deal.II/base/timer.h>
 
 #include <string>
+#include <vector>
 
 namespace ThermoContact
 {
-  /** Where the files of a run go: as given, or `results/` and the file's name.
-   */
-  std::string
-  output_directory(const Parameters &parameters, const CommandLine &command);
+  /** What the user asks for. */
+  struct Request
+  {
+    /**
+     * @param command borrowed
+     * @param assignments of the parameter file and the command line
+     * @throw InputError as assign_entries()
+     */
+    Request(const CommandLine             &command,
+            const std::vector<Assignment> &assignments);
 
-  /** The command, for a shell, that goes on with a run or a study. */
-  std::string
-  resume_command(const CommandLine &command,
-                 const std::string &directory,
-                 const MPI_Comm     communicator);
+    const CommandLine            &command;
+    const std::vector<Assignment> assignments;
+    Parameters                    parameters;
+    ParameterHandler              prm; ///< bound to parameters
+
+    /** Where the files go: as given, or `results/` and the file's name. */
+    std::string
+    output_directory() const;
+
+    /** The command, for a shell, that goes on with a run or a study. */
+    std::string
+    resume_command(const MPI_Comm communicator) const;
+  };
+
+
 
   /**
    * Sets up one scene, or goes on from a checkpoint, and runs it with all its
    * files; or checks it, if the command says so. Collective on the ranks of
    * MPI_COMM_WORLD that share the body: of a rod, one alone.
    *
-   * @param prm is bound to @p parameters
-   * @param assignments of the file
    * @param since_start runs since the start of the program
    * @throw InputError if the scene, the directory or the checkpoint do not fit
    * @throw ComputationError if the run fails or is interrupted
    */
   template <int dim>
   void
-  run_scene(const Parameters              &parameters,
-            ParameterHandler              &prm,
-            const std::vector<Assignment> &assignments,
-            const CommandLine             &command,
-            const dealii::Timer           &since_start,
-            Log                           &log);
+  run_scene(const Request &request, const dealii::Timer &since_start, Log &log);
 } // namespace ThermoContact
 
 #endif

@@ -21,8 +21,7 @@ namespace ThermoContact
     std::string       fault;
     {
       TableFile file;
-      file.open(part);
-      file.write_row(text);
+      file.open(part, text);
       fault = is_durable ? file.sync() : file.flush();
     }
     return put_in_place(path, fault);

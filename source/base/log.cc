@@ -80,6 +80,17 @@ namespace ThermoContact
 
 
   void
+  Log::milestone(const std::string &text)
+  {
+    if (has_live_line_)
+      file_line(text);
+    else
+      line(text);
+  }
+
+
+
+  void
   Log::failure(const std::string &text)
   {
     if (has_live_line_ && isatty(STDERR_FILENO) == 1)

@@ -69,6 +69,22 @@ namespace ThermoContact
 
 
 
+  std::string
+  about(const double value)
+  {
+    return significant(round_to_digits(value, 2), 12);
+  }
+
+
+
+  std::string
+  gigabytes(const double bytes)
+  {
+    return about(bytes / 1e9) + " GB";
+  }
+
+
+
   std::optional<double>
   parse_number(std::string_view text)
   {

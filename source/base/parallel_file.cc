@@ -3,12 +3,8 @@
 #include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/collective_errors.h>
 #include <thermocontact/base/parallel_file.h>
-#include <thermocontact/base/table_file.h>
+#include <thermocontact/base/writable_file.h>
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstdint>
 
 namespace ThermoContact
@@ -17,61 +13,6 @@ namespace ThermoContact
 
   namespace
   {
-    /** A file open for writing, closed at the end of its life. */
-    class Descriptor
-    {
-    public:
-      Descriptor(const std::string &path, const int flags)
-        : path(path)
-      {
-        do
-          number = open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
-        while (number < 0 && errno == EINTR);
-        if (number < 0)
-          fault = file_fault(path, "cannot be opened");
-      }
-
-      ~Descriptor()
-      {
-        if (number >= 0)
-          close(number);
-      }
-
-      Descriptor(const Descriptor &) = delete;
-      Descriptor &
-      operator=(const Descriptor &) = delete;
-
-      void
-      write(const std::string_view bytes, const std::uint64_t begin)
-      {
-        std::size_t n = 0;
-        while (fault.empty() && n < bytes.size())
-          {
-            const ssize_t written =
-              pwrite(number, bytes.data() + n, bytes.size() - n, begin + n);
-            if (written >= 0)
-              n += written;
-            else if (errno != EINTR)
-              fault = file_fault(path, "cannot be written");
-          }
-      }
-
-      void
-      sync()
-      {
-        if (fault.empty() && fsync(number) != 0)
-          fault = file_fault(path, "cannot be written to the disk");
-      }
-
-      std::string fault;
-
-    private:
-      const std::string path;
-      int               number;
-    };
-
-
-
     /** Bytes of the ranks before this one. */
     std::uint64_t
     begin_of_part(const std::uint64_t size, const MPI_Comm communicator)
@@ -97,15 +38,16 @@ namespace ThermoContact
       size += piece.size();
     std::uint64_t begin = begin_of_part(size, communicator);
 
-    // The first rank makes the file, so that nothing of an older one is left.
-    std::string fault;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      fault = Descriptor(path, O_CREAT | O_TRUNC).fault;
-    fault = first_fault(fault, communicator);
-    if (!fault.empty())
+    const bool   is_first = Utilities::MPI::this_mpi_process(communicator) == 0;
+    WritableFile file;
+    // Others wait for the first rank, so that nothing of an older one is left.
+    if (is_first)
+      file.open(path, true);
+    if (const std::string fault = first_fault(file.fault(), communicator);
+        !fault.empty())
       return fault;
-
-    Descriptor file(path, 0);
+    if (!is_first)
+      file.open(path, false);
     for (const std::string_view piece : part)
       {
         file.write(piece, begin);
@@ -113,7 +55,7 @@ namespace ThermoContact
       }
     if (is_durable)
       file.sync();
-    return first_fault(file.fault, communicator);
+    return first_fault(file.fault(), communicator);
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/conserving_contact.h>
 #include <thermocontact/method/scheme.h>
 
@@ -15,15 +16,6 @@ namespace ThermoContact
   namespace
   {
     using Values = std::vector<double>;
-
-    /** Part of the way on which nodes that change together are told apart. */
-    constexpr double smallest_lead = 1e-10;
-
-    /** Residuals of that part of the pressures are rounding. */
-    constexpr double rounding_of_mean = 1e-14;
-
-    /** A step of Newton's method that has to be shorter has stalled. */
-    constexpr double smallest_part = 1e-3;
 
     constexpr unsigned int max_iterations = 50;
 
@@ -153,7 +145,7 @@ namespace ThermoContact
     // point a little further on; what is wrong up to there is of second order
     // in it. Nodes that move within rounding are not seen to change: then
     // further on.
-    double                     lead = smallest_lead;
+    double                     lead = Tolerances::simultaneous_changes;
     Values                     pressure(n, 0.);
     dealii::FullMatrix<double> response(n, n), change(n, 1);
     for (double xi = 0.; xi < 1.;)
@@ -188,7 +180,7 @@ namespace ThermoContact
               derivative(i, j) +=
                 0.5 * (next * next - xi * xi) * slope[i] * response(i, j);
           }
-        lead = next > xi + lead ? smallest_lead : 2. * lead;
+        lead = next > xi + lead ? Tolerances::simultaneous_changes : 2. * lead;
         xi   = next;
       }
   }
@@ -232,13 +224,14 @@ namespace ThermoContact
     double norm = evaluate(pressure);
     for (unsigned int iteration = 1; iteration <= max_iterations; ++iteration)
       {
-        if (norm <= rounding_of_mean *
+        if (norm <= Tolerances::rounding_of_sum *
                       std::max(largest_entry(pressure), largest_entry(mean)))
           return iteration;
         newton_update(derivative, receptance, residual, update);
         const Values old_pressure = pressure;
         const double old_norm     = norm;
-        for (double part = 1.; part > smallest_part; part *= 0.5)
+        for (double part = 1.; part > Tolerances::shortest_newton_step;
+             part *= 0.5)
           {
             for (unsigned int i = 0; i < n; ++i)
               pressure[i] = old_pressure[i] - part * update(i);
@@ -248,13 +241,14 @@ namespace ThermoContact
           }
         // at the rounding of the displacements no step is an improvement
         if (norm >= old_norm &&
-            old_norm <= rounding_of_mean * (derivative.linfty_norm() *
-                                              position_scale(displacement_scale,
-                                                             start,
-                                                             free_end,
-                                                             receptance,
-                                                             old_pressure) +
-                                            largest_entry(old_pressure)))
+            old_norm <=
+              Tolerances::rounding_of_sum *
+                (derivative.linfty_norm() * position_scale(displacement_scale,
+                                                           start,
+                                                           free_end,
+                                                           receptance,
+                                                           old_pressure) +
+                 largest_entry(old_pressure)))
           {
             pressure = old_pressure;
             return iteration;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/event_locator.h>
 
 #include <algorithm>
@@ -14,9 +15,6 @@ namespace ThermoContact
     /** An event is missed by that part of what an error may be, (M.32). */
     constexpr double miss_of_event = 0.01;
 
-    /** What floating-point numbers tell apart, in parts of the number. */
-    constexpr double rounding_of_event = 4e-15;
-
 
 
     /** 0 if it cannot be told apart from the start. */
@@ -24,8 +22,10 @@ namespace ThermoContact
     first_zero(const CubicHermite &s, const double dip, const double resolution)
     {
       const double zero = s.first_zero(dip);
-      return zero <= resolution || (s.value(0.) == 0. && zero < 1e-9) ? 0. :
-                                                                        zero;
+      return zero <= resolution ||
+                 (s.value(0.) == 0. && zero < Tolerances::zero_at_start) ?
+               0. :
+               zero;
     }
   } // namespace
 
@@ -155,7 +155,7 @@ namespace ThermoContact
                               law.penetration(sizes.pressure) :
                               sizes.displacement;
     const double rounding =
-      rounding_of_event * (size + std::abs(present.time * rate));
+      Tolerances::rounding_of_event * (size + std::abs(present.time * rate));
     // A miss by s costs the energy that the obstacle stores at s; a node
     // without mass that lets its pressure go at once costs half its square at
     // most.
@@ -186,7 +186,8 @@ namespace ThermoContact
     Scales sizes(largest);
     sizes.add({values, side});
     const double allowed =
-      (miss_of_event * tolerance + rounding_of_event) * sizes.displacement;
+      (miss_of_event * tolerance + Tolerances::rounding_of_event) *
+      sizes.displacement;
     const auto is_closed_at = [&](const int at, const unsigned int node) {
       const LocalValues local{values, at};
       return local.is_in_contact(node) || local.penetration(node) >= -allowed;
@@ -215,10 +216,11 @@ namespace ThermoContact
     bool         all_change   = true; // at the end or before it
     bool         starts_near  = false;
     bool         all_start    = true;
-    const double resolution   = rounding_of_event * present.time / size;
-    const double dip          = is_margin_pressure() ?
-                                  0. :
-                                  miss_of_event * tolerance * sizes.displacement;
+    const double resolution =
+      Tolerances::rounding_of_event * present.time / size;
+    const double dip = is_margin_pressure() ?
+                         0. :
+                         miss_of_event * tolerance * sizes.displacement;
     for (unsigned int i = 0; i < next.size(); ++i)
       {
         const CubicHermite s         = margin(next, i);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/exchange_solver.h>
 #include <thermocontact/method/bracketed_root.h>
 
@@ -17,9 +18,6 @@ namespace ThermoContact
     using Values = ExchangeStage::Values;
 
     constexpr unsigned int max_sweeps = 60;
-
-    /** Coefficients that a sweep changes by less are solved. */
-    constexpr double rounding_of_sweeps = 1e-14;
 
 
 
@@ -93,7 +91,7 @@ namespace ThermoContact
       for (unsigned int iteration = 0; iteration < 30; ++iteration)
         {
           const double old_defect = defect(k, law);
-          if (old_defect <= 1e-15)
+          if (old_defect <= Tolerances::rounding)
             return true;
           FullMatrix<double> matrix = end.derivative();
           matrix *= -1.;
@@ -108,7 +106,7 @@ namespace ThermoContact
 
           Values trial(n), law_there;
           double damping = 1., new_defect = old_defect;
-          for (; damping > 1e-3; damping *= 0.5)
+          for (; damping > Tolerances::shortest_newton_step; damping *= 0.5)
             {
               for (unsigned int i = 0; i < n; ++i)
                 trial[i] = std::max(0., k[i] + damping * step(i));
@@ -118,11 +116,12 @@ namespace ThermoContact
                 break;
             }
           if (!(new_defect < old_defect))
-            return old_defect <= 1e-12; // the rounding of a steep law
+            // the rounding of a steep law
+            return old_defect <= Tolerances::rounding_of_data;
           k   = trial;
           law = law_there;
         }
-      return defect(k, law) <= 1e-12;
+      return defect(k, law) <= Tolerances::rounding_of_data;
     }
 
 
@@ -139,7 +138,7 @@ namespace ThermoContact
           const Values last(k);
           for (unsigned int i = 0; i < end.n; ++i)
             k[i] = solve_node(end, k, i);
-          if (defect(k, last) <= rounding_of_sweeps)
+          if (defect(k, last) <= Tolerances::rounding_of_sum)
             return true;
           Values trial(k);
           if (solve_smooth(end, trial))

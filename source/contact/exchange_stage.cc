@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/exchange_stage.h>
 
 #include <algorithm>
@@ -12,9 +13,6 @@ namespace ThermoContact
   namespace
   {
     using Values = std::vector<double>;
-
-    /** Relative step of the difference quotients of a heat exchange. */
-    constexpr double difference_step = 1e-7;
 
     Values
     multiply(const FullMatrix<double> &matrix, const Values &values)
@@ -152,11 +150,11 @@ namespace ThermoContact
       {
         // away from the contact, where k may jump
         const bool   closed = is_closed(i);
-        const double h      = difference_step * (closed ? load : length);
-        const double s      = closed ? 0. : laws[i].penetration(position[i]);
-        const double p      = laws[i].push(pressure[i]);
-        const double side   = closed ? laws[i].push_slope(pressure[i]) :
-                                       laws[i].nearer_side(position[i]);
+        const double h = Tolerances::difference_step * (closed ? load : length);
+        const double s = closed ? 0. : laws[i].penetration(position[i]);
+        const double p = laws[i].push(pressure[i]);
+        const double side = closed ? laws[i].push_slope(pressure[i]) :
+                                     laws[i].nearer_side(position[i]);
         const double slope_of_k =
           h == 0. ?
             0. :

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/interface_problem.h>
 
 #include <algorithm>
@@ -13,15 +14,6 @@ namespace ThermoContact
 
   namespace
   {
-    /** Defects of that part of their terms are rounding of a few products. */
-    constexpr double smallest_miss = 1e-15;
-
-    /** What rounding of steep laws may leave where no step lowers it. */
-    constexpr double largest_miss = 1e-13;
-
-    /** A step of Newton's method that has to be shorter has stalled. */
-    constexpr double smallest_part = 1e-3;
-
     /** Shortened steps in a row after which the nodes take a sweep. */
     constexpr unsigned int max_short_steps = 3;
 
@@ -208,14 +200,14 @@ namespace ThermoContact
         double part    = 1.;
         bool   is_less = false;
         trial.z.resize(n);
-        while (!is_less && part > smallest_part)
+        while (!is_less && part > Tolerances::shortest_newton_step)
           {
             for (unsigned int i = 0; i < n; ++i)
               trial.z[i] = present.z[i] + part * step(i, 0);
             evaluate(receptance, laws, free, trial);
             // piecewise linear laws have been solved if no node has changed
             if (part == 1. && trial.slope == present.slope &&
-                trial.miss <= largest_miss)
+                trial.miss <= Tolerances::rounding_of_solution)
               {
                 std::swap(present, trial);
                 pressure = present.pressure;
@@ -229,10 +221,10 @@ namespace ThermoContact
         if (is_less && n_short_steps <= max_short_steps)
           {
             std::swap(present, trial);
-            if (present.miss > smallest_miss)
+            if (present.miss > Tolerances::rounding)
               continue;
           }
-        if (present.miss <= largest_miss)
+        if (present.miss <= Tolerances::rounding_of_solution)
           {
             pressure = present.pressure;
             return k;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/simulation/simulation.h>
 
@@ -12,7 +13,7 @@ namespace ThermoContact
   namespace
   {
     constexpr unsigned int n_cells   = 16;
-    constexpr double       tolerance = 1e-3;
+    constexpr double       tolerance = Tolerances::forecast_run;
 
 
 
@@ -43,16 +44,6 @@ namespace ThermoContact
       return parameters;
     }
   } // namespace
-
-
-
-  double
-  rod_response(const Material &material, const double tau)
-  {
-    const double b = material.inertia, damped = tau + material.viscosity;
-    return tau * std::sqrt(tau / (b * damped)) *
-           std::tanh(std::sqrt(b / (tau * damped)));
-  }
 
 
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/multiples.h>
-#include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/method/bracketed_root.h>
 
@@ -69,6 +68,20 @@ namespace ThermoContact
     n_outputs(const double interval, const double T, const double n_steps)
     {
       return std::min(n_steps + 1., intervals_until(interval, T) + 1.);
+    }
+
+
+
+    /**
+     * Displacement that the end of a rod loses per unit pressure in a stage of
+     * length @p tau, $\chi(\tau)$ of doc/model.md (M.20), without coupling.
+     */
+    double
+    rod_response(const Material &material, const double tau)
+    {
+      const double b = material.inertia, damped = tau + material.viscosity;
+      return tau * std::sqrt(tau / (b * damped)) *
+             std::tanh(std::sqrt(b / (tau * damped)));
     }
   } // namespace
 

@@ -47,13 +47,16 @@ namespace ThermoContact
       const double gamma =
         1. + std::sqrt(2.) *
                std::cos((std::acos(std::sqrt(8.) / 3.) - 2. * M_PI) / 3.);
+      // of order 2 by the first two stages
+      const double embedded = (1. - 2. * gamma) / (1. - gamma);
       return make_tableau("sdirk3",
                           3,
                           {{gamma},
                            {(1. - gamma) / 2., gamma},
                            {(-6. * gamma * gamma + 16. * gamma - 1.) / 4.,
                             (6. * gamma * gamma - 20. * gamma + 5.) / 4.,
-                            gamma}});
+                            gamma}},
+                          {1. - embedded, embedded, 0.});
     }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/method/load_history.h>
 
 #include <algorithm>
@@ -12,12 +13,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /**
-     * Breaks that are closer, in parts of the time, are one: a kink is not
-     * found to the last digit.
-     */
-    constexpr double same_time = 1e-12;
-
     /** Stretches that may overlap as some that do not, of the smallest width.
      */
     std::vector<LoadStretch>
@@ -83,18 +78,16 @@ namespace ThermoContact
     std::vector<LoadBreak> result;
     for (const LoadBreak &b : breaks)
       {
-        if (result.empty() || b.time - result.back().time > same_time * b.time)
+        if (result.empty() || !are_same_time(b.time, result.back().time))
           {
             result.push_back(b);
             continue;
           }
-        LoadBreak   &last      = result.back();
-        const double node_step = std::max(last.node_step, b.node_step);
+        LoadBreak &last = result.back();
         if (b.is_jump && !last.is_jump)
           last = b;
         else if (b.is_jump)
           last.new_time = std::max(last.new_time, b.new_time);
-        last.node_step = node_step;
       }
     return result;
   }
@@ -106,7 +99,7 @@ namespace ThermoContact
   {
     for (const double time : times)
       if (std::none_of(breaks.begin(), breaks.end(), [&](const LoadBreak &b) {
-            return std::abs(b.time - time) <= same_time * time;
+            return are_same_time(b.time, time);
           }))
         breaks.push_back({time, true});
     breaks = merged(breaks);
@@ -131,7 +124,8 @@ namespace ThermoContact
   LoadHistory::end_at(const double end_time)
   {
     // sin(t) > 0 jumps at the first number that is not zero
-    const double start = same_time * same_time * end_time;
+    const double start =
+      Tolerances::same_time * Tolerances::same_time * end_time;
     for (LoadBreak &b : breaks)
       if (b.time <= start)
         {
@@ -139,7 +133,7 @@ namespace ThermoContact
           b.old_time = 0.;
         }
     for (LoadBreak &b : breaks)
-      if (b.time < end_time && end_time - b.time <= same_time * end_time)
+      if (b.time < end_time && are_same_time(b.time, end_time))
         {
           b.time     = end_time;
           b.new_time = std::max(b.new_time, end_time);

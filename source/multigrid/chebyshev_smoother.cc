@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/multigrid/chebyshev_smoother.h>
 
 #include <deal.II/lac/tridiagonal_matrix.h>
@@ -19,9 +20,6 @@ namespace ThermoContact
 
     /** Of an estimate, which is from below. */
     constexpr double safety = 1.2;
-
-    /** Where squares of residuals in single precision are rounding. */
-    constexpr double rounding_of_squares = 1e-10;
 
 
 
@@ -86,7 +84,7 @@ namespace ThermoContact
     z.scale(inverse_diagonal);
     p                            = z;
     double              rz       = r * z;
-    const double        smallest = rounding_of_squares * rz;
+    const double        smallest = Tolerances::rounding_of_single_squares * rz;
     std::vector<double> diagonal, off_diagonal;
     double              beta_over_alpha = 0.;
     while (diagonal.size() < n_estimate_iterations && rz > smallest)

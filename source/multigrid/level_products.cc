@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/multigrid/lanes.h>
 #include <thermocontact/multigrid/level_products.h>
 
@@ -592,7 +593,8 @@ namespace ThermoContact
       [&](const Cell &cell, const FullMatrix<double> &matrix) {
         const std::vector<unsigned int> positions =
           local_positions(field, cell);
-        const double rounding = 1e-14 * matrix.linfty_norm();
+        const double rounding =
+          Tolerances::rounding_of_sum * matrix.linfty_norm();
         for (unsigned int i = 0; i < n_nodes; ++i)
           for (unsigned int j = 0; j < n_nodes; ++j)
             if (std::abs(matrix(i, j)) > rounding)

@@ -66,39 +66,36 @@ namespace ThermoContact
 
 
 
-  const CsvColumns<EventRow> &
+  CsvColumns<EventRow>
   event_columns(const bool has_sides)
   {
-    static const CsvColumns<EventRow> columns = {
-      {"time", &ContactEvent::time},
-      {"kind",
-       [](const ContactEvent &event) {
-         return event.kind == ContactEvent::begin ? "begin" : "end";
-       }},
-      {"velocity", &ContactEvent::velocity},
-      {"duration", &EventRow::duration}};
-    static const CsvColumns<EventRow> with_sides = [] {
-      CsvColumns<EventRow> all = columns;
-      all.emplace_back("side", [](const ContactEvent &event) {
+    CsvColumns<EventRow> columns = {{"time", &ContactEvent::time},
+                                    {"kind",
+                                     [](const ContactEvent &event) {
+                                       return event.kind ==
+                                                  ContactEvent::begin ?
+                                                "begin" :
+                                                "end";
+                                     }},
+                                    {"velocity", &ContactEvent::velocity},
+                                    {"duration", &EventRow::duration}};
+    if (has_sides)
+      columns.emplace_back("side", [](const ContactEvent &event) {
         return event.side > 0 ? "front" : "rear";
       });
-      return all;
-    }();
-    return has_sides ? with_sides : columns;
+    return columns;
   }
 
 
 
-  const CsvColumns<StepAttempt> &
+  CsvColumns<StepAttempt>
   attempt_columns()
   {
-    static const CsvColumns<StepAttempt> columns = {
-      {"time", &StepAttempt::time},
-      {"step_size", &StepAttempt::size},
-      {"error", &StepAttempt::error, few_digits},
-      {"accepted", &StepAttempt::is_accepted},
-      {"reason", &StepAttempt::reason},
-      {"wall_seconds", &StepAttempt::wall_seconds, few_digits}};
-    return columns;
+    return {{"time", &StepAttempt::time},
+            {"step_size", &StepAttempt::size},
+            {"error", &StepAttempt::error, few_digits},
+            {"accepted", &StepAttempt::is_accepted},
+            {"reason", &StepAttempt::reason},
+            {"wall_seconds", &StepAttempt::wall_seconds, few_digits}};
   }
 } // namespace ThermoContact

@@ -6,158 +6,13 @@
 #include <thermocontact/base/parallel_file.h>
 #include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/field_output.h>
-#include <thermocontact/output/obstacle_file.h>
-#include <thermocontact/output/output_directory.h>
 #include <thermocontact/output/patch_units.h>
 #include <thermocontact/output/snapshot.h>
-
-#include <deal.II/numerics/data_postprocessor.h>
 
 #include <sstream>
 
 namespace ThermoContact
 {
-  namespace
-  {
-    using Interpretation =
-      DataComponentInterpretation::DataComponentInterpretation;
-
-    /** Velocity alone, from a vector of both fields. */
-    template <int dim>
-    class VelocityPostprocessor : public DataPostprocessor<dim>
-    {
-    public:
-      /** @param first component of the displacement */
-      explicit VelocityPostprocessor(const unsigned int first)
-        : first(first)
-      {}
-
-      std::vector<std::string>
-      get_names() const override
-      {
-        return std::vector<std::string>(dim, "velocity");
-      }
-
-      std::vector<Interpretation>
-      get_data_component_interpretation() const override
-      {
-        return std::vector<Interpretation>(
-          dim, DataComponentInterpretation::component_is_part_of_vector);
-      }
-
-      UpdateFlags
-      get_needed_update_flags() const override
-      {
-        return update_values;
-      }
-
-      void
-      evaluate_vector_field(
-        const DataPostprocessorInputs::Vector<dim> &inputs,
-        std::vector<dealii::Vector<double>>        &computed) const override
-      {
-        for (unsigned int q = 0; q < computed.size(); ++q)
-          for (unsigned int d = 0; d < dim; ++d)
-            computed[q](d) = inputs.solution_values[q](first + d);
-      }
-
-      /** The displacement of a rod, alone in its FESystem, is a scalar. */
-      void
-      evaluate_scalar_field(
-        const DataPostprocessorInputs::Scalar<dim> &inputs,
-        std::vector<dealii::Vector<double>>        &computed) const override
-      {
-        for (unsigned int q = 0; q < computed.size(); ++q)
-          computed[q](0) = inputs.solution_values[q];
-      }
-
-    private:
-      const unsigned int first;
-    };
-
-
-
-    /**
-     * Stress from a vector of $(\theta, u+\zeta v)$: scalars, which Snapshot
-     * makes a tensor.
-     */
-    template <int dim>
-    class StressPostprocessor : public DataPostprocessor<dim>
-    {
-    public:
-      /** @param body borrowed */
-      explicit StressPostprocessor(const Body<dim> &body)
-        : body(body)
-        , first(body.discretization.first_component(Field::displacement))
-      {}
-
-      std::vector<std::string>
-      get_names() const override
-      {
-        return std::vector<std::string>(n_stresses<dim>, "stress");
-      }
-
-      std::vector<Interpretation>
-      get_data_component_interpretation() const override
-      {
-        return std::vector<Interpretation>(
-          n_stresses<dim>, DataComponentInterpretation::component_is_scalar);
-      }
-
-      UpdateFlags
-      get_needed_update_flags() const override
-      {
-        return update_values | update_gradients | update_quadrature_points;
-      }
-
-      void
-      evaluate_vector_field(
-        const DataPostprocessorInputs::Vector<dim> &inputs,
-        std::vector<dealii::Vector<double>>        &computed) const override
-      {
-        for (unsigned int q = 0; q < computed.size(); ++q)
-          {
-            Tensor<1, dim> value;
-            Tensor<2, dim> gradient;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                value[d]    = inputs.solution_values[q](first + d);
-                gradient[d] = inputs.solution_gradients[q][first + d];
-              }
-            const Strain strain = body.discretization.geometry().strain(
-              gradient, value, inputs.evaluation_points[q]);
-            const Material &material = body.scene.material;
-            const double    thermal =
-              material.has_thermal_stress() ?
-                   material.thermal_stress * inputs.solution_values[q](0) :
-                   0.;
-            for (unsigned int d = 0; d < n_rows<dim>; ++d)
-              for (unsigned int e = 0; e < n_rows<dim>; ++e)
-                computed[q](d * n_rows<dim> + e) =
-                  elastic_stress(material, strain, d, e) -
-                  (d == e ? thermal : 0.);
-          }
-      }
-
-      void
-      evaluate_scalar_field(
-        const DataPostprocessorInputs::Scalar<dim> &inputs,
-        std::vector<dealii::Vector<double>>        &computed) const override
-      {
-        for (unsigned int q = 0; q < computed.size(); ++q)
-          computed[q](0) = inputs.solution_gradients[q][0];
-      }
-
-    private:
-      const Body<dim> &body;
-
-      /** Component of the axial displacement. */
-      const unsigned int first;
-    };
-  } // namespace
-
-
-
   template <int dim>
   FieldOutput<dim>::FieldOutput(const std::string &directory,
                                 const Body<dim>   &body)
@@ -182,23 +37,6 @@ namespace ThermoContact
 
 
   template <int dim>
-  BlockVector
-  FieldOutput<dim>::joined(const Vector &temperature,
-                           const Vector &displacement) const
-  {
-    BlockVector result = discretization.make_ghosted_vector();
-    for (const auto &[field, values] :
-         {std::pair(Field::temperature, &temperature),
-          std::pair(Field::displacement, &displacement)})
-      if (discretization.has_field(field))
-        result.block(discretization.ghosted_block(field))
-          .copy_locally_owned_data_from(*values);
-    return result;
-  }
-
-
-
-  template <int dim>
   void
   FieldOutput<dim>::write(const State &state)
   {
@@ -213,61 +51,13 @@ namespace ThermoContact
     flags.compression_level   = DataOutBase::VtkFlags::best_speed;
 
     std::string fault =
-      rod_snapshot ? write_atomically(fields.next_path(),
-                                      rod_snapshot->file(state, flags.cycle)) :
-                     write_patches(state, flags);
+      rod_snapshot ?
+        write_atomically(fields.next_path(),
+                         rod_snapshot->file(state, flags.cycle)) :
+        write_fields(snapshot_pieces(body, state, flags, units), flags);
     if (fault.empty())
       fault = write_others(state, flags);
     throw_everywhere<ComputationError>(fault, discretization.communicator());
-  }
-
-
-
-  template <int dim>
-  std::string
-  FieldOutput<dim>::write_patches(const State                 &state,
-                                  const DataOutBase::VtkFlags &flags)
-  {
-    std::vector<std::string>    names;
-    std::vector<Interpretation> interpretation;
-    if (body.scene.fields.has_temperature)
-      {
-        names.emplace_back("temperature");
-        interpretation.push_back(
-          DataComponentInterpretation::component_is_scalar);
-      }
-    if (body.scene.fields.has_displacement)
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          names.emplace_back("displacement");
-          interpretation.push_back(
-            DataComponentInterpretation::component_is_part_of_vector);
-        }
-
-    const VelocityPostprocessor<dim> velocity_postprocessor(
-      discretization.first_component(Field::displacement));
-    const StressPostprocessor<dim> stress_postprocessor(body);
-    Vector                         viscous_displacement = state.displacement;
-    viscous_displacement.add(body.scene.material.viscosity, state.velocity);
-
-    const auto present  = joined(state.temperature, state.displacement);
-    const auto velocity = joined(state.temperature, state.velocity);
-    const auto strain   = joined(state.temperature, viscous_displacement);
-
-    Snapshot<dim> data_out;
-    data_out.attach_dof_handler(discretization.dof_handler());
-    data_out.add_data_vector(present,
-                             names,
-                             DataOut<dim>::type_dof_data,
-                             interpretation);
-    if (body.scene.fields.has_displacement)
-      {
-        data_out.add_data_vector(velocity, velocity_postprocessor);
-        data_out.add_data_vector(strain, stress_postprocessor);
-      }
-
-    return write_fields(data_out.vtu_pieces(discretization, flags, units),
-                        flags);
   }
 
 

@@ -3,9 +3,7 @@
 #include <thermocontact/base/collective_errors.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/multiples.h>
-#include <thermocontact/output/csv_rows.h>
 #include <thermocontact/output/output.h>
-#include <thermocontact/output/output_directory.h>
 
 #include <filesystem>
 
@@ -29,43 +27,31 @@ namespace ThermoContact
     , communicator(simulation.discretization().communicator())
     , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
     , units(simulation.parameters())
-    , columns(contact_columns(simulation.scene()))
-    , contact_units(units.of_columns("contact.csv", columns))
-    , event_table(event_columns(simulation.scene().contact.is_two_sided()))
-    , event_units(units.of_columns("events.csv", event_table))
-    , attempt_units(units.of_columns("steps.csv", attempt_columns()))
     , field_output(directory, simulation.body())
-    , has_attempts(simulation.parameters().time.has_error_control() ||
-                   simulation.parameters().time.locates_contact_events())
-    , n_written_events(0)
-    , n_rows(0)
-    , next_fields(0.)
-    , next_contact(0.)
-    , next_space_time(0.)
-    , next_period(0.)
+    , contact_file("contact.csv", contact_columns(simulation.scene()), units)
+    , poincare_file("poincare.csv",
+                    contact_columns(simulation.scene()),
+                    units,
+                    contact_file.name)
+    , events_file("events.csv",
+                  event_columns(simulation.scene().contact.is_two_sided()),
+                  units)
+    , steps_file("steps.csv", attempt_columns(), units)
+    , of_fields{parameters.fields_interval}
+    , of_contact{parameters.contact_interval}
+    , of_space_time{parameters.space_time_interval}
+    , of_period{parameters.period}
   {
     field_timer.reset();
-    const OutputProgress sizes = progress ? *progress : OutputProgress();
-    const std::string    head  = csv_comments(simulation.parameters().title);
-    open(contact_file,
-         "contact.csv",
-         head + csv_head(columns, contact_units),
-         sizes.contact_size);
-    open(events_file,
-         "events.csv",
-         head + csv_head(event_table, event_units),
-         sizes.events_size);
-    if (has_attempts)
-      open(steps_file,
-           "steps.csv",
-           head + csv_head(attempt_columns(), attempt_units),
-           sizes.steps_size);
-    if (is_writer && parameters.fields_interval > 0.)
-      {
-        std::error_code error; // a fault shows when the first file is opened
-        std::filesystem::create_directory(directory + "/fields", error);
-      }
-    open_optional(sizes, simulation);
+    if (progress)
+      sizes = progress->sizes;
+    if (!Utilities::trim(parameters.probes).empty())
+      probe_output = std::make_unique<ProbeOutput<dim>>(simulation.body());
+    if (parameters.space_time_interval > 0.)
+      space_time_output =
+        std::make_unique<SpaceTimeOutput<dim>>(directory, simulation.body());
+    if (is_writer)
+      open_tables(simulation);
     flush();
     if (progress)
       restore(*progress, simulation);
@@ -74,66 +60,61 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  Output<dim>::open(TableFile          &file,
-                    const std::string  &name,
-                    const std::string  &head,
-                    const std::uint64_t size)
+  bool
+  Output<dim>::Multiples::are_reached(const double time)
   {
-    if (!is_writer)
-      return;
-    if (size > 0)
-      return file.reopen(directory + "/" + name, size);
-    file.open(directory + "/" + name);
-    file.write_row(head);
+    if (interval == 0.)
+      return false;
+    const double count = whole_intervals(interval, time);
+    if (count < next)
+      return false;
+    next = count + 1.;
+    return true;
   }
 
 
 
   template <int dim>
   void
-  Output<dim>::open_optional(const OutputProgress  &sizes,
-                             const Simulation<dim> &simulation)
+  Output<dim>::open_tables(const Simulation<dim> &simulation)
   {
-    const Body<dim> &body = simulation.body();
-    if (!Utilities::trim(parameters.probes).empty())
-      {
-        probe_output = std::make_unique<ProbeOutput<dim>>(directory, body);
-        probe_output->open(csv_comments(simulation.parameters().title),
-                           sizes.probes_size);
-      }
-    if (parameters.space_time_interval > 0.)
-      {
-        space_time_output =
-          std::make_unique<SpaceTimeOutput<dim>>(directory, body);
-        space_time_output->open(sizes.space_time_size);
-      }
-    else
-      unused_space_time_size = sizes.space_time_size;
+    const TimeParameters &time = simulation.parameters().time;
+    const std::string     head = csv_comments(simulation.parameters().title);
+    const auto            open = [&](auto &file) {
+      file.open(directory, head, sizes[file.name]);
+    };
+    open(contact_file);
+    open(events_file);
+    if (time.has_error_control() || time.locates_contact_events())
+      open(steps_file);
     if (parameters.period > 0.)
-      open(poincare_file,
-           "poincare.csv",
-           csv_comments(simulation.parameters().title) +
-             csv_head(columns, contact_units),
-           sizes.poincare_size);
-    else
-      unused_poincare_size = sizes.poincare_size;
+      open(poincare_file);
+    if (probe_output)
+      probe_output->open(directory, head, sizes["probes.csv"]);
+    if (space_time_output)
+      space_time_output->open(sizes["space-time.columns"]);
+    if (parameters.fields_interval > 0.)
+      {
+        std::error_code error; // a fault shows when the first file is opened
+        std::filesystem::create_directory(directory + "/fields", error);
+      }
   }
 
 
 
   template <int dim>
-  std::vector<TableFile *>
+  std::map<std::string, TableFile *>
   Output<dim>::tables()
   {
-    std::vector<TableFile *> files = {&contact_file,
-                                      &events_file,
-                                      &steps_file,
-                                      &poincare_file};
+    std::map<std::string, TableFile *> files = {
+      {contact_file.name, &contact_file.file},
+      {events_file.name, &events_file.file},
+      {steps_file.name, &steps_file.file},
+      {poincare_file.name, &poincare_file.file}};
     if (probe_output)
-      files.push_back(&probe_output->file());
+      files["probes.csv"] = &probe_output->file();
     if (space_time_output)
-      files.push_back(&space_time_output->file());
+      files["space-time.columns"] = &space_time_output->file();
     return files;
   }
 
@@ -152,15 +133,9 @@ namespace ThermoContact
           std::filesystem::remove(directory + "/" + name, error);
         }
     // The state that is restored has been seen: the next multiples are due.
-    const double                      time        = simulation.record().time;
-    const std::pair<double, double *> multiples[] = {
-      {parameters.fields_interval, &next_fields},
-      {parameters.contact_interval, &next_contact},
-      {parameters.space_time_interval, &next_space_time},
-      {parameters.period, &next_period}};
-    for (const auto &[interval, next] : multiples)
-      if (interval > 0.)
-        *next = whole_intervals(interval, time) + 1.;
+    for (Multiples *multiples :
+         {&of_fields, &of_contact, &of_space_time, &of_period})
+      multiples->are_reached(simulation.record().time);
     field_output.restore(progress.snapshot_times);
   }
 
@@ -168,15 +143,9 @@ namespace ThermoContact
 
   template <int dim>
   bool
-  Output<dim>::is_due(const double interval,
-                      const double time,
-                      double      &next) const
+  Output<dim>::is_due(Multiples &multiples, const double time) const
   {
-    const double count = whole_intervals(interval, time);
-    if (count < next && time < end_time)
-      return false;
-    next = count + 1.;
-    return true;
+    return multiples.are_reached(time) || time >= end_time;
   }
 
 
@@ -186,23 +155,20 @@ namespace ThermoContact
   Output<dim>::observe(const Simulation<dim> &simulation)
   {
     const StepRecord &record = simulation.record();
-    if (parameters.contact_interval == 0. ||
-        is_due(parameters.contact_interval, record.time, next_contact))
+    if (parameters.contact_interval == 0. || is_due(of_contact, record.time))
       {
-        if (is_writer)
-          add_row(columns, record, contact_file, contact_units);
+        contact_file.add(record);
         if (probe_output)
           probe_output->write(simulation.state());
       }
-    write_period(record);
+    if (of_period.are_reached(record.time)) // steps end there: none is missed
+      poincare_file.add(record);
     write_events(simulation.events());
     write_attempts(simulation.history().attempts);
-    if (space_time_output &&
-        is_due(parameters.space_time_interval, record.time, next_space_time))
+    if (space_time_output && is_due(of_space_time, record.time))
       space_time_output->write(simulation.state());
 
-    if (parameters.fields_interval > 0. &&
-        is_due(parameters.fields_interval, record.time, next_fields))
+    if (parameters.fields_interval > 0. && is_due(of_fields, record.time))
       {
         field_timer.start();
         flush();
@@ -216,8 +182,7 @@ namespace ThermoContact
       flush();
     else if (is_writer && since_flush.wall_time() > 1.)
       {
-        for (TableFile *file : tables())
-          file->flush(); // a fault shows when all ranks meet
+        flush_tables(); // a fault shows when all ranks meet
         field_output.write_lists(true);
         since_flush.restart();
       }
@@ -230,28 +195,10 @@ namespace ThermoContact
   Output<dim>::write_events(const std::vector<ContactEvent> &events)
   {
     for (; n_written_events < events.size(); ++n_written_events)
-      add_row(event_table,
-              EventRow(events[n_written_events],
-                       n_written_events > 0 ? &events[n_written_events - 1] :
-                                              nullptr),
-              events_file,
-              event_units);
-  }
-
-
-
-  template <int dim>
-  void
-  Output<dim>::write_period(const StepRecord &record)
-  {
-    if (parameters.period == 0.)
-      return;
-    const double count = whole_intervals(parameters.period, record.time);
-    if (count < next_period)
-      return;
-    next_period = count + 1.; // steps end there: none is missed
-    if (is_writer)
-      add_row(columns, record, poincare_file, contact_units);
+      events_file.add(EventRow(events[n_written_events],
+                               n_written_events > 0 ?
+                                 &events[n_written_events - 1] :
+                                 nullptr));
   }
 
 
@@ -260,10 +207,8 @@ namespace ThermoContact
   void
   Output<dim>::write_attempts(const std::vector<StepAttempt> &attempts)
   {
-    if (!is_writer || !has_attempts)
-      return; // do not format what goes nowhere
     for (const StepAttempt &attempt : attempts)
-      add_row(attempt_columns(), attempt, steps_file, attempt_units);
+      steps_file.add(attempt);
   }
 
 
@@ -276,10 +221,9 @@ namespace ThermoContact
     if (!simulation.history().attempts.empty() &&
         !simulation.history().attempts.back().is_accepted)
       write_attempts(simulation.history().attempts);
-    for (TableFile *file : tables())
-      file->flush();
+    flush_tables();
     field_output.write_lists();
-    if (space_time_output)
+    if (is_writer && space_time_output)
       space_time_output->write_vtu(false);
   }
 
@@ -295,8 +239,8 @@ namespace ThermoContact
     if (!space_time_output)
       return;
     field_timer.start();
-    throw_everywhere<ComputationError>(space_time_output->write_vtu(true),
-                                       communicator);
+    throw_everywhere<ComputationError>(
+      is_writer ? space_time_output->write_vtu(true) : "", communicator);
     field_timer.stop();
   }
 
@@ -322,23 +266,31 @@ namespace ThermoContact
         if (const std::string message = field_output.write_lists();
             fault.empty())
           fault = message;
-        for (TableFile *file : tables())
-          if (const std::string message = file->sync(); fault.empty())
-            fault = message;
-        progress.contact_size = contact_file.size();
-        progress.events_size  = events_file.size();
-        progress.steps_size   = steps_file.size();
-        if (probe_output)
-          progress.probes_size = probe_output->file().size();
-        progress.space_time_size = space_time_output ?
-                                     space_time_output->file().size() :
-                                     unused_space_time_size;
-        progress.poincare_size =
-          parameters.period > 0. ? poincare_file.size() : unused_poincare_size;
+        for (const auto &[name, file] : tables())
+          if (file->is_open())
+            {
+              if (const std::string message = file->sync(); fault.empty())
+                fault = message;
+              sizes[name] = file->size();
+            }
+        progress.sizes          = sizes;
         progress.snapshot_times = field_output.times();
       }
     throw_everywhere<ComputationError>(fault, communicator);
     return progress;
+  }
+
+
+
+  template <int dim>
+  std::string
+  Output<dim>::flush_tables()
+  {
+    std::string fault;
+    for (const auto &[name, file] : tables())
+      if (const std::string message = file->flush(); fault.empty())
+        fault = message;
+    return fault;
   }
 
 
@@ -351,9 +303,7 @@ namespace ThermoContact
     if (is_writer)
       {
         since_flush.restart();
-        for (TableFile *file : tables())
-          if (const std::string message = file->flush(); fault.empty())
-            fault = message;
+        fault = flush_tables();
         if (const std::string message = field_output.write_lists(true);
             fault.empty())
           fault = message;

@@ -8,14 +8,11 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/output_directory.h>
-#include <thermocontact/output/output_tables.h>
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -32,24 +29,25 @@ namespace ThermoContact
      * What a run leaves behind beside its fields; other files are the user's
      * and stay.
      */
-    std::vector<std::string>
-    run_files()
-    {
-      std::vector<std::string> names = {"checkpoint.bin",
-                                        "checkpoint.next.bin",
-                                        "checkpoint.previous.bin",
-                                        "contact.pvd",
-                                        "fields.pvd",
-                                        "log.txt",
-                                        "obstacle.pvd",
-                                        "space-time.columns",
-                                        "study.md",
-                                        "study.txt"};
-      for (const OutputTable &table : output_tables())
-        if (table.file.find('*') == std::string::npos)
-          names.push_back(table.file);
-      return names;
-    }
+    const char *const run_files[] = {"checkpoint.bin",
+                                     "checkpoint.next.bin",
+                                     "checkpoint.previous.bin",
+                                     "contact.csv",
+                                     "contact.pvd",
+                                     "events.csv",
+                                     "fields.pvd",
+                                     "log.txt",
+                                     "obstacle.pvd",
+                                     "obstacle.vtu",
+                                     "poincare.csv",
+                                     "probes.csv",
+                                     "space-time.columns",
+                                     "space-time.vtu",
+                                     "steps.csv",
+                                     "study.csv",
+                                     "study.md",
+                                     "study.txt",
+                                     "summary.json"};
 
 
 
@@ -67,11 +65,8 @@ namespace ThermoContact
     bool
     is_numbered(const std::string &name, const std::string &prefix)
     {
-      return name.size() > prefix.size() &&
-             name.compare(0, prefix.size(), prefix) == 0 &&
-             std::all_of(name.begin() + prefix.size(),
-                         name.end(),
-                         [](unsigned char c) { return std::isdigit(c); });
+      return name.size() > prefix.size() && name.rfind(prefix, 0) == 0 &&
+             name.find_first_not_of("0123456789", prefix.size()) == name.npos;
     }
 
 
@@ -92,7 +87,7 @@ namespace ThermoContact
     void
     remove_earlier_run(const fs::path &directory)
     {
-      for (const std::string &name : run_files())
+      for (const std::string name : run_files)
         {
           fs::remove(directory / name);
           fs::remove(directory / (name + part_suffix));

@@ -28,16 +28,11 @@ namespace ThermoContact
 
 
   template <int dim>
-  ProbeOutput<dim>::ProbeOutput(const std::string &directory,
-                                const Body<dim>   &body)
-    : path(directory + "/probes.csv")
-    , is_writer(Utilities::MPI::this_mpi_process(
-                  body.discretization.communicator()) == 0)
+  ProbeOutput<dim>::ProbeOutput(const Body<dim> &body)
+    : units(body.scene.parameters)
     , places(places_of<dim>(body.scene.parameters))
     , point_values(body.scene, body.discretization, places)
-    , units(body.scene.parameters)
-    , columns(make_columns(places.size()))
-    , conversions(units.of_columns("probes.csv", columns))
+    , csv_file("probes.csv", make_columns(places.size()), units)
   {}
 
 
@@ -66,13 +61,10 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ProbeOutput<dim>::open(const std::string &comments, const std::uint64_t size)
+  ProbeOutput<dim>::open(const std::string  &directory,
+                         const std::string  &comments,
+                         const std::uint64_t size)
   {
-    if (!is_writer)
-      return;
-    if (size > 0)
-      return table_file.reopen(path, size);
-    table_file.open(path);
     std::string       head   = comments;
     const Conversion &length = units.of("position");
     for (unsigned int i = 0; i < places.size(); ++i)
@@ -87,7 +79,7 @@ namespace ThermoContact
           }
         head += '\n';
       }
-    table_file.write_row(head + csv_head(columns, conversions));
+    csv_file.open(directory, head, size);
   }
 
 
@@ -96,10 +88,7 @@ namespace ThermoContact
   void
   ProbeOutput<dim>::write(const State &state)
   {
-    const Record record{state.time, point_values.evaluate(state)};
-    table_file.append_row([&](std::string &rows) {
-      append_csv_row(columns, record, rows, conversions);
-    });
+    csv_file.add({state.time, point_values.evaluate(state)});
   }
 
 

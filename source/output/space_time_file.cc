@@ -20,60 +20,32 @@ namespace ThermoContact
 
 
 
-    /** A file of columns, read one by one. */
-    class ColumnReader
+    /** False at the end of the file. */
+    bool
+    read(std::istream &file, std::vector<double> &numbers)
     {
-    public:
-      SpaceTimeLayout layout;
+      file.read(reinterpret_cast<char *>(numbers.data()),
+                numbers.size() * sizeof(double));
+      return file.good();
+    }
 
-      /** Time and values of the last column that was read. */
-      double              time = 0.;
-      std::vector<double> values;
 
-      explicit ColumnReader(const std::string &path)
-        : file(path, std::ios::binary)
-      {
-        std::vector<double> numbers(4);
-        if (!read(numbers))
-          return;
-        layout.places_per_cell  = numbers[1];
-        layout.has_temperature  = numbers[2] != 0.;
-        layout.has_displacement = numbers[3] != 0.;
-        layout.x.resize(numbers[0]);
-        read(layout.x);
-        column.resize(1 + layout.x.size() * layout.field_names().size());
-      }
 
-      /** False if there is no file with a whole head. */
-      bool
-      is_good() const
-      {
-        return file.good();
-      }
-
-      /** False at the end. */
-      bool
-      next()
-      {
-        if (!read(column))
-          return false;
-        time = column[0];
-        values.assign(column.begin() + 1, column.end());
-        return true;
-      }
-
-    private:
-      std::ifstream       file;
-      std::vector<double> column;
-
-      bool
-      read(std::vector<double> &numbers)
-      {
-        file.read(reinterpret_cast<char *>(numbers.data()),
-                  numbers.size() * sizeof(double));
-        return file.good();
-      }
-    };
+    /** That of SpaceTimeLayout::head(); @p file is not good if there is none. */
+    SpaceTimeLayout
+    read_head(std::istream &file)
+    {
+      SpaceTimeLayout     layout;
+      std::vector<double> numbers(4);
+      if (!read(file, numbers))
+        return layout;
+      layout.places_per_cell  = numbers[1];
+      layout.has_temperature  = numbers[2] != 0.;
+      layout.has_displacement = numbers[3] != 0.;
+      layout.x.resize(numbers[0]);
+      read(file, layout.x);
+      return layout;
+    }
 
 
 
@@ -99,12 +71,11 @@ namespace ThermoContact
 
       /** Adds what lies between two columns. */
       void
-      add_slab(const double               lower_time,
-               const std::vector<double> &lower,
-               const double               upper_time,
+      add_slab(const std::vector<double> &lower,
                const std::vector<double> &upper)
       {
-        for (unsigned int place = 0; place + 1 < layout.x.size(); ++place)
+        const unsigned int n = layout.x.size();
+        for (unsigned int place = 0; place + 1 < n; ++place)
           if ((place + 1) % layout.places_per_cell != 0)
             {
               DataOutBase::Patch<2, 2> patch;
@@ -114,14 +85,13 @@ namespace ThermoContact
               patch.data.reinit(names.size(), 4);
               for (unsigned int corner = 0; corner < 4; ++corner)
                 {
-                  const bool         is_upper = corner >= 2;
-                  const unsigned int i        = place + corner % 2;
+                  const auto        &column = corner < 2 ? lower : upper;
+                  const unsigned int i      = place + corner % 2;
                   patch.vertices[corner] =
-                    Point<2>(position(layout.x[i]),
-                             time(is_upper ? upper_time : lower_time));
+                    Point<2>(position(layout.x[i]), time(column[0]));
                   for (unsigned int field = 0; field < names.size(); ++field)
-                    patch.data(field, corner) = conversions[field](
-                      (is_upper ? upper : lower)[field * layout.x.size() + i]);
+                    patch.data(field, corner) =
+                      conversions[field](column[1 + field * n + i]);
                 }
               patches.push_back(patch);
             }
@@ -161,23 +131,6 @@ namespace ThermoContact
         patches.clear();
       }
     };
-
-
-    void
-    write_slabs(ColumnReader &columns, PieceWriter &writer)
-    {
-      if (columns.next())
-        for (;;)
-          {
-            const double              time   = columns.time;
-            const std::vector<double> values = columns.values;
-            if (!columns.next())
-              break;
-            if (static_cast<float>(time) < static_cast<float>(columns.time))
-              writer.add_slab(time, values, columns.time, columns.values);
-          }
-      writer.finish();
-    }
   } // namespace
 
 
@@ -214,16 +167,23 @@ namespace ThermoContact
                        const OutputUnits &units)
   {
     namespace fs = std::filesystem;
-    ColumnReader columns(columns_path);
-    if (!columns.is_good())
+    std::ifstream         columns(columns_path, std::ios::binary);
+    const SpaceTimeLayout layout = read_head(columns);
+    if (!columns)
       return columns_path + ": cannot be read";
 
     const std::string part_path = vtu_path + part_suffix;
     std::ofstream     file(part_path);
-    PieceWriter       writer(columns.layout, units, file);
+    PieceWriter       writer(layout, units, file);
     try
       {
-        write_slabs(columns, writer);
+        std::vector<double> lower(1 + layout.x.size() *
+                                        layout.field_names().size());
+        std::vector<double> upper(lower.size());
+        for (read(columns, lower); read(columns, upper); lower.swap(upper))
+          if (static_cast<float>(lower[0]) < static_cast<float>(upper[0]))
+            writer.add_slab(lower, upper);
+        writer.finish();
       }
     catch (const dealii::ExceptionBase &) // of a file that is bad
       {

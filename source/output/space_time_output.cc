@@ -6,13 +6,22 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    void
+    append_bytes(std::string &row, const double *numbers, const std::size_t n)
+    {
+      row.append(reinterpret_cast<const char *>(numbers), n * sizeof(double));
+    }
+  } // namespace
+
+
+
   template <int dim>
   SpaceTimeOutput<dim>::SpaceTimeOutput(const std::string &directory,
                                         const Body<dim>   &body)
     : directory(directory)
     , columns_path(directory + "/space-time.columns")
-    , is_writer(Utilities::MPI::this_mpi_process(
-                  body.discretization.communicator()) == 0)
     , units(body.scene.parameters)
     , places(places_on_axis(body.discretization))
     , point_values(body.scene, body.discretization, places)
@@ -30,12 +39,10 @@ namespace ThermoContact
   void
   SpaceTimeOutput<dim>::open(const std::uint64_t size)
   {
-    if (!is_writer)
-      return;
-    if (size > 0)
-      return columns_file.reopen(columns_path, size);
-    columns_file.open(columns_path);
-    write_row(layout.head());
+    std::string               head;
+    const std::vector<double> numbers = layout.head();
+    append_bytes(head, numbers.data(), numbers.size());
+    columns_file.open(columns_path, head, size);
   }
 
 
@@ -45,27 +52,14 @@ namespace ThermoContact
   SpaceTimeOutput<dim>::write(const State &state)
   {
     const std::vector<double> &values = point_values.evaluate(state);
-    if (!is_writer)
-      return;
-    const std::size_t n = places.size();
-    column.assign(1, state.time);
-    for (unsigned int i = 0; i < PointValues<dim>::n_quantities; ++i)
-      if (i == PointValues<dim>::temperature ? layout.has_temperature :
-                                               layout.has_displacement)
-        column.insert(column.end(),
-                      values.begin() + i * n,
-                      values.begin() + (i + 1) * n);
-    write_row(column);
-  }
-
-
-
-  template <int dim>
-  void
-  SpaceTimeOutput<dim>::write_row(const std::vector<double> &numbers)
-  {
-    columns_file.write_row(reinterpret_cast<const char *>(numbers.data()),
-                           numbers.size() * sizeof(double));
+    columns_file.append_row([&](std::string &rows) {
+      append_bytes(rows, &state.time, 1);
+      const std::size_t n = places.size();
+      for (unsigned int i = 0; i < PointValues<dim>::n_quantities; ++i)
+        if (i == PointValues<dim>::temperature ? layout.has_temperature :
+                                                 layout.has_displacement)
+          append_bytes(rows, values.data() + i * n, n);
+    });
   }
 
 
@@ -74,8 +68,6 @@ namespace ThermoContact
   std::string
   SpaceTimeOutput<dim>::write_vtu(const bool is_done)
   {
-    if (!is_writer)
-      return "";
     if (const std::string fault = columns_file.flush(); !fault.empty())
       return fault;
     const std::string fault =

@@ -57,6 +57,15 @@ namespace ThermoContact
 
 
 
+  double
+  starting_energy(const StepRecord &record)
+  {
+    return record.energy + record.dissipation + record.contact_dissipation +
+           record.numerical_dissipation - record.work - record.algebraic;
+  }
+
+
+
   SteadyState
   final_state(const StepRecord &record)
   {
@@ -95,7 +104,7 @@ namespace ThermoContact
 
 
 
-  const std::array<const char *, n_key_results> key_result_names = {
+  const std::array<const char *, KeyResult::n_names> key_result_names = {
     {"first_contact_time",
      "contact_begins",
      "contact_duration",
@@ -109,17 +118,14 @@ namespace ThermoContact
 
 
 
-  template <int dim>
-  std::array<double, n_key_results>
-  key_results(const Simulation<dim> &simulation)
+  KeyResults
+  key_results(const Scene &scene, const RunHistory &history)
   {
-    const StepRecord  &record  = simulation.record();
-    const RunHistory  &history = simulation.history();
-    const auto        &events  = simulation.events();
-    const unsigned int state =
-      reached_state_of_rest(steady_state(simulation.scene()).states,
-                            final_state(record),
-                            simulation.scene());
+    const StepRecord  &record = history.record;
+    const auto        &events = history.events;
+    const unsigned int state = reached_state_of_rest(steady_state(scene).states,
+                                                     final_state(record),
+                                                     scene);
     return {{events.empty() ? nan : events.front().time,
              double(n_contact_begins(events)),
              contact_duration(events, record.in_contact, record.time),
@@ -134,10 +140,12 @@ namespace ThermoContact
 
 
 
-  template std::array<double, n_key_results>
-  key_results(const Simulation<1> &);
-  template std::array<double, n_key_results>
-  key_results(const Simulation<2> &);
-  template std::array<double, n_key_results>
-  key_results(const Simulation<3> &);
+  KeyResults
+  smooth_key_results(const Scene &scene, const RunHistory &history)
+  {
+    KeyResults results                    = key_results(scene, history);
+    results[KeyResult::max_contact_force] = history.force_peak.estimate();
+    results[KeyResult::max_penetration]   = history.penetration_peak.estimate();
+    return results;
+  }
 } // namespace ThermoContact

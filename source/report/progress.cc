@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/text.h>
+#include <thermocontact/report/key_results.h>
 #include <thermocontact/report/progress.h>
 
 namespace ThermoContact
@@ -13,57 +14,44 @@ namespace ThermoContact
     {
       return std::chrono::duration<double>(to - from).count();
     }
-
-
-
-    /** The energy that the audit started from, by the audit. */
-    double
-    energy_at_first(const StepRecord &record)
-    {
-      return record.energy + record.dissipation + record.contact_dissipation +
-             record.numerical_dissipation - record.work - record.algebraic;
-    }
   } // namespace
 
 
 
-  template <int dim>
-  Progress<dim>::Progress(const Simulation<dim> &simulation, Log &log)
-    : log(log)
-    , units(simulation.parameters())
+  Progress::Progress(const Scene &scene, const RunHistory &history, Log &log)
+    : scene(scene)
+    , log(log)
+    , units(scene.parameters)
     , start(Clock::now())
-    , start_time(simulation.record().time)
-    , initial_energy_(energy_at_first(simulation.record()))
+    , start_time(history.record.time)
+    , initial_energy_(starting_energy(history.record))
     , last_update(start)
-    , last_step(simulation.record().step)
+    , last_step(history.record.step)
     , steps_per_second(0.)
     , step_seconds_(0.)
   {}
 
 
 
-  template <int dim>
   void
-  Progress<dim>::observe(const Simulation<dim> &simulation)
+  Progress::observe(const RunHistory &history)
   {
-    if (simulation.history().attempts.empty())
+    if (history.attempts.empty())
       return; // the initial state
-    for (const StepAttempt &attempt : simulation.history().attempts)
+    for (const StepAttempt &attempt : history.attempts)
       step_seconds_ += attempt.wall_seconds;
-    report_tenth(simulation);
+    report_tenth(history.record);
     if (log.has_live_line())
-      update_live_line(simulation);
+      update_live_line(history.record);
   }
 
 
 
-  template <int dim>
   void
-  Progress<dim>::report_tenth(const Simulation<dim> &simulation)
+  Progress::report_tenth(const StepRecord &record)
   {
-    const StepRecord &record   = simulation.record();
-    const double      end_time = simulation.parameters().time.end_time;
-    const auto        tenths   = [end_time](const double time) {
+    const double end_time = scene.parameters.time.end_time;
+    const auto   tenths   = [end_time](const double time) {
       return static_cast<unsigned int>(10. * time / end_time + 1e-9);
     };
     if (tenths(record.time) == tenths(record.time - record.step_size))
@@ -77,7 +65,6 @@ namespace ThermoContact
                          const double value) {
       line += text("  ", name, " = ", align_left(units.text(kind, value), 12));
     };
-    const Scene &scene = simulation.scene();
     if (scene.fields.has_displacement)
       add("u(1)", "length", record.displacement_end);
     if (scene.contact.law->is_active())
@@ -88,26 +75,20 @@ namespace ThermoContact
     if (scene.fields.has_temperature)
       add("theta(1)", "temperature", record.temperature_end);
     line.erase(line.find_last_not_of(' ') + 1);
-    if (log.has_live_line())
-      log.file_line(line);
-    else
-      log.line(line);
+    log.milestone(line);
   }
 
 
 
-  template <int dim>
   void
-  Progress<dim>::update_live_line(const Simulation<dim> &simulation)
+  Progress::update_live_line(const StepRecord &record)
   {
     const auto   now     = Clock::now();
     const double seconds = seconds_between(last_update, now);
     if (seconds < 0.1)
       return;
-    const StepRecord &record   = simulation.record();
-    const Scene      &scene    = simulation.scene();
-    const double      end_time = scene.parameters.time.end_time;
-    const double      rate     = (record.step - last_step) / seconds;
+    const double end_time = scene.parameters.time.end_time;
+    const double rate     = (record.step - last_step) / seconds;
     steps_per_second =
       steps_per_second == 0. ? rate : 0.7 * steps_per_second + 0.3 * rate;
     last_update = now;
@@ -142,7 +123,4 @@ namespace ThermoContact
 
 
 
-  template class Progress<1>;
-  template class Progress<2>;
-  template class Progress<3>;
 } // namespace ThermoContact

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/text.h>
-#include <thermocontact/forecast/steady_state.h>
-#include <thermocontact/output/output_tables.h>
+#include <thermocontact/output/output_page.h>
 #include <thermocontact/output/output_units.h>
-#include <thermocontact/report/key_results.h>
 #include <thermocontact/report/result_report.h>
 #include <thermocontact/report/scene_report.h>
 
@@ -35,8 +33,7 @@ namespace ThermoContact
             units.text("time", events[i].time - events[i - 1].time));
       std::string line;
       if (!durations.empty() && durations.size() <= few)
-        for (const std::string &duration : durations)
-          line += (line.empty() ? ", for " : ", ") + duration;
+        line = ", for " + join_words(durations);
       return line + (durations.size() > 1 || record.in_contact ?
                        text(", in contact altogether ",
                             units.text("time",
@@ -48,22 +45,19 @@ namespace ThermoContact
 
 
 
-    template <int dim>
     std::string
-    join_events(const Simulation<dim> &simulation)
+    join_events(const RunHistory &history, const OutputUnits &units)
     {
-      const OutputUnits units(simulation.parameters());
-      const auto       &events = simulation.events();
-      std::string       line   = text(n_contact_begins(events), " times");
+      const auto &events = history.events;
+      std::string line   = text(n_contact_begins(events), " times");
       if (!events.empty())
         line += ", first at t = " + units.text("time", events.front().time) +
-                describe_durations(events, simulation.record(), units);
+                describe_durations(events, history.record, units);
       return line + ", peak force " +
-             units.text("force", simulation.history().max_contact_force) +
+             units.text("force", history.max_contact_force) +
              ", peak penetration " +
-             units.text("length", simulation.history().max_penetration) +
-             ", impulse " +
-             units.text("force × time", simulation.record().contact_impulse);
+             units.text("length", history.max_penetration) + ", impulse " +
+             units.text("force × time", history.record.contact_impulse);
     }
 
 
@@ -74,18 +68,15 @@ namespace ThermoContact
                       const StepRecord  &record,
                       const Scene       &scene)
     {
-      std::string       line = describe_steady_state(rest, scene) + "; differs";
-      const OutputUnits units(scene.parameters);
-      const char       *comma = " in ";
-      const auto        add   = [&](const char  *name,
+      const OutputUnits        units(scene.parameters);
+      std::vector<std::string> words;
+      const auto               add = [&](const char  *name,
                            const char  *kind,
                            const double value,
                            const double predicted) {
-        if (!std::isfinite(predicted))
-          return;
-        line +=
-          text(comma, name, " by ", units.text(kind, value - predicted, 2));
-        comma = ", ";
+        if (std::isfinite(predicted))
+          words.push_back(
+            text(name, " by ", units.text(kind, value - predicted, 2)));
       };
       add("u(1)", "length", record.displacement_end, rest.displacement_end);
       add("theta(1)",
@@ -94,7 +85,8 @@ namespace ThermoContact
           rest.temperature_end);
       if (scene.contact.law->is_active())
         add("force", "force", record.contact_force, rest.contact_force);
-      return line;
+      return describe_steady_state(rest, scene) + "; differs in " +
+             join_words(words);
     }
 
 
@@ -109,31 +101,22 @@ namespace ThermoContact
                                const unsigned int digits = few_digits) {
         return units.text("energy", energy, digits);
       };
-      const double defect = initial_energy + record.work + record.algebraic -
-                            record.energy - record.dissipation -
-                            record.contact_dissipation -
-                            record.numerical_dissipation;
-      return text(
-        in(initial_energy),
-        " at first + work ",
-        in(record.work),
-        " = ",
-        in(record.energy),
-        " + dissipated ",
-        in(record.dissipation),
-        record.lateral_dissipation == 0. ?
-          "" :
-          text(" (", in(record.lateral_dissipation), " to the surroundings)"),
-        record.contact_dissipation == 0. ?
-          "" :
-          text(" + taken by the obstacle ", in(record.contact_dissipation)),
-        " + lost to the scheme ",
-        in(record.numerical_dissipation),
-        record.algebraic == 0. ?
-          "" :
-          text("; brought in by residuals ", in(record.algebraic, 2)),
-        "; defect ",
-        in(defect, 2));
+      const double defect = initial_energy - starting_energy(record);
+      return in(initial_energy) + " at first + work " + in(record.work) +
+             " = " + in(record.energy) + " + dissipated " +
+             in(record.dissipation) +
+             (record.lateral_dissipation == 0. ?
+                "" :
+                " (" + in(record.lateral_dissipation) +
+                  " to the surroundings)") +
+             (record.contact_dissipation == 0. ?
+                "" :
+                " + taken by the obstacle " + in(record.contact_dissipation)) +
+             " + lost to the scheme " + in(record.numerical_dissipation) +
+             (record.algebraic == 0. ?
+                "" :
+                "; brought in by residuals " + in(record.algebraic, 2)) +
+             "; defect " + in(defect, 2);
     }
 
 
@@ -177,18 +160,12 @@ namespace ThermoContact
 
 
 
-  template <int dim>
   std::string
-  scheme_warning(const Simulation<dim> &simulation)
+  scheme_warning(const Scene &scene, const StepRecord &record)
   {
-    const StepRecord &record = simulation.record();
-    // at t = 0, by the audit (M.22)
-    const double initial_energy =
-      record.energy + record.dissipation + record.contact_dissipation +
-      record.numerical_dissipation - record.work - record.algebraic;
     const double there =
-      std::max(initial_energy, 0.) + std::max(record.work, 0.);
-    if (simulation.parameters().time.has_error_control() ||
+      std::max(starting_energy(record), 0.) + std::max(record.work, 0.);
+    if (scene.parameters.time.has_error_control() ||
         !(record.numerical_dissipation > largest_numerical_part * there))
       return "";
     return text("the scheme took ",
@@ -199,18 +176,18 @@ namespace ThermoContact
 
 
 
-  template <int dim>
   void
-  report_result(const Simulation<dim> &simulation,
-                const RunTimes        &times,
-                const double           initial_energy,
-                Log                   &log)
+  report_result(const Scene          &scene,
+                const RunHistory     &history,
+                const SolverCounters &counters,
+                const RunTimes       &times,
+                const double          initial_energy,
+                Log                  &log)
   {
-    const Scene         &scene    = simulation.scene();
-    const StepRecord    &record   = simulation.record();
-    const SolverCounters counters = simulation.counters();
+    const StepRecord &record = history.record;
+    const OutputUnits units(scene.parameters);
     if (scene.contact.law->is_active())
-      log.line("  contact   " + join_events(simulation));
+      log.line("  contact   " + join_events(history, units));
     log.line("  final     " +
              describe_steady_state(final_state(record), scene));
     const auto rest = steady_state(scene).states;
@@ -219,17 +196,15 @@ namespace ThermoContact
                compare_with_rest(rest[nearest_state(rest, final_state(record))],
                                  record,
                                  scene));
-    log.line("  energy    " + describe_energy(record,
-                                              initial_energy,
-                                              OutputUnits(scene.parameters)));
-    if (const std::string warning = scheme_warning(simulation);
+    log.line("  energy    " + describe_energy(record, initial_energy, units));
+    if (const std::string warning = scheme_warning(scene, record);
         !warning.empty())
       log.line("  warning:  " + warning);
     log.line(text(
       "  cost      ",
       record.step,
       " steps, ",
-      simulation.history().n_rejected_steps,
+      history.n_rejected_steps,
       " rejected, ",
       counters.factorizations,
       " factorisations, ",
@@ -250,14 +225,14 @@ namespace ThermoContact
 
 
 
-  template <int dim>
   void
-  report_errors(const Simulation<dim> &simulation,
-                const KeyErrors       &errors,
-                Log                   &log)
+  report_errors(const Scene      &scene,
+                const RunHistory &history,
+                const KeyErrors  &errors,
+                Log              &log)
   {
-    const KeyValues   values = key_values(simulation);
-    const OutputUnits units(simulation.parameters());
+    const KeyResults  values = key_results(scene, history);
+    const OutputUnits units(scene.parameters);
     const auto        in = [&units](const std::string &key,
                              const double       value,
                              const unsigned int digits = few_digits) {
@@ -271,10 +246,10 @@ namespace ThermoContact
     log.line(text("  errors    by ",
                   errors.n_repeats,
                   " repeats: value, +- in time, +- in space"));
-    for (unsigned int k = 0; k < n_key_errors; ++k)
+    for (const KeyResult::Name k : results_with_error_bars)
       if (!std::isnan(values[k]))
         {
-          const std::string name = key_error_names[k];
+          const std::string name = key_result_names[k];
           log.line(
             text("            ",
                  align_left(name, 24),
@@ -285,22 +260,4 @@ namespace ThermoContact
                  bar(name + "_space_error", errors.space[k])));
         }
   }
-
-
-
-#define INSTANTIATE(dim)                                             \
-  template std::string scheme_warning<dim>(const Simulation<dim> &); \
-  template void        report_result<dim>(const Simulation<dim> &,   \
-                                   const RunTimes &,          \
-                                   const double,              \
-                                   Log &);                    \
-  template void        report_errors<dim>(const Simulation<dim> &,   \
-                                   const KeyErrors &,         \
-                                   Log &)
-
-  INSTANTIATE(1);
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
 } // namespace ThermoContact

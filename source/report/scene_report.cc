@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/machine_memory.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/forecast/forecast.h>
-#include <thermocontact/forecast/steady_state.h>
 #include <thermocontact/output/output_units.h>
-#include <thermocontact/report/contact_description.h>
-#include <thermocontact/report/memory_report.h>
 #include <thermocontact/report/scene_report.h>
 #include <thermocontact/scene/coarser_scenes.h>
 #include <thermocontact/scene/scene_terms.h>
@@ -31,27 +30,13 @@ namespace ThermoContact
     {
       const MeshParameters &mesh = simulation.parameters().mesh;
       const unsigned int    n    = simulation.discretization().n_active_cells();
-      return text(simulation.scene().geometry->description(),
-                  ", ",
-                  n,
-                  " cells of degree ",
-                  mesh.degree,
-                  dim == 1 ? "" :
-                             ", lateral faces: " +
-                               simulation.parameters().boundary.lateral_support,
-                  simulation.scene().has_sliding_end ? ", fixed end: sliding" :
-                                                       "");
-    }
-
-
-
-    std::string
-    join_words(const std::vector<std::string> &words)
-    {
-      std::string line;
-      for (const std::string &word : words)
-        line += (line.empty() ? "" : ", ") + word;
-      return line;
+      return join_words(
+        {simulation.scene().geometry->description(),
+         text(n, " cells of degree ", mesh.degree),
+         dim == 1 ?
+           "" :
+           "lateral faces: " + simulation.parameters().boundary.lateral_support,
+         simulation.scene().has_sliding_end ? "fixed end: sliding" : ""});
     }
 
 
@@ -90,6 +75,66 @@ namespace ThermoContact
 
 
 
+    /** Prints what a body is expected to take of the memory of this machine. */
+    void
+    report_memory(const Scene &scene, const MPI_Comm communicator, Log &log)
+    {
+      const double expected =
+        share_of_ranks_here(communicator) *
+        expected_memory(scene, Utilities::MPI::n_mpi_processes(communicator));
+      const double available = machine_memory();
+      log.line("  memory    about " + gigabytes(expected) + ", here are " +
+               gigabytes(available));
+      if (expected > available)
+        log.line(text("  warning:  that may not be enough memory",
+                      scene.linear_solver.is_iterative ?
+                        "" :
+                        "; Solver/Linear solver = iterative takes less"));
+    }
+
+
+
+    /** A formula with its values at t = 0, or a length. */
+    template <int dim>
+    std::string
+    describe_gap(const Simulation<dim> &simulation, const OutputUnits &units)
+    {
+      const Scene &scene  = simulation.scene();
+      const bool   moves  = scene.sources.has_moving_obstacle;
+      const bool   is_one = scene.contact.has_uniform_gap();
+      if (is_one && !moves)
+        return units.text("length", scene.contact.gap);
+      const auto [smallest, largest] =
+        simulation.discretization().contact_end().range_of_gap();
+      return text(scene.parameters.contact.gap_expression,
+                  " (",
+                  units.text("length", smallest),
+                  is_one ? "" : " to " + units.text("length", largest),
+                  is_one ? "" : " at the contact nodes",
+                  moves ? " at t = 0)" : ")");
+    }
+
+
+
+    template <int dim>
+    std::string
+    describe_contact(const Simulation<dim> &simulation)
+    {
+      const SceneContact &contact = simulation.scene().contact;
+      const OutputUnits   units(simulation.parameters());
+      if (!contact.law->is_active())
+        return contact.law->description();
+      return join_words(
+        {contact.law->description(),
+         "g = " + describe_gap(simulation, units),
+         contact.is_two_sided() ?
+           "g_2 = " + units.text("length", contact.rear_gap) :
+           "",
+         contact.has_massless_nodes ? "massless contact nodes" : ""});
+    }
+
+
+
     std::string
     describe_time(const Scene &scene)
     {
@@ -103,19 +148,13 @@ namespace ThermoContact
                ", ",
                time.n_steps(),
                " steps");
-      return text(time.scheme,
-                  ", ",
-                  steps,
-                  ", T = ",
-                  units.text("time", time.end_time),
-                  scene.contact.locates_events ? ", contact events located" :
-                                                 "",
-                  ", ",
-                  scene.has_prescribed_start ? "start of the paper" :
-                                               "consistent start",
-                  ", ",
-                  scene.parameters.solver.step_solver,
-                  " solver");
+      return join_words(
+        {time.scheme,
+         steps,
+         "T = " + units.text("time", time.end_time),
+         scene.contact.locates_events ? "contact events located" : "",
+         scene.has_prescribed_start ? "start of the paper" : "consistent start",
+         scene.parameters.solver.step_solver + " solver"});
     }
 
 
@@ -172,15 +211,6 @@ namespace ThermoContact
                   state.is_stable                    ? ", stable" :
                                                        ", unstable");
       return lines + (forecast.remark.empty() ? "" : "; " + forecast.remark);
-    }
-
-
-
-    /** With two significant digits. */
-    std::string
-    about(const double value)
-    {
-      return significant(round_to_digits(value, 2), 12);
     }
 
 
@@ -277,20 +307,17 @@ namespace ThermoContact
   std::string
   describe_steady_state(const SteadyState &state, const Scene &scene)
   {
-    const OutputUnits units(scene.parameters);
-    std::string       line;
-    const auto        add = [&line](const std::string &part) {
-      line += (line.empty() ? "" : ", ") + part;
-    };
+    const OutputUnits        units(scene.parameters);
+    std::vector<std::string> words;
     if (scene.fields.has_displacement)
-      add("u(1) = " + units.text("length", state.displacement_end));
+      words.push_back("u(1) = " + units.text("length", state.displacement_end));
     if (scene.fields.has_temperature)
-      add("theta(1) = " + units.text("temperature", state.temperature_end));
+      words.push_back("theta(1) = " +
+                      units.text("temperature", state.temperature_end));
     if (scene.contact.law->is_active())
-      add(text("force ",
-               units.text("force", state.contact_force),
-               state.in_contact ? ", in contact" : ", open"));
-    return line;
+      words.push_back("force " + units.text("force", state.contact_force) +
+                      (state.in_contact ? ", in contact" : ", open"));
+    return join_words(words);
   }
 
 
@@ -327,35 +354,35 @@ namespace ThermoContact
       }
     log.line("  terms     " + join_words(scene_terms(scene)));
     if (scene.fields.has_displacement)
-      log.line(text("  model     ",
-                    scene.fields.has_temperature ?
-                      text("a = ", material.thermal_stress, ", ") :
+      log.line(
+        "  model     " +
+        join_words({scene.fields.has_temperature ?
+                      text("a = ", material.thermal_stress) :
                       "",
-                    "b = ",
-                    material.inertia,
-                    ", zeta = ",
-                    material.viscosity,
+                    text("b = ", material.inertia),
+                    text("zeta = ", material.viscosity),
                     dim == 1 ?
                       "" :
-                      text(", nu = ", scene.parameters.model.poisson_ratio)));
+                      text("nu = ", scene.parameters.model.poisson_ratio)}));
     if (scene.fields.has_temperature)
       log.line(
-        text("  heat      theta_A = ",
-             scene.sources.has_driven_temperature ?
-               scene.heat.fixed_end_drive->text() :
-               units.text("temperature", scene.heat.fixed_end_temperature),
-             ", ",
-             scene.heat.exchange->description(),
-             ", theta_obs = ",
-             scene.sources.has_varying_obstacle ?
-               scene.parameters.boundary.obstacle_expression :
-               units.text("temperature", scene.heat.obstacle_temperature),
-             scene.heat.has_lateral_exchange() ?
-               text(", m = ",
-                    scene.heat.lateral_exchange,
-                    ", theta_inf = ",
-                    units.text("temperature", scene.heat.ambient_temperature)) :
-               ""));
+        "  heat      " +
+        join_words(
+          {"theta_A = " +
+             (scene.sources.has_driven_temperature ?
+                scene.heat.fixed_end_drive->text() :
+                units.text("temperature", scene.heat.fixed_end_temperature)),
+           scene.heat.exchange->description(),
+           "theta_obs = " +
+             (scene.sources.has_varying_obstacle ?
+                scene.parameters.boundary.obstacle_expression :
+                units.text("temperature", scene.heat.obstacle_temperature)),
+           scene.heat.has_lateral_exchange() ?
+             text("m = ",
+                  scene.heat.lateral_exchange,
+                  ", theta_inf = ",
+                  units.text("temperature", scene.heat.ambient_temperature)) :
+             ""}));
     if (scene.sources.has_moving_end)
       log.line("  fixed end u_A = " + scene.fixed_end_motion->text());
     if (scene.fields.has_displacement)

@@ -6,9 +6,7 @@
 #include <thermocontact/base/version.h>
 #include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/forecast/forecast.h>
-#include <thermocontact/forecast/steady_state.h>
 #include <thermocontact/output/output_units.h>
-#include <thermocontact/report/key_results.h>
 #include <thermocontact/report/result_report.h>
 #include <thermocontact/report/summary.h>
 #include <thermocontact/scene/scene_terms.h>
@@ -64,21 +62,19 @@ namespace ThermoContact
      * What was known before the run, beside what came out; null where nothing
      * was.
      */
-    template <int dim>
     nlohmann::ordered_json
-    predictions(const Simulation<dim> &simulation)
+    predictions(const Scene       &scene,
+                const StepRecord  &record,
+                const unsigned int n_cells)
     {
       constexpr double  nan      = std::numeric_limits<double>::quiet_NaN();
-      const Scene      &scene    = simulation.scene();
-      const StepRecord &record   = simulation.record();
       const auto        forecast = steady_state(scene);
       const auto       &states   = forecast.states;
       const SteadyState rest =
         states.empty() ? SteadyState{nan, nan, nan, false} :
                          states[nearest_state(states, final_state(record))];
       const auto impact = first_impact(scene);
-      const auto cost =
-        expected_cost(scene, simulation.discretization().n_active_cells());
+      const auto cost   = expected_cost(scene, n_cells);
 
       nlohmann::ordered_json entries = {
         {"final_contact_force", record.contact_force},
@@ -106,6 +102,9 @@ namespace ThermoContact
         add_states_of_rest(states, final_state(record), scene, entries);
       return entries;
     }
+
+
+
     /** The numbers of @p summary in units, and which ones. */
     void
     convert(const OutputUnits &units, nlohmann::ordered_json &summary)
@@ -128,9 +127,9 @@ namespace ThermoContact
     void
     add_errors(const KeyErrors &errors, nlohmann::ordered_json &entries)
     {
-      for (unsigned int k = 0; k < n_key_errors; ++k)
+      for (const KeyResult::Name k : results_with_error_bars)
         {
-          const std::string name         = key_error_names[k];
+          const std::string name         = key_result_names[k];
           entries[name + "_time_error"]  = errors.time[k];
           entries[name + "_space_error"] = errors.space[k];
         }
@@ -149,29 +148,30 @@ namespace ThermoContact
                 const RunTimes        &times,
                 const KeyErrors       *errors)
   {
-    const Parameters    &parameters = simulation.parameters();
-    const StepRecord    &record     = simulation.record();
-    const SolverCounters counters   = simulation.counters();
-    const auto          &space      = simulation.discretization();
-    const auto          &events     = simulation.events();
+    const Scene         &scene    = simulation.scene();
+    const RunHistory    &history  = simulation.history();
+    const StepRecord    &record   = history.record;
+    const SolverCounters counters = simulation.counters();
+    const auto          &space    = simulation.discretization();
+    const auto          &events   = history.events;
 
     const std::vector<double> memory =
       peak_memory_per_rank(space.communicator());
 
     nlohmann::ordered_json summary = {
-      {"title", parameters.title},
+      {"title", scene.parameters.title},
       {"status", status},
       {"version", version()},
       {"dimension", dim},
       {"ranks", Utilities::MPI::n_mpi_processes(space.communicator())},
-      {"fields", scene_fields(simulation.scene())},
-      {"terms", scene_terms(simulation.scene())},
+      {"fields", scene_fields(scene)},
+      {"terms", scene_terms(scene)},
       {"dofs", space.n_temperature_dofs() + space.n_displacement_dofs()},
       {"factorized_unknowns", simulation.n_factorized_unknowns()},
-      {"scheme", simulation.scene().scheme.name},
+      {"scheme", scene.scheme.name},
       {"linear_solver", simulation.linear_solver()},
       {"steps", record.step},
-      {"rejected_steps", simulation.history().n_rejected_steps},
+      {"rejected_steps", history.n_rejected_steps},
       {"factorizations", counters.factorizations},
       {"responses", counters.responses},
       {"solves", counters.solves},
@@ -184,12 +184,12 @@ namespace ThermoContact
        contact_duration(events, record.in_contact, record.time)},
       {"contact_impulse", record.contact_impulse},
       {"restitution", restitution(events)},
-      {"max_penetration", simulation.history().max_penetration},
-      {"max_contact_force", simulation.history().max_contact_force},
+      {"max_penetration", history.max_penetration},
+      {"max_contact_force", history.max_contact_force},
       {"final_time", record.time},
       {"final_displacement_end", record.displacement_end},
       {"final_energy", record.energy},
-      {"max_energy_increase", simulation.history().max_energy_increase},
+      {"max_energy_increase", history.max_energy_increase},
       {"set_up_seconds", times.set_up},
       {"loop_seconds", times.loop},
       {"step_seconds", times.steps},
@@ -200,17 +200,17 @@ namespace ThermoContact
       {"wall_seconds", times.wall},
       {"peak_memory_mb", std::accumulate(memory.begin(), memory.end(), 0.)},
       {"peak_memory_mb_per_rank", memory},
-      {"warnings", simulation.history().warnings}};
+      {"warnings", history.warnings}};
     if (!events.empty())
       summary["first_contact_time"] = events.front().time;
 
-    if (const std::string warning = scheme_warning(simulation);
+    if (const std::string warning = scheme_warning(scene, record);
         !warning.empty())
       summary["warnings"].push_back(warning);
-    summary.update(predictions(simulation));
+    summary.update(predictions(scene, record, space.n_active_cells()));
     if (errors != nullptr)
       add_errors(*errors, summary);
-    if (const OutputUnits units(parameters); units.is_si())
+    if (const OutputUnits units(scene.parameters); units.is_si())
       convert(units, summary);
 
     std::string fault;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/number_text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/scene/coarser_scenes.h>
 
 #include <cmath>
@@ -136,7 +137,8 @@ namespace ThermoContact
     if (time.has_error_control())
       {
         // products with powers of ten may miss by rounding
-        const double largest = largest_tolerance * (1. + 1e-12);
+        const double largest =
+          largest_tolerance * (1. + Tolerances::rounding_of_data);
         // near the largest tolerance larger ones may not change the steps
         if (100. * time.tolerance > largest)
           scenes.push_back(with_tolerance(parameters, 0.1, 0.5, 1.5));

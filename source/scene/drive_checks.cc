@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/parameter_text.h>
 #include <thermocontact/scene/drive_checks.h>
 
@@ -75,7 +76,8 @@ namespace ThermoContact
       return;
     const TimeFunction &motion = *scene.fixed_end_motion;
     const double        start  = motion.value(0.);
-    if (std::abs(start) > 1e-12 * motion.largest_value(time.end_time))
+    if (std::abs(start) >
+        Tolerances::rounding_of_data * motion.largest_value(time.end_time))
       refuse_motion(motion,
                     text("zero at t = 0, where it is ", start),
                     "subtract that: displacements are relative to where the "

@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/scene/mass_checks.h>
 
 #include <cmath>
@@ -106,7 +107,7 @@ namespace ThermoContact
     if (!scene.has_midpoint_mass || !scene.parameters.time.step_size)
       return "";
     const double size = *scene.parameters.time.step_size;
-    if (std::abs(size / passage(scene) - 1.) <= 1e-9)
+    if (std::abs(size / passage(scene) - 1.) <= Tolerances::same_step_size)
       return "";
     return text("Time/Step size = ",
                 significant(size, 6),

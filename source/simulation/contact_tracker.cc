@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/simulation/contact_tracker.h>
 
 #include <algorithm>
@@ -13,11 +14,6 @@ namespace ThermoContact
     /** Interpolants that miss a zero so often are not to be trusted. */
     constexpr unsigned int max_retakes = 10;
 
-    /** Relative accuracy of events where no tolerance is given. */
-    constexpr double fixed_step_tolerance = 1e-13;
-
-    /** Parts of the velocity of an obstacle by which it does not jump. */
-    constexpr double small_jump = 1e-6;
   } // namespace
 
 
@@ -31,7 +27,7 @@ namespace ThermoContact
               body.scene.contact.order,
               body.scene.parameters.time.has_error_control() ?
                 body.scene.parameters.time.tolerance :
-                fixed_step_tolerance,
+                Tolerances::fixed_step_event,
               !body.scene.fields.has_temperature ||
                 body.scene.heat.exchange->is_constant(),
               !body.scene.material.is_static())
@@ -186,10 +182,6 @@ namespace ThermoContact
           if (++n_retakes < max_retakes)
             return {ContactVerdict::to_time, finding.time};
           return leave_to_law();
-        case EventLocator::Finding::at_end:
-          if (body.scene.contact.is_in_equilibrium())
-            return {ContactVerdict::accept_with_law};
-          return {};
         default:
           return {};
       }
@@ -209,8 +201,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactTracker<dim>::accept(const ContactVerdict      &verdict,
-                              StepResult                &result,
+  ContactTracker<dim>::accept(StepResult                &result,
                               std::vector<ContactEvent> &events)
   {
     const ContactMode mode = locator.mode();
@@ -222,22 +213,18 @@ namespace ThermoContact
       }
     locator.accept(next, finding, events);
     n_retakes = 0;
-    if (verdict.kind == ContactVerdict::accept_with_law)
+    reset.finish_pressure(mode, finding, result);
+    const bool is_impact = body.law().is_rigid() &&
+                           mode != ContactMode::closed &&
+                           locator.mode() == ContactMode::closed &&
+                           !body.scene.contact.is_in_equilibrium();
+    if (is_impact)
+      reset.impact(result.state, result.energy, cost);
+    if (is_impact || finding.kind == EventLocator::Finding::at_end)
       {
+        // an end of contact at once is that of nodes that have stopped
         get_values(result.state, next);
         locator.set_present(next);
-      }
-    else
-      {
-        reset.finish_pressure(mode, finding, result);
-        if (body.law().is_rigid() && mode != ContactMode::closed &&
-            locator.mode() == ContactMode::closed)
-          {
-            reset.impact(result.state, result.energy, cost);
-            // an end of contact at once is that of nodes that have stopped
-            get_values(result.state, next);
-            locator.set_present(next);
-          }
       }
     if (impacted)
       cost += impacted->cost;
@@ -269,7 +256,7 @@ namespace ThermoContact
       }
     const bool is_held =
       body.scene.contact.has_impacts() && locator.mode() == ContactMode::closed;
-    if (is_held && towards > small_jump * scale)
+    if (is_held && towards > Tolerances::continuous_velocity * scale)
       {
         ResetCost cost;
         reset.impact(state, result.energy, cost);
@@ -280,7 +267,8 @@ namespace ThermoContact
     get_values(state, next);
     locator.set_present(next);
     // what has inertia does not follow
-    if (is_held && towards <= small_jump * scale && away > small_jump * scale)
+    if (is_held && towards <= Tolerances::continuous_velocity * scale &&
+        away > Tolerances::continuous_velocity * scale)
       locator.switch_at_start(state.time);
   }
 

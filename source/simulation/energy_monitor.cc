@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/simulation/energy_monitor.h>
@@ -63,8 +64,8 @@ namespace ThermoContact
     , is_active(!scene.has_work())
     , allowed_per_run(scene.scheme.can_create_energy &&
                           !scene.parameters.time.has_error_control() ?
-                        1e-3 :
-                        1e-9)
+                        Tolerances::energy_of_fixed_steps :
+                        Tolerances::energy_of_rounding)
     , allowed_per_step(scene.parameters.time.has_error_control() ?
                          2. * scene.parameters.time.tolerance :
                          0.)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/simulation/error_norm.h>
 
 #include <algorithm>
@@ -41,18 +42,20 @@ namespace ThermoContact
     const auto ratio = [](const double part, const double whole) {
       return part == 0. ? 0. : part / whole;
     };
-    const double rounding = 1e-14;
     // of displacements that a stage solves for, in their energy, and of that
     const double smallest_elastic =
-      0.5 * std::pow(1e-13 * rigid_displacement, 2);
-    const bool is_rounding = std::max(mechanical_energy(), energy.elastic) <=
-                             rounding * rigid_displacement * rigid_displacement;
+      0.5 * std::pow(Tolerances::rounding_of_solution * rigid_displacement, 2);
+    const bool is_rounding =
+      std::max(mechanical_energy(), energy.elastic) <=
+      Tolerances::rounding_of_sum * rigid_displacement * rigid_displacement;
     const double elastic_error =
       is_rounding && error.elastic <= smallest_elastic ? 0. : error.elastic;
     const double thermal =
       std::max(max_thermal == 0. ? first_thermal : max_thermal, energy.thermal);
     const double thermal_error =
-      error.thermal <= rounding * rounding * (temperature_energy + thermal) ?
+      error.thermal <= Tolerances::rounding_of_sum *
+                         Tolerances::rounding_of_sum *
+                         (temperature_energy + thermal) ?
         0. :
         error.thermal;
     return std::sqrt(

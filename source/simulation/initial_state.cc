@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/initial_state.h>
@@ -38,8 +39,6 @@ namespace ThermoContact
           result = std::max(result, std::abs(vector.begin()[e] - value));
         return Utilities::MPI::max(result, communicator);
       };
-      const double rounding = 1e-12;
-
       // an end that moves gets its velocity from its drive in the first step
       Vector velocity_of_rest(state.velocity);
       for (const unsigned int e : body.driven_end.entries(Field::displacement))
@@ -52,7 +51,7 @@ namespace ThermoContact
                             initial.velocity,
                             &std::as_const(velocity_of_rest))})
         if (largest_constrained(Field::displacement, *field, 0.) >
-            rounding * largest(*field))
+            Tolerances::rounding_of_data * largest(*field))
           throw InputError(
             std::string("Initial values/") + name + " = " + expression +
             ": not zero at the fixed end x = 0 or normal to rollers\n  allowed: "
@@ -64,8 +63,8 @@ namespace ThermoContact
       const double mismatch =
         largest_constrained(Field::temperature, state.temperature, theta_A);
       const QuantityUnits units(body.scene.parameters);
-      if (mismatch >
-          rounding * std::max(std::abs(theta_A), largest(state.temperature)))
+      if (mismatch > Tolerances::rounding_of_data *
+                       std::max(std::abs(theta_A), largest(state.temperature)))
         warnings.push_back(
           text("Initial values/Temperature differs by ",
                units.text("temperature difference", mismatch),
@@ -87,18 +86,13 @@ namespace ThermoContact
 
 
 
-    /** Parts of displacements and gaps that are rounding. */
-    constexpr double rounding_of_gap = 1e-12;
-
-
-
     /** True if @p displacement and @p gap are one but for rounding. */
     bool
     are_one(const double displacement, const double gap)
     {
       return displacement == gap ||
              std::abs(displacement - gap) <
-               rounding_of_gap *
+               Tolerances::rounding_of_data *
                  std::max(std::abs(displacement), std::abs(gap));
     }
 
@@ -136,7 +130,7 @@ namespace ThermoContact
 
 
 
-    /** Nor must a rigid stop behind the end. */
+    /** Nor must a rigid obstacle behind the end. */
     void
     check_rear_penetration(const QuantityUnits &units,
                            const double         displacement,
@@ -253,7 +247,7 @@ namespace ThermoContact
                     std::vector<std::string> &warnings)
     {
       const double gap = body.contact_end().range_of_gap().first;
-      // of the largest magnitude: a rear stop pushes with a negative one
+      // of the largest magnitude: one behind the end pushes with a negative one
       const double pressure =
         *std::max_element(state.contact_pressure.begin(),
                           state.contact_pressure.end(),

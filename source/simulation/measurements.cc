@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/simulation/measurements.h>
 #include <thermocontact/space/node_laws.h>
 
@@ -72,7 +73,7 @@ namespace ThermoContact
     auto found = space.dof_handler().end();
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() &&
-          cell->bounding_box().point_inside(point, 1e-10))
+          cell->bounding_box().point_inside(point, Tolerances::in_cell))
         {
           found = cell;
           break;

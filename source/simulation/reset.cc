@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/reset.h>
-#include <thermocontact/space/load_scan.h>
 #include <thermocontact/space/node_laws.h>
 
 #include <algorithm>
@@ -200,10 +200,20 @@ namespace ThermoContact
     const Material &material = body.scene.material;
     if (!body.scene.fields.has_displacement)
       return;
-    if (material.is_static())
-      set_static_displacement(state);
-    else if (!material.has_inertia())
+    if (material.has_inertia() || material.is_static())
+      set_static_equilibrium(state);
+    else
       set_quasi_static_velocity({}, state);
+  }
+
+
+
+  template <int dim>
+  void
+  Reset<dim>::set_static_equilibrium(State &state)
+  {
+    if (body.scene.material.is_static())
+      set_static_displacement(state);
     else if (body.scene.contact.is_in_equilibrium())
       settle_static_nodes(state);
   }
@@ -297,13 +307,35 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /**
+     * Length of the stage in which a static body moves at once, in parts of the
+     * time that heat takes through the body and of $T$: heat does not go far in
+     * it, and rates are within the range of numbers. Without matrices
+     * iterations measure what the heat of the motion leaves unsolved by the
+     * heat that flows in the stage.
+     */
+    double
+    length_of_motion_at_once(const Scene &scene)
+    {
+      const double end_time = scene.parameters.time.end_time;
+      return (scene.linear_solver.has_matrices() ?
+                Tolerances::motion_at_once :
+                Tolerances::iterative_motion_at_once) *
+             (end_time > 0. ? std::min(end_time, 1.) : 1.);
+    }
+  } // namespace
+
+
+
   template <int dim>
   double
   Reset<dim>::move_static_body(StageSolver &solver, State &state)
   {
     Vector heat_load  = body.discretization.make_vector(Field::temperature);
     Vector forces     = body.discretization.make_vector(Field::displacement);
-    const double size = jump_length(body.scene, 0.);
+    const double size = length_of_motion_at_once(body.scene);
     StageRates   rates;
     rates.temperature_rate = heat_load;
     rates.velocity         = forces;
@@ -327,46 +359,113 @@ namespace ThermoContact
 
 
 
+  template <int dim>
+  double
+  Reset<dim>::heat_fixed_end(const double rise, State &state)
+  {
+    const auto &entries = body.driven_end.entries(Field::temperature);
+    Vector      change  = body.discretization.make_vector(Field::temperature);
+    Vector      heat(change), inside(change);
+    for (const unsigned int entry : entries)
+      change.begin()[entry] = rise;
+    body.equations.heat_mass().vmult(heat, change);
+    heat *= -1.;
+    body.equations.zero_constrained(Field::temperature, heat);
+    if (!heat_mass)
+      {
+        heat_mass = std::make_unique<const HeatMass<dim>>(body);
+        counters_.factorizations += heat_mass->has_factors();
+      }
+    heat_mass->solve(inside, heat);
+    change += inside;
+
+    // the temperature rises evenly while the heat comes in
+    Vector excess(state.temperature);
+    excess -= body.energy.steady_profile();
+    excess.add(0.5, change);
+    state.temperature += change;
+    body.equations.heat_mass().vmult(heat, change);
+    double work = 0.;
+    for (const unsigned int entry : entries)
+      work += heat.begin()[entry] * excess.begin()[entry];
+    return Utilities::MPI::sum(work, body.discretization.communicator()) /
+           body.discretization.geometry().cross_section();
+  }
+
+
+
   namespace
   {
-    /** Parts of the time by which a load is looked at beside a jump. */
-    constexpr double beside_jump = 1e-12;
-
-    /** Parts of a load that are rounding. */
-    constexpr double rounding_of_load = 1e-13;
-
 
 
     /**
-     * True if the loads of the momentum equation jump: if what they change from
-     * one time to the next is no part of what they change around; not beyond
-     * the end time, where the jumps of another run may be.
+     * True if a load jumps: if what it changes from one time to the next is no
+     * part of what it changes around; not beyond the end time, where the jumps
+     * of another run may be.
+     *
+     * @param load_at(time, load) has the load at a time
+     * @param load memory of its layout
      */
-    template <int dim>
+    template <class LoadAt>
     bool
-    forces_jump(Body<dim> &body, const double old_time, const double new_time)
+    is_discontinuous(const LoadBreak &at,
+                     const double     end_time,
+                     const LoadAt    &load_at,
+                     const Vector    &load)
     {
-      Vector heat_load = body.discretization.make_vector(Field::temperature);
-      Vector sides[2], around[2];
-      for (Vector *load : {&sides[0], &sides[1], &around[0], &around[1]})
-        load->reinit(body.discretization.make_vector(Field::displacement));
-      body.loads.assemble(old_time, heat_load, sides[0]);
-      body.loads.assemble(new_time, heat_load, sides[1]);
-      const double width =
-        std::max(beside_jump * new_time, std::numeric_limits<double>::min());
-      body.loads.assemble(std::max(old_time - width, 0.), heat_load, around[0]);
-      const double end_time = body.scene.parameters.time.end_time;
-      body.loads.assemble(std::min(new_time + width,
-                                   std::max(new_time, end_time)),
-                          heat_load,
-                          around[1]);
+      Vector       sides[2] = {load, load}, around[2] = {load, load};
+      const double width = std::max(Tolerances::same_time * at.new_time,
+                                    std::numeric_limits<double>::min());
+      load_at(at.old_time, sides[0]);
+      load_at(at.new_time, sides[1]);
+      load_at(std::max(at.old_time - width, 0.), around[0]);
+      load_at(std::min(at.new_time + width, std::max(at.new_time, end_time)),
+              around[1]);
       const double size =
         std::max(sides[0].linfty_norm(), sides[1].linfty_norm());
       sides[1] -= sides[0];
       around[1] -= around[0];
       const double change = sides[1].linfty_norm();
-      return change > rounding_of_load * size &&
+      return change > Tolerances::rounding_of_solution * size &&
              change > 0.5 * around[1].linfty_norm();
+    }
+
+
+
+    /** What the temperature of the fixed end rises by at a discontinuity. */
+    template <int dim>
+    double
+    rise_of_fixed_end(const Body<dim> &body, const LoadBreak &at)
+    {
+      if (!body.scene.sources.has_driven_temperature)
+        return 0.;
+      const TimeFunction &drive    = *body.scene.heat.fixed_end_drive;
+      const auto          value_at = [&](const double time, Vector &value) {
+        value = drive.value(time);
+      };
+      return is_discontinuous(at,
+                              body.scene.parameters.time.end_time,
+                              value_at,
+                              Vector(1)) ?
+               drive.value(at.new_time) - drive.value(at.old_time) :
+               0.;
+    }
+
+
+
+    template <int dim>
+    bool
+    forces_jump(Body<dim> &body, const LoadBreak &at)
+    {
+      Vector     heat    = body.discretization.make_vector(Field::temperature);
+      const auto load_at = [&](const double time, Vector &load) {
+        body.loads.assemble(time, heat, load);
+      };
+      return is_discontinuous(at,
+                              body.scene.parameters.time.end_time,
+                              load_at,
+                              body.discretization.make_vector(
+                                Field::displacement));
     }
   } // namespace
 
@@ -376,9 +475,10 @@ namespace ThermoContact
   bool
   Reset<dim>::responds_to_discontinuities() const
   {
-    return body.scene.fields.has_displacement &&
-           (!body.scene.material.has_inertia() ||
-            body.scene.contact.is_in_equilibrium());
+    return body.scene.sources.has_driven_temperature ||
+           (body.scene.fields.has_displacement &&
+            (!body.scene.material.has_inertia() ||
+             body.scene.contact.is_in_equilibrium()));
   }
 
 
@@ -390,17 +490,25 @@ namespace ThermoContact
                                  const LoadBreak         &at,
                                  StepResult              &result)
   {
-    if (!forces_jump(body, at.old_time, at.new_time))
+    const Scene &scene = body.scene;
+    const double rise  = rise_of_fixed_end(body, at);
+    const bool   moves =
+      scene.fields.has_displacement &&
+      (!scene.material.has_inertia() || scene.contact.is_in_equilibrium()) &&
+      (rise != 0. || forces_jump(body, at));
+    if (rise == 0. && !moves)
       return false;
     State       &state      = result.state;
     const double time       = state.time;
     const double old_energy = result.energy.sum();
-    double       work       = 0.;
+    double       work       = rise != 0. ? heat_fixed_end(rise, state) : 0.;
     state.time              = at.new_time;
-    if (body.scene.material.is_static())
-      work = move_static_body(solver, state);
-    else if (body.scene.contact.is_in_equilibrium())
-      work = move_static_nodes(state);
+    if (!moves)
+      set_exchange_of_law(body, state);
+    else if (scene.material.is_static())
+      work += move_static_body(solver, state);
+    else if (scene.contact.is_in_equilibrium())
+      work += move_static_nodes(state);
     else
       {
         set_quasi_static_velocity(is_closed, state);
@@ -531,7 +639,12 @@ namespace ThermoContact
     const bool is_event = finding.kind == EventLocator::Finding::at_end;
     bool       changed =
       remove_pull(mode == ContactMode::closed ? finding.side : 0, result.state);
-    if (is_event && mode == ContactMode::open && !body.law().is_rigid())
+    if (is_event && body.scene.contact.is_in_equilibrium())
+      {
+        changed = true;
+        set_static_equilibrium(result.state);
+      }
+    else if (is_event && mode == ContactMode::open && !body.law().is_rigid())
       {
         changed = true;
         set_pressures_of_law(body, result.state);

@@ -12,7 +12,7 @@ namespace ThermoContact
     /**
      * True if the velocity of the contact end relative to the obstacle is, to
      * the order of the scheme, the rate of the penetration, on which alone the
-     * force depends. Behind a rear stop it is not.
+     * force depends. Between two obstacles it is not.
      */
     bool
     has_rates(const Scene &scene)
@@ -29,7 +29,7 @@ namespace ThermoContact
   void
   RunHistory::add_maxima(const Scene &scene, const double gap_rate)
   {
-    const double force = std::abs(record.contact_force); // of either stop
+    const double force = std::abs(record.contact_force); // of either obstacle
     max_penetration    = std::max(max_penetration, record.penetration);
     max_contact_force  = std::max(max_contact_force, force);
     if (!has_rates(scene))

@@ -158,11 +158,10 @@ namespace ThermoContact
     {
       const StopWatch   watch(attempt.wall_seconds);
       const ContactMode mode = tracker.mode();
-      ContactVerdict    verdict;
-      attempt.reason = judge(time_step, result, attempt.error, verdict);
+      attempt.reason         = judge(time_step, result, attempt.error);
       if (attempt.reason.empty())
         {
-          commit(time_step, verdict, result);
+          commit(time_step, result);
           attempt.reason      = name_of(time_step.target);
           attempt.is_accepted = true;
           controller.accept(time_step, attempt.error);
@@ -194,8 +193,7 @@ namespace ThermoContact
   std::string
   Simulation<dim>::judge(const TimeStep &time_step,
                          StepResult     &result,
-                         double         &error,
-                         ContactVerdict &verdict)
+                         double         &error)
   {
     // what is left to do with a step that was computed: nothing if it is
     // solved and accurate
@@ -214,9 +212,10 @@ namespace ThermoContact
     compute_step(time_step, tracker.mode(), result);
     if (const std::string reason = fault(); !reason.empty())
       return reason;
-    const double mechanical_energy = std::max({error_norm.mechanical_energy(),
-                                               result.energy.elastic,
-                                               result.energy.kinetic});
+    ContactVerdict verdict;
+    const double   mechanical_energy = std::max({error_norm.mechanical_energy(),
+                                                 result.energy.elastic,
+                                                 result.energy.kinetic});
     try
       {
         verdict = tracker.judge(time_step,
@@ -244,9 +243,6 @@ namespace ThermoContact
         case ContactVerdict::in_other_state:
         case ContactVerdict::with_law:
           return "contact";
-        case ContactVerdict::accept_with_law:
-          compute_step(time_step, ContactMode::unilateral, result);
-          return fault();
         default:
           return "";
       }
@@ -356,13 +352,11 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Simulation<dim>::commit(const TimeStep       &time_step,
-                          const ContactVerdict &verdict,
-                          StepResult           &result)
+  Simulation<dim>::commit(const TimeStep &time_step, StepResult &result)
   {
     try
       {
-        tracker.accept(verdict, result, history_.events);
+        tracker.accept(result, history_.events);
         if (body_.obstacle.is_active())
           if (const LoadBreak *at =
                 controller.followed_loads().break_at(result.state.time))
@@ -397,8 +391,8 @@ namespace ThermoContact
   Simulation<dim>::load_time() const
   {
     const LoadBreak *at = jump_at(state_.time);
-    return at != nullptr && state_.was_moved_at_once() ? at->new_time :
-                                                         state_.time;
+    return at != nullptr && state_.jump_time == state_.time ? at->new_time :
+                                                              state_.time;
   }
 
 

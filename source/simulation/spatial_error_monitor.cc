@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/simulation/spatial_error_monitor.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -287,7 +288,7 @@ namespace ThermoContact
   SpatialErrorMonitor::remedy(const double error, const double rate) const
   {
     const MeshParameters &mesh   = scene.parameters.mesh;
-    const double          excess = error / tolerated_error;
+    const double          excess = error / Tolerances::tolerated_mesh_error;
     // Smooth: the error falls by the rate with each degree, and with a power of
     // the cells; else with one over the number of nodes.
     const bool   is_low    = mesh.degree <= highest_low_degree;
@@ -316,7 +317,7 @@ namespace ThermoContact
     const double of_heat   = error(Field::temperature);
     const double of_strain = error(Field::displacement);
     const double largest   = std::max(of_heat, of_strain);
-    if (has_warned || !(largest > tolerated_error))
+    if (has_warned || !(largest > Tolerances::tolerated_mesh_error))
       return "";
     has_warned = true;
     return text("the mesh leaves out about ",

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/contact_end.h>
 #include <thermocontact/space/discretization.h>
 
@@ -79,7 +80,7 @@ namespace ThermoContact
                     face_values.shape_value_component(i, q, 0) * point_weight;
                   face_weight += point_weight;
                 }
-              if (std::abs(weight) < 1e-12 * face_weight)
+              if (std::abs(weight) < Tolerances::rounding_of_data * face_weight)
                 weight = 0.; // exactly
               Dofs node_dofs;
               for (const Field::Block field : all_fields)
@@ -178,9 +179,6 @@ namespace ThermoContact
         check_gap(sorted.back());
       }
 
-    // the numbering depends on the number of ranks, the position does not but
-    // for rounding
-    constexpr double step_of_order = 1e-11;
     std::sort(sorted.begin(),
               sorted.end(),
               [](const ContactNode<dim> &a, const ContactNode<dim> &b) {
@@ -189,8 +187,9 @@ namespace ThermoContact
                 // in steps between rounding and the distance of two nodes
                 for (unsigned int d = dim - 1; d > 0; --d)
                   if (const auto i =
-                        std::llround(a.position[d] / step_of_order),
-                      j = std::llround(b.position[d] / step_of_order);
+                        std::llround(a.position[d] / Tolerances::step_of_order),
+                      j =
+                        std::llround(b.position[d] / Tolerances::step_of_order);
                       i != j)
                     return i < j;
                 return false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/energy.h>
 #include <thermocontact/space/steady_profile.h>
 
@@ -319,9 +320,6 @@ namespace ThermoContact
 
   namespace
   {
-    /** Parts of what a penetration is a difference of that are rounding. */
-    constexpr double rounding_of_penetration = 1e-10;
-
     /** Factors (1 + c v) by which a pressure is divided without loss. */
     constexpr double smallest_factor = 0.5;
 
@@ -329,7 +327,7 @@ namespace ThermoContact
 
     /**
      * $\varphi(s)$ at a node with the pressure $p = \varphi(s)\,[1+c\,v]_+$,
-     * (M.82), seen from its stop. At a hard obstacle s has few digits, and
+     * (M.82), into the local obstacle. At a hard obstacle s has few digits, and
      * $p-\varphi(s)$ would have none: then it is $p/(1+c\,v)$. A node that goes
      * in without a pressure does not know of the obstacle yet, in a step that
      * is held open and misses the begin of contact by s: zero.
@@ -376,7 +374,7 @@ namespace ThermoContact
                           std::max(side * state.contact_pressure[i], 0.),
                           s,
                           side * relative_velocity[i],
-                          rounding_of_penetration *
+                          Tolerances::rounding_of_penetration *
                             std::max(size, std::abs(state.gap[i])));
     };
     end.get_values(Field::displacement, state.displacement, end_displacement);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/h1_projection.h>
 #include <thermocontact/space/linear_map.h>
@@ -85,7 +86,8 @@ namespace ThermoContact
       Vector terms(diagonal);
       terms.scale(values);
       const double allowed =
-        std::max(1e-11 * rhs.l2_norm(), 1e-15 * terms.l2_norm());
+        std::max(Tolerances::projection_residual * rhs.l2_norm(),
+                 Tolerances::rounding * terms.l2_norm());
       for (double &value : diagonal)
         value = 1. / value;
       for (const unsigned int entry : fixed)

@@ -15,22 +15,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /**
-     * Length of the stage in which equilibrium is restored, or nodes go to a
-     * new value, in parts of the time that heat takes through the body and of
-     * $T$: neither heat nor momentum go far in it, and rates are within the
-     * range of numbers.
-     */
-    constexpr double direct_jump_length = 1e-11;
-
-    /**
-     * The same without matrices: iterations measure what the heat of the jump
-     * leaves unsolved by the heat that flows in the stage.
-     */
-    constexpr double iterative_jump_length = 1e-7;
-
-
-
     /** Places at which a load that varies in space is looked at. */
     constexpr unsigned int n_places = 61;
 
@@ -45,7 +29,7 @@ namespace ThermoContact
       std::string no_jump = "";
 
       /** Nodes have it for their value. */
-      bool is_of_nodes = false;
+      bool is_dirichlet = false;
 
       const Expression &
       expression() const
@@ -92,11 +76,11 @@ namespace ThermoContact
       std::vector<Load> loads;
       const auto        add = [&](const Expression  &expression,
                            const bool         is_on_end,
-                           const std::string &no_jump     = "",
-                           const bool         is_of_nodes = false) {
+                           const std::string &no_jump      = "",
+                           const bool         is_dirichlet = false) {
         if (expression.depends_on("t"))
           loads.push_back(
-            {at_places(expression, is_on_end, scene), no_jump, is_of_nodes});
+            {at_places(expression, is_on_end, scene), no_jump, is_dirichlet});
       };
       const auto add_source = [&](const ExpressionFunction<dim> *const source,
                                   const bool is_on_end) {
@@ -192,17 +176,13 @@ namespace ThermoContact
                   "points and Time/Maximum step size help them)"));
               return;
             }
-          if (load.is_of_nodes)
-            for (LoadBreak &at : enclosed.history.breaks)
-              if (at.is_jump)
-                at.node_step = jump_length(scene, at.time);
           together.add(enclosed.history);
         }
       if (!time.has_error_control())
         {
-          if (load.is_of_nodes)
+          if (load.is_dirichlet)
             return;
-          // a rigid obstacle that turns within a step would throw its nodes
+          // a rigid obstacle whose slope jumps within a step would throw its nodes
           together.stretches.clear();
         }
       history.add(together);
@@ -223,18 +203,6 @@ namespace ThermoContact
       return values.width();
     }
   } // namespace
-
-
-
-  double
-  jump_length(const Scene &scene, const double time)
-  {
-    const double end_time = scene.parameters.time.end_time;
-    const double scale    = end_time > 0. ? std::min(end_time, 1.) : 1.;
-    return (scene.linear_solver.has_matrices() ? direct_jump_length :
-                                                 iterative_jump_length) *
-           std::max(scale, time);
-  }
 
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/massless_contact.h>
 
 #include <deal.II/base/polynomial.h>
@@ -118,18 +119,20 @@ namespace ThermoContact
 
     FullMatrix<double> extension{IdentityMatrix(n)};
     for (unsigned int i = 0; i < n; ++i)
-      if (is_axial(i) && fe.unit_support_point(i)[0] > 1. - 1e-12)
+      if (is_axial(i) &&
+          fe.unit_support_point(i)[0] > 1. - Tolerances::rounding_of_data)
         {
           extension(i, i) = 0.;
           for (unsigned int j = 0; j < n; ++j)
             {
               Point<dim> shifted = fe.unit_support_point(j);
               shifted[0]         = 1.;
-              if (!is_axial(j) ||
-                  shifted.distance(fe.unit_support_point(i)) > 1e-12)
+              if (!is_axial(j) || shifted.distance(fe.unit_support_point(i)) >
+                                    Tolerances::rounding_of_data)
                 continue;
               for (unsigned int k = 0; k < factors.size(); ++k)
-                if (std::abs(nodes[k][0] - fe.unit_support_point(j)[0]) < 1e-12)
+                if (std::abs(nodes[k][0] - fe.unit_support_point(j)[0]) <
+                    Tolerances::rounding_of_data)
                   extension(i, j) = factors[k];
             }
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/point_values.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -14,12 +15,7 @@
 namespace ThermoContact
 {
   namespace
-  {
-    // A point this close to a cell, in parts of its size, is on its boundary;
-    // a shape function this close to 0 or 1 is at one of its nodes.
-    constexpr double cell_tolerance  = 1e-10;
-    constexpr double shape_tolerance = 1e-13;
-  } // namespace
+  {} // namespace
 
 
 
@@ -35,7 +31,7 @@ namespace ThermoContact
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         if (const auto box = cell->bounding_box();
-            box.point_inside(on_axis(box.center()[0]), cell_tolerance))
+            box.point_inside(on_axis(box.center()[0]), Tolerances::in_cell))
           intervals.emplace_back(box.lower_bound(0), box.upper_bound(0));
     std::vector<std::pair<double, double>> all;
     for (const auto &of_rank :
@@ -127,7 +123,7 @@ namespace ThermoContact
       if (cell->is_locally_owned())
         {
           const auto   box   = cell->bounding_box();
-          const double slack = 2. * cell_tolerance * box.side_length(0);
+          const double slack = 2. * Tolerances::in_cell * box.side_length(0);
           for (auto place = std::lower_bound(order.begin(),
                                              order.end(),
                                              box.lower_bound(0) - slack,
@@ -137,7 +133,8 @@ namespace ThermoContact
                place != order.end() &&
                x_of(*place) <= box.upper_bound(0) + slack;
                ++place)
-            if (box.point_inside(places[*place].cell_point, cell_tolerance))
+            if (box.point_inside(places[*place].cell_point,
+                                 Tolerances::in_cell))
               add_shares(cell, places[*place].position, *place, shares);
         }
     return shares;
@@ -173,8 +170,9 @@ namespace ThermoContact
     };
     const auto rounded = [](const double value) {
       const double node_value = std::round(value);
-      return std::abs(value - node_value) < shape_tolerance ? node_value :
-                                                              value;
+      return std::abs(value - node_value) < Tolerances::rounding_of_solution ?
+               node_value :
+               value;
     };
 
     for (unsigned int i = 0; i < dofs.size(); ++i)
@@ -197,7 +195,7 @@ namespace ThermoContact
         value[d] = base.shape_value(shape, unit_point);
         for (unsigned int e = 0; e < dim; ++e)
           if (const double derivative = base.shape_grad(shape, unit_point)[e];
-              std::abs(derivative) > shape_tolerance)
+              std::abs(derivative) > Tolerances::rounding_of_solution)
             gradient[d][e] = derivative / box.side_length(e);
         add(strain_form,
             dofs[i] - offset,

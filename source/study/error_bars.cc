@@ -36,14 +36,14 @@ namespace ThermoContact
         , look_up(look_up)
         , log(log)
         , errors(errors)
-        , values(smooth_key_values(simulation))
+        , values(smooth_key_results(simulation.scene(), simulation.history()))
       {}
 
       /**
        * Absolute differences of the key results of a scene to those of the run;
        * nothing if it fails. 0 of what neither has, NaN of what one has.
        */
-      std::optional<KeyValues>
+      std::optional<KeyResults>
       differences(const CoarserScene &scene)
       {
         ++errors.n_repeats;
@@ -55,8 +55,9 @@ namespace ThermoContact
             Simulation<dim> repeat(scene.parameters,
                                    simulation.discretization().communicator());
             repeat.run({[this](const Simulation<dim> &) { look_up(); }});
-            KeyValues result = smooth_key_values(repeat);
-            for (unsigned int k = 0; k < n_key_errors; ++k)
+            KeyResults result =
+              smooth_key_results(repeat.scene(), repeat.history());
+            for (const KeyResult::Name k : results_with_error_bars)
               result[k] = std::isnan(values[k]) && std::isnan(result[k]) ?
                             0. :
                             std::abs(result[k] - values[k]);
@@ -90,7 +91,7 @@ namespace ThermoContact
       const std::function<void()> &look_up;
       Log                         &log;
       KeyErrors                   &errors;
-      const KeyValues              values;
+      const KeyResults             values;
 
       void
       add_failure(const CoarserScene &scene, const std::string &reason)
@@ -106,29 +107,32 @@ namespace ThermoContact
 
     /** (M.88) of what differences there are. */
     template <int dim>
-    KeyValues
+    KeyResults
     time_errors(const Simulation<dim> &simulation, Repeats<dim> &repeats)
     {
-      KeyValues bars;
+      KeyResults bars;
       bars.fill(unknown);
       bool is_first = true;
       for (const CoarserScene &scene : coarser_in_time(simulation.parameters()))
         {
           const auto differences = repeats.differences(scene);
-          for (unsigned int k = 0; differences && k < n_key_errors; ++k)
-            {
-              const double bar = scene.weight * (*differences)[k];
-              // what a coarser one misses tells nothing
-              if (is_first)
-                bars[k] = bar;
-              else if (bar > bars[k])
-                bars[k] = bar;
-            }
+          if (differences)
+            for (const KeyResult::Name k : results_with_error_bars)
+              {
+                const double bar = scene.weight * (*differences)[k];
+                // what a coarser one misses tells nothing
+                if (is_first)
+                  bars[k] = bar;
+                else if (bar > bars[k])
+                  bars[k] = bar;
+              }
           is_first = false;
         }
-      const KeyValues values = key_values(simulation);
-      const KeyValues smooth = smooth_key_values(simulation);
-      for (unsigned int k = 0; k < n_key_errors; ++k)
+      const KeyResults values =
+        key_results(simulation.scene(), simulation.history());
+      const KeyResults smooth =
+        smooth_key_results(simulation.scene(), simulation.history());
+      for (const KeyResult::Name k : results_with_error_bars)
         if (const double missed = smooth[k] - values[k]; missed > bars[k])
           bars[k] = missed;
       return bars;
@@ -151,13 +155,13 @@ namespace ThermoContact
      * time; 0: there is none.
      */
     double
-    largest_rate(const KeyValues &near,
-                 const KeyValues &far,
-                 const KeyValues &time,
-                 const double     smallest)
+    largest_rate(const KeyResults &near,
+                 const KeyResults &far,
+                 const KeyResults &time,
+                 const double      smallest)
     {
       double largest = 0.;
-      for (unsigned int k = 0; k < n_key_errors; ++k)
+      for (const KeyResult::Name k : results_with_error_bars)
         if (near[k] > 2. * time[k] && far[k] > 0.)
           largest = std::max(largest, rate(near[k], far[k], smallest));
       return largest;
@@ -167,12 +171,12 @@ namespace ThermoContact
 
     /** (M.89) of what differences there are. */
     template <int dim>
-    KeyValues
+    KeyResults
     space_errors(const Simulation<dim> &simulation,
-                 const KeyValues       &time,
+                 const KeyResults      &time,
                  Repeats<dim>          &repeats)
     {
-      KeyValues bars;
+      KeyResults bars;
       bars.fill(unknown);
       const auto scenes = coarser_in_space(simulation.parameters());
       if (scenes.empty())
@@ -180,12 +184,12 @@ namespace ThermoContact
       const auto near = repeats.differences(scenes[0]);
       if (!near)
         return bars;
-      KeyValues far = bars;
+      KeyResults far = bars;
       if (scenes.size() > 1)
         far = repeats.differences(scenes[1]).value_or(far);
       const double smallest = scenes[0].smallest_rate;
       const double largest  = largest_rate(*near, far, time, smallest);
-      for (unsigned int k = 0; k < n_key_errors; ++k)
+      for (const KeyResult::Name k : results_with_error_bars)
         {
           const double own    = rate((*near)[k], far[k], smallest);
           const double common = std::max(own, std::sqrt(own * largest));
@@ -196,12 +200,8 @@ namespace ThermoContact
         }
       return bars;
     }
-  } // namespace
 
 
-
-  namespace
-  {
     /**
      * False if the force has no limit for small steps and cells: behind an
      * impact on a rigid obstacle the force of a viscous body is that of the
@@ -234,12 +234,14 @@ namespace ThermoContact
   {
     KeyErrors    errors;
     Repeats<dim> repeats(simulation, look_up, log, errors);
-    errors.time               = time_errors(simulation, repeats);
-    errors.space              = space_errors(simulation, errors.time, repeats);
-    const KeyValues values    = key_values(simulation);
-    const bool      has_limit = has_largest_force(simulation);
-    for (unsigned int k = 0; k < n_key_errors; ++k)
-      if (std::isnan(values[k]) || (k == max_contact_force && !has_limit))
+    errors.time  = time_errors(simulation, repeats);
+    errors.space = space_errors(simulation, errors.time, repeats);
+    const KeyResults values =
+      key_results(simulation.scene(), simulation.history());
+    const bool has_limit = has_largest_force(simulation);
+    for (const KeyResult::Name k : results_with_error_bars)
+      if (std::isnan(values[k]) ||
+          (k == KeyResult::max_contact_force && !has_limit))
         errors.time[k] = errors.space[k] = unknown;
     if (!has_limit)
       errors.remarks.push_back(

@@ -3,10 +3,7 @@
 #include <thermocontact/base/collective_errors.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/forecast/forecast.h>
-#include <thermocontact/output/output_directory.h>
 #include <thermocontact/study/study.h>
-#include <thermocontact/study/study_memory.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -23,11 +20,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /** As many scenes are read before a study; that takes a second. */
-    constexpr unsigned int max_checked = 2000;
-
-
-
     /** Tells how far a study is, on rank 0: from the rows of its table. */
     class StudyProgress
     {
@@ -57,14 +49,9 @@ namespace ThermoContact
           seconds / (table.size() - n_before) * (n_runs - table.size());
         const std::string line = text(
           "  run ", table.size(), '/', n_runs, "  ", clock_time(left), " left");
-        if (log.has_live_line())
-          log.live_line(line);
-        if (10 * table.size() / n_runs == 10 * n_known / n_runs)
-          return;
-        if (log.has_live_line())
-          log.file_line(line);
-        else
-          log.line(line);
+        log.live_line(line);
+        if (10 * table.size() / n_runs != 10 * n_known / n_runs)
+          log.milestone(line);
       }
 
     private:
@@ -117,48 +104,6 @@ namespace ThermoContact
                                 "share one machine, or with an "
                                 "Output/Directory that locks its files");
     }
-
-
-
-    /** The runs that have no row yet, the same on all ranks. */
-    std::vector<unsigned int>
-    missing_runs(const StudyTable &table)
-    {
-      std::vector<unsigned int> runs;
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        for (unsigned int run = 0; run < table.plan().n_runs(); ++run)
-          if (!table.has(run))
-            runs.push_back(run);
-      return Utilities::MPI::broadcast(MPI_COMM_WORLD, runs);
-    }
-
-
-
-    /** False if all runs are rods. */
-    bool
-    has_bodies(const StudyPlan &plan)
-    {
-      const auto &varied = plan.varied();
-      return SceneReader(plan.scene_assignments()).scene().dimension > 1 ||
-             std::find(varied.begin(), varied.end(), "Dimension") !=
-               varied.end() ||
-             plan.reference();
-    }
-
-
-
-    /** Of the runs that are in @p memory, and the reference. */
-    std::string
-    report_memory(const StudyPlan &plan, StudyMemory &memory)
-    {
-      if (plan.reference())
-        {
-          SceneReader reader(plan.scene_assignments());
-          plan.read_scene(*plan.reference(), reader);
-          memory.add_reference(Scene(reader.scene()));
-        }
-      return memory.report(MPI_COMM_WORLD);
-    }
   } // namespace
 
 
@@ -176,7 +121,7 @@ namespace ThermoContact
     const SignalWatch  signals;
     StudyRunner        runner(plan, signals);
 
-    const std::vector<unsigned int> missing = missing_runs(table);
+    const std::vector<unsigned int> missing = table.missing_runs();
     Trajectory                      reference;
     if (plan.reference() && !missing.empty())
       reference = run_reference(plan, runner);
@@ -235,90 +180,5 @@ namespace ThermoContact
              " runs have ended and have their rows"));
     throw_everywhere<ComputationError>(rank == 0 ? table.sort() : "",
                                        communicator);
-  }
-
-
-
-  std::string
-  check_study_memory(const StudyTable &table)
-  {
-    const StudyPlan          &plan = table.plan();
-    std::vector<unsigned int> runs = missing_runs(table);
-    if (runs.empty() || !has_bodies(plan))
-      return "";
-    if (runs.size() > max_checked)
-      runs.resize(max_checked);
-    StudyMemory memory;
-    SceneReader reader(plan.scene_assignments());
-    for (const unsigned int run : runs)
-      try
-        {
-          plan.read_scene(plan.overrides(run), reader);
-          memory.add(plan.description(run), Scene(reader.scene()));
-        }
-      catch (const InputError &)
-        {} // the run fails, and says why
-    return report_memory(plan, memory);
-  }
-
-
-
-  void
-  check_study(const StudyTable      &table,
-              const StudyParameters &parameters,
-              Log                   &log)
-  {
-    const StudyPlan &plan = table.plan();
-    log.line(text("  study     ",
-                  plan.n_runs(),
-                  " runs, reference: ",
-                  parameters.reference));
-    SceneReader        reader(plan.scene_assignments());
-    const unsigned int n_checked = std::min(plan.n_runs(), max_checked);
-    unsigned int       n_refused = 0, n_known = 0;
-    std::string        refused;
-    double             steps = 0.;
-    StudyMemory        memory;
-    for (unsigned int run = 0; run < n_checked; ++run)
-      try
-        {
-          plan.read_scene(plan.overrides(run), reader);
-          const Scene scene(reader.scene());
-          const bool  is_done = table.has(run);
-          if (!is_done)
-            memory.add(plan.description(run), scene);
-          if (const auto cost = expected_cost(scene, reader.scene().mesh.cells))
-            {
-              steps += cost->steps;
-              ++n_known;
-            }
-        }
-      catch (const InputError &error)
-        {
-          if (++n_refused <= 3)
-            refused += "\n  " + plan.description(run) + ": " + error.what();
-        }
-    if (n_known > 0)
-      log.line(text(
-        "  expected  ",
-        significant(round_to_digits(steps * parameters.repetitions, 2), 12),
-        " steps, about, of ",
-        n_known,
-        " runs"));
-    if (table.size() < plan.n_runs())
-      if (const std::string lines = report_memory(plan, memory); !lines.empty())
-        log.line(lines);
-    if (n_checked < plan.n_runs())
-      log.line(text("  checked   the first ", n_checked, " runs"));
-    if (n_refused > 0)
-      throw InputError(text("Study/Vary: ",
-                            n_refused,
-                            " of ",
-                            n_checked,
-                            " runs cannot be run",
-                            refused,
-                            n_refused > 3 ? "\n  and others" : "",
-                            "\n  remedy:  leave them out, in sets of their own "
-                            "between ';;'"));
   }
 } // namespace ThermoContact

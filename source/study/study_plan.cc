@@ -292,28 +292,19 @@ namespace ThermoContact
                          "\n  remedy:  section Constants with a value of it");
     for (const auto &axes : sets)
       {
-        double     end_time = own_end_time;
-        const auto varies   = [&](const std::string &path) {
-          return std::any_of(axes.begin(), axes.end(), [&](const Axis &axis) {
-            return std::any_of(axis.begin(),
-                               axis.end(),
-                               [&](const Variation &variation) {
-                                 return variation.path == path;
-                               });
-          });
-        };
-        if (varies("Time/End time"))
-          end_time = 0.;
+        bool varies_end = false;
         for (const Axis &axis : axes)
           for (const Variation &variation : axis)
             for (const std::string &value : variation.values)
               {
                 reader.read("Study/Vary", {{variation.path, value}});
-                if (variation.path == "Time/End time" ||
-                    is_constant_path(variation.path))
-                  end_time = std::max(end_time, reader.scene().time.end_time);
+                const bool is_end = variation.path == "Time/End time";
+                if (is_end || is_constant_path(variation.path))
+                  longest = std::max(longest, reader.scene().time.end_time);
+                varies_end |= is_end;
               }
-        longest = std::max(longest, end_time);
+        if (!varies_end)
+          longest = std::max(longest, own_end_time);
       }
     for (const std::string &path : varied_)
       own_values.push_back(reader.own_value(path));
@@ -389,14 +380,10 @@ namespace ThermoContact
   std::string
   StudyPlan::description(const unsigned int run) const
   {
-    std::string line  = text("run ", run, ": ");
-    const char *comma = "";
+    std::vector<std::string> words;
     for (const auto &[path, value] : overrides(run))
-      {
-        line += comma + path + " = " + value;
-        comma = ", ";
-      }
-    return line;
+      words.push_back(path + " = " + value);
+    return text("run ", run, ": ") + join_words(words);
   }
 
 

@@ -4,7 +4,6 @@
 #include <thermocontact/base/collective_errors.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/output/output_directory.h>
 #include <thermocontact/study/study_report.h>
 
 #include <deal.II/base/convergence_table.h>
@@ -80,11 +79,11 @@ namespace ThermoContact
       std::map<std::string, std::vector<unsigned int>> groups;
       for (const unsigned int run : runs_of(plan, set))
         {
-          std::string name;
+          std::vector<std::string> others;
           for (const auto &[path, value] : plan.overrides(run))
             if (path != refined)
-              name += (name.empty() ? "" : ", ") + path + " = " + value;
-          groups[name].push_back(run);
+              others.push_back(path + " = " + value);
+          groups[join_words(others)].push_back(run);
         }
       return groups;
     }
@@ -252,24 +251,22 @@ namespace ThermoContact
                     "most ",
                     study.units().text("length", target),
                     '.');
-      std::string line  = text("  cheapest  The cheapest run with an error of "
-                               "displacement_end of at most ",
-                              study.units().text("length", target),
-                              " has");
-      const char *comma = " ";
+      std::vector<std::string> entries;
       for (const std::string &path : study.plan().varied())
-        {
-          line += comma + path + " = " + study.words(*best, path);
-          comma = ", ";
-        }
-      return line + text(": error ",
-                         study.number(*best, "error_displacement_end"),
-                         study.units().is_si() ? " m" : "",
-                         ", ",
-                         study.words(*best, "solves"),
-                         " solves, ",
-                         study.number(*best, "loop_seconds"),
-                         " s.");
+        entries.push_back(path + " = " + study.words(*best, path));
+      return text("  cheapest  The cheapest run with an error of "
+                  "displacement_end of at most ",
+                  study.units().text("length", target),
+                  " has ",
+                  join_words(entries),
+                  ": error ",
+                  study.number(*best, "error_displacement_end"),
+                  study.units().is_si() ? " m" : "",
+                  ", ",
+                  study.words(*best, "solves"),
+                  " solves, ",
+                  study.number(*best, "loop_seconds"),
+                  " s.");
     }
   } // namespace
 

@@ -101,7 +101,7 @@ namespace ThermoContact
           throw;
         }
       finish("done");
-      run.key_results = key_results(simulation);
+      run.key_results = key_results(simulation.scene(), simulation.history());
     }
   } // namespace
 

@@ -137,7 +137,7 @@ namespace ThermoContact
         columns.push_back(error_column("final_error_", final_value, q));
       columns.push_back(
         error_column("final_error_", final_value, Trajectory::energy));
-      for (unsigned int k = 0; k < n_key_results; ++k)
+      for (unsigned int k = 0; k < key_result_names.size(); ++k)
         columns.emplace_back(key_result_names[k], [k](const StudyRow &row) {
           return row.run.key_results ? (*row.run.key_results)[k] : nan;
         });
@@ -267,6 +267,18 @@ namespace ThermoContact
       }
     n_read = text.size();
     return write_atomically(file_name, text);
+  }
+
+
+
+  std::vector<unsigned int>
+  StudyTable::missing_runs() const
+  {
+    std::vector<unsigned int> runs;
+    for (unsigned int run = 0; run < plan_.n_runs(); ++run)
+      if (!has(run))
+        runs.push_back(run);
+    return Utilities::MPI::broadcast(MPI_COMM_WORLD, runs);
   }
 
 

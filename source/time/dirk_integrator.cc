@@ -41,13 +41,17 @@ namespace ThermoContact
   template <int dim>
   DirkIntegrator<dim>::DirkIntegrator(Body<dim> &body)
     : body(body)
-    , tableau(butcher_tableau(body.scene.scheme.name))
+    , of_scheme(butcher_tableau(body.scene.scheme.name))
+    , in_order(std::is_sorted(of_scheme.c.begin(), of_scheme.c.end()) ?
+                 of_scheme :
+                 butcher_tableau("sdirk3"))
+    , tableau(&of_scheme)
     , solver(make_stage_solver(body))
     , driven(body.driven_end.is_active() ?
                std::make_unique<DrivenStep<dim>>(body) :
                nullptr)
-    , stages(tableau.n_stages())
-    , accelerations(tableau.n_stages(),
+    , stages(of_scheme.n_stages())
+    , accelerations(of_scheme.n_stages(),
                     body.discretization.make_vector(Field::displacement))
     , known(body.discretization.make_state())
     , difference(known)
@@ -73,7 +77,7 @@ namespace ThermoContact
       sum.clear();
     for (unsigned int j = 0; j < i; ++j)
       {
-        const double factor = step_size * tableau.a[i][j];
+        const double factor = step_size * tableau->a[i][j];
         rate_sums[0].push_back({factor, &stages[j].temperature_rate});
         rate_sums[1].push_back({factor, &stages[j].velocity});
         rate_sums[2].push_back({factor, &accelerations[j]});
@@ -96,9 +100,9 @@ namespace ThermoContact
                                   const TimeStep    &time_step,
                                   const unsigned int i) const
   {
-    return i + 1 == tableau.n_stages() ?
+    return i + 1 == tableau->n_stages() ?
              time_step.end :
-             state.time + tableau.c[i] * time_step.size;
+             state.time + tableau->c[i] * time_step.size;
   }
 
 
@@ -109,8 +113,8 @@ namespace ThermoContact
                                  const TimeStep    &time_step,
                                  const unsigned int i) const
   {
-    return i + 1 == tableau.n_stages() ? time_step.last_loads :
-                                         stage_time(state, time_step, i);
+    return i + 1 == tableau->n_stages() ? time_step.last_loads :
+                                          stage_time(state, time_step, i);
   }
 
 
@@ -126,11 +130,9 @@ namespace ThermoContact
       driven->constrain(i, heat_load, momentum_load, known);
     const Vector &heat   = driven ? driven->heat_load() : heat_load;
     const Vector &forces = driven ? driven->momentum_load() : momentum_load;
-    do
-      solver->solve(known, tau, heat, forces, mode, stage);
-    while (stage.failure.empty() && release_crossing_nodes(tau, stage));
-    if (stage.failure.empty() &&
-        (i + 1 < tableau.n_stages() || tableau.has_error_estimate() || driven))
+    solver->solve(known, tau, heat, forces, mode, stage);
+    if (stage.failure.empty() && (i + 1 < tableau->n_stages() ||
+                                  tableau->has_error_estimate() || driven))
       set_difference(accelerations[i],
                      1. / tau,
                      stage.velocity,
@@ -177,24 +179,20 @@ namespace ThermoContact
                             const ContactMode mode,
                             StepResult       &result)
   {
-    const double tau   = tableau.gamma() * time_step.size;
-    const bool   holds = holds_closing_nodes(mode);
+    choose_tableau(mode);
+    const double tau = tableau->gamma() * time_step.size;
 
     start_sums(result);
     result.n_iterations  = 0;
     result.is_prescribed = false;
     start_drives(state, time_step);
     choose_stops(state, mode);
-    for (unsigned int i = 0; i < tableau.n_stages(); ++i)
+    for (unsigned int i = 0; i < tableau->n_stages(); ++i)
       {
         StageRates &stage = stages[i];
         set_known_values(state, time_step.size, i);
         if (body.obstacle.is_active())
           place_obstacle(i, tau, mode);
-        if (holds)
-          hold_closing_nodes(state, i);
-        else
-          stage.is_held.clear();
         body.loads.assemble(load_time(state, time_step, i),
                             heat_load,
                             momentum_load);
@@ -204,7 +202,7 @@ namespace ThermoContact
         if (!result.failure.empty())
           return;
 
-        const double weight = tableau.b()[i] * time_step.size;
+        const double weight = tableau->b()[i] * time_step.size;
         result.algebraic += weight * stage.algebraic_power;
         known.time = stage_time(state, time_step, i);
         advance(i, tau);
@@ -219,10 +217,10 @@ namespace ThermoContact
     result.state.known_penetration.clear();
     find_closed_nodes(state, mode, result);
     result.energy = body.energy.energy(result.state);
-    if (tableau.has_error_estimate())
+    if (tableau->has_error_estimate())
       estimate_error(time_step.size, mode, result);
     result.numerical_dissipation =
-      tableau.n_stages() == 1 ?
+      tableau->n_stages() == 1 ?
         body.energy.numerical_dissipation(state, result.state) :
         old_energy - result.energy.sum() + result.work - result.dissipation -
           result.contact_dissipation + result.algebraic;
@@ -241,10 +239,10 @@ namespace ThermoContact
     set_zero(difference.velocity);
     for (std::vector<Multiple> &sum : rate_sums)
       sum.clear();
-    for (unsigned int i = 0; i < tableau.n_stages(); ++i)
+    for (unsigned int i = 0; i < tableau->n_stages(); ++i)
       {
         const double factor =
-          step_size * (tableau.b()[i] - tableau.embedded_b[i]);
+          step_size * (tableau->b()[i] - tableau->embedded_b[i]);
         if (factor == 0.)
           continue;
         rate_sums[0].push_back({factor, &stages[i].temperature_rate});
@@ -377,8 +375,8 @@ namespace ThermoContact
     const bool obstacle_moves = body.obstacle.is_active();
     if (!driven && !obstacle_moves)
       return;
-    StageTimes loads_at{tableau.a, tableau.b(), {}};
-    for (unsigned int i = 0; i < tableau.n_stages(); ++i)
+    StageTimes loads_at{tableau->a, tableau->b(), {}};
+    for (unsigned int i = 0; i < tableau->n_stages(); ++i)
       loads_at.times.push_back(load_time(state, time_step, i));
     if (driven)
       driven->start(state, time_step.size, loads_at);
@@ -409,7 +407,7 @@ namespace ThermoContact
     for (const double time : loads_at.times)
       functions.push_back(derivatives_at(time));
     gaps.start(loads_at, time_step.size, state.gap, functions);
-    if (tableau.n_stages() > 1)
+    if (tableau->n_stages() > 1)
       {
         gaps.set_accelerations(rates_of(derivatives_at(time_step.first_loads)),
                                rates_of(functions.back()));
@@ -459,13 +457,15 @@ namespace ThermoContact
 
 
   template <int dim>
-  bool
-  DirkIntegrator<dim>::holds_closing_nodes(const ContactMode mode) const
+  void
+  DirkIntegrator<dim>::choose_tableau(const ContactMode mode)
   {
-    return solver->can_hold_nodes() && mode == ContactMode::unilateral &&
-           can_change_at_once(mode) &&
-           !body.scene.contact.is_in_equilibrium() &&
-           !std::is_sorted(tableau.c.begin(), tableau.c.end());
+    const SceneContact &contact = body.scene.contact;
+    tableau = mode == ContactMode::unilateral && contact.law->is_active() &&
+                  contact.order == NodeOrder::viscous &&
+                  body.contact_end().n_nodes() > 1 ?
+                &in_order :
+                &of_scheme;
   }
 
 
@@ -489,71 +489,12 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  DirkIntegrator<dim>::hold_closing_nodes(const State       &state,
-                                          const unsigned int i)
-  {
-    std::vector<bool> &is_held = stages[i].is_held;
-    std::vector<int>  &held_at = stages[i].held_at;
-    is_held.assign(state.contact_pressure.size(), false);
-    if (body.scene.contact.is_two_sided())
-      held_at.assign(is_held.size(), 0);
-    for (unsigned int j = 0; j < i; ++j)
-      for (unsigned int node = 0; node < is_held.size(); ++node)
-        if (const double p = stages[j].pressure[node];
-            state.contact_pressure[node] == 0. && p != 0. && !is_held[node])
-          {
-            is_held[node] = true;
-            if (!held_at.empty())
-              held_at[node] = p < 0. ? -1 : 1;
-          }
-  }
-
-
-
-  template <int dim>
-  bool
-  DirkIntegrator<dim>::release_crossing_nodes(const double tau,
-                                              StageRates  &stage)
-  {
-    if (stage.held_at.empty() ||
-        std::find(stage.is_held.begin(), stage.is_held.end(), true) ==
-          stage.is_held.end())
-      return false;
-    std::vector<double>  velocity, position;
-    std::vector<NodeLaw> laws;
-    get_node_laws(body, known, laws, position);
-    body.contact_end().get_values(Field::displacement,
-                                  stage.velocity,
-                                  velocity);
-    bool releases = false;
-    for (unsigned int node = 0; node < velocity.size(); ++node)
-      if (stage.is_held[node])
-        {
-          const double end = position[node] + tau * velocity[node];
-          if ((stage.held_at[node] > 0 ?
-                 laws[node].rear_penetration(end) :
-                 laws[node].front_penetration(end)) <= 0.)
-            continue;
-          stage.is_held[node] = false;
-          stage.held_at[node] = 0;
-          releases            = true;
-        }
-    return releases;
-  }
-
-
-
-  template <int dim>
   std::vector<bool>
   DirkIntegrator<dim>::closed_at_end(const ContactMode mode) const
   {
-    const StageRates &last = stages.back();
-    std::vector<bool> is_closed(last.is_held);
-    is_closed.resize(last.pressure.size(), false);
-    for (unsigned int i = 0; i < is_closed.size(); ++i)
-      if (mode == ContactMode::closed || last.pressure[i] != 0.)
-        is_closed[i] = true;
+    std::vector<bool> is_closed;
+    for (const double p : stages[tableau->n_stages() - 1].pressure)
+      is_closed.push_back(mode == ContactMode::closed || p != 0.);
     return is_closed;
   }
 
@@ -566,7 +507,8 @@ namespace ThermoContact
                                          StepResult       &result) const
   {
     result.closed_nodes.clear();
-    if (!holds_closing_nodes(mode))
+    if (mode != ContactMode::unilateral ||
+        body.scene.contact.order != NodeOrder::viscous)
       return;
     const std::vector<bool> is_closed = closed_at_end(mode);
     for (unsigned int i = 0; i < is_closed.size(); ++i)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/fixed_point_solver.h>
 
@@ -198,8 +199,8 @@ namespace ThermoContact
           }
         const double last_eigenvalue = eigenvalue;
         eigenvalue                   = tau * response_norm / norm;
-        if (n == 1 ||
-            std::abs(eigenvalue - last_eigenvalue) <= 1e-6 * eigenvalue)
+        if (n == 1 || std::abs(eigenvalue - last_eigenvalue) <=
+                        Tolerances::eigenvalue_change * eigenvalue)
           break;
         for (unsigned int i = 0; i < n; ++i)
           pressure[i] = response[i] / response_norm;

@@ -29,11 +29,8 @@ namespace ThermoContact
       diagonal);
     for (double &entry : diagonal)
       entry *= factor;
-    if (!this->takes_heat)
-      return;
-    inverse_heat_mass = body.equations.matrix_free()->heat_diagonal({1., 0.});
-    for (double &entry : inverse_heat_mass)
-      entry = 1. / entry;
+    if (this->takes_heat)
+      heat_mass = std::make_unique<const HeatMass<dim>>(body);
   }
 
 
@@ -67,25 +64,6 @@ namespace ThermoContact
 
 
 
-  namespace
-  {
-    /** $M$ for temperatures that vanish where they are given. */
-    template <int dim>
-    struct FreeHeatMass
-    {
-      const ThermoviscoelasticOperator<dim> &equations;
-
-      void
-      vmult(Vector &y, const Vector &x) const
-      {
-        equations.heat_mass().vmult(y, x);
-        equations.zero_constrained(Field::temperature, y);
-      }
-    };
-  } // namespace
-
-
-
   template <int dim>
   Vector
   IterativeNodeEquilibrium<dim>::heating(
@@ -96,14 +74,7 @@ namespace ThermoContact
     values = 0.;
     body.contact_end().set_all_values(Field::displacement, change, values);
     body.equations.subtract_heating(values, heat);
-    if (heat.linfty_norm() > 0.)
-      conjugate_gradients("the heat of nodes that move at once",
-                          FreeHeatMass<dim>{body.equations},
-                          temperature,
-                          heat,
-                          DiagonalMatrix<Vector>(inverse_heat_mass),
-                          1e-13,
-                          10000);
+    heat_mass->solve(temperature, heat);
     return temperature;
   }
 

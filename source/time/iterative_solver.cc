@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/time/iterative_solver.h>
 
 #include <algorithm>
@@ -11,19 +12,7 @@
 namespace ThermoContact
 {
   namespace
-  {
-    /** Relative residual while the set of active nodes still changes. */
-    constexpr double loose_tolerance = 1e-5;
-
-    /** Relative residual of what corrects an estimate of errors. */
-    constexpr double estimate_tolerance = 1e-3;
-
-    /** Parts of the largest displacement that a node need not be moved. */
-    constexpr double negligible_on_obstacle = 1e-6;
-
-    /** Of pressures and reaches, as a part of the largest. */
-    constexpr double sign_rounding = 1e-13;
-  } // namespace
+  {} // namespace
 
 
 
@@ -114,12 +103,11 @@ namespace ThermoContact
     if (body.law().is_active() && mode != ContactMode::open)
       for (unsigned int i = 0; i < laws.size(); ++i)
         {
-          laws[i].is_held = mode == ContactMode::closed ||
-                            (!rates.is_held.empty() && rates.is_held[i]);
-          const double p = known.contact_pressure[i];
-          branch[i]      = !laws[i].is_held ? (p > 0.) - (p < 0.) :
-                           !rates.held_at.empty() && rates.held_at[i] < 0 ? -1 :
-                                                                            1;
+          laws[i].is_held = mode == ContactMode::closed;
+          const double p  = known.contact_pressure[i];
+          branch[i]       = !laws[i].is_held ? (p > 0.) - (p < 0.) :
+                            !rates.held_at.empty() && rates.held_at[i] < 0 ? -1 :
+                                                                             1;
         }
     stage.set_laws(laws);
     if (body.law().is_active() && mode == ContactMode::unilateral)
@@ -142,7 +130,8 @@ namespace ThermoContact
   {
     const double tolerance = body.scene.linear_solver.tolerance;
     stage.set_branches(branch);
-    solve_linear(is_last ? tolerance : std::max(tolerance, loose_tolerance),
+    solve_linear(is_last ? tolerance :
+                           std::max(tolerance, Tolerances::loose_residual),
                  pressure);
     stage.get_positions(position);
   }
@@ -154,12 +143,13 @@ namespace ThermoContact
   IterativeSolver<dim>::solve_contact(std::vector<int>    &branch,
                                       std::vector<double> &pressure)
   {
-    const unsigned int n_sets = solve_by_branches(*this,
-                                                  stage.contact_laws(),
-                                                  stage.receptances(),
-                                                  sign_rounding,
-                                                  branch,
-                                                  pressure);
+    const unsigned int n_sets =
+      solve_by_branches(*this,
+                        stage.contact_laws(),
+                        stage.receptances(),
+                        Tolerances::rounding_of_solution,
+                        branch,
+                        pressure);
     counters_.active_set_iterations += n_sets;
     return n_sets;
   }
@@ -209,8 +199,9 @@ namespace ThermoContact
     for (unsigned int i = 0; i < displacement.size(); ++i)
       if (is_closed[i])
         largest = std::max(largest, std::abs(displacement[i]));
-    if (largest <= (body.law().is_rigid() ? negligible_on_obstacle : 0.) *
-                     difference.displacement.linfty_norm())
+    if (largest <=
+        (body.law().is_rigid() ? Tolerances::negligible_displacement : 0.) *
+          difference.displacement.linfty_norm())
       return;
 
     const StopWatch    watch(counters_.solve_seconds);
@@ -218,8 +209,8 @@ namespace ThermoContact
     stage.prepare_displacement(displacement);
     stage.set_branches(std::vector<int>(is_closed.begin(), is_closed.end()));
     counters_.factorizations += stage.preconditioners().n_made() - n_made;
-    count(
-      stage.solve(estimate_tolerance, IterativeStage<dim>::Measure::of_start));
+    count(stage.solve(Tolerances::estimate_residual,
+                      IterativeStage<dim>::Measure::of_start));
     const double  tau       = stage.length();
     const double  viscosity = body.scene.material.viscosity;
     const Vector &v         = stage.unknowns(Field::displacement);

@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/iterative_stage.h>
 
@@ -288,7 +289,8 @@ namespace ThermoContact
         n_iterations += add_correction(allowed);
         rounding = compute_scaled_residual();
         reached  = scaled_residual.l2_norm();
-        if (reached <= 2. * allowed + rounding + 1e-14 * largest_residual)
+        if (reached <= 2. * allowed + rounding +
+                         Tolerances::rounding_of_sum * largest_residual)
           return n_iterations;
       }
     give_up(reached, allowed, n_iterations);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/monolithic_solver.h>
 
@@ -352,8 +353,6 @@ namespace ThermoContact
 
     constexpr unsigned int max_refinements = 3;
 
-    /** Relative change at which velocities are refined no further. */
-    constexpr double small_change = 1e-8;
   } // namespace
 
 
@@ -369,12 +368,10 @@ namespace ThermoContact
     body.contact_end().get_values(Field::displacement, rates.velocity, free);
     for (unsigned int i = 0; i < laws.size(); ++i)
       {
-        NodeLaw   &law    = laws[i];
-        const bool has_to = !rates.held_at.empty() && rates.held_at[i] != 0;
-        if (has_to && rates.held_at[i] != law.side)
+        NodeLaw &law = laws[i];
+        if (!rates.held_at.empty() && rates.held_at[i] != law.side)
           start[i] = law.change_side(start[i]);
-        law.is_held = mode == ContactMode::closed ||
-                      (!rates.is_held.empty() && rates.is_held[i]);
+        law.is_held = mode == ContactMode::closed;
         if (mode == ContactMode::open)
           law.law = nullptr;
         if (body.law().damping() == 0.)
@@ -566,8 +563,9 @@ namespace ThermoContact
         rates.temperature_rate += change.temperature_rate;
         rates.velocity += change.velocity;
         if (change.velocity.linfty_norm() <=
-            small_change * std::max(rates.velocity.linfty_norm(),
-                                    known.displacement.linfty_norm()))
+            Tolerances::refined_change *
+              std::max(rates.velocity.linfty_norm(),
+                       known.displacement.linfty_norm()))
           return;
       }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/space/direct_solver.h>
+#include <thermocontact/space/heat_mass.h>
 #include <thermocontact/time/iterative_node_equilibrium.h>
 #include <thermocontact/time/node_equilibrium.h>
 
@@ -61,7 +61,7 @@ namespace ThermoContact
                                              SolverCounters     &counters,
                                              FullMatrix<double> &stiffness)
   {
-    DirectSolver mass_solver(body.equations.heat_stage_matrix(0.));
+    const HeatMass<dim> heat_mass(body);
     ++counters.factorizations;
     Vector heat  = body.discretization.make_vector(Field::temperature);
     Vector force = body.discretization.make_vector(Field::displacement);
@@ -70,7 +70,7 @@ namespace ThermoContact
                     heat = 0.;
                     body.equations.subtract_heating(unit, heat);
                     Vector &response = temperature_responses.emplace_back(heat);
-                    mass_solver.solve(response, heat);
+                    heat_mass.solve(response, heat);
                     ++counters.responses;
                     force = 0.;
                     body.equations.add_thermal_stress(response, 1., force);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/time/prescribed_motion.h>
 
 #include <cmath>
@@ -8,9 +9,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Parts of a value by which a step may end beside it: a few digits. */
-    constexpr double rounding_of_change = 1e-15;
-
 
 
     /**
@@ -70,7 +68,8 @@ namespace ThermoContact
               k,
               size,
               value - old_values[k],
-              rounding_of_change * (std::abs(value) + std::abs(old_values[k])));
+              Tolerances::rounding *
+                (std::abs(value) + std::abs(old_values[k])));
         for (unsigned int i = 0; i < n_stages; ++i)
           for (unsigned int j = 0; j <= i; ++j)
             stages_[i].values[k] += size * times.a[i][j] * stages_[j].rates[k];

@@ -5,6 +5,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -45,6 +46,10 @@ namespace ThermoContact
   const Scheme &
   default_scheme()
   {
-    return *find_scheme([](const Scheme &s) { return s.has_error_estimate; });
+    return *std::max_element(
+      schemes().begin(), schemes().end(), [](const Scheme &a, const Scheme &b) {
+        return std::make_pair(a.has_error_estimate, a.order) <
+               std::make_pair(b.has_error_estimate, b.order);
+      });
   }
 } // namespace ThermoContact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/time/step_controller.h>
 
@@ -84,7 +85,7 @@ namespace ThermoContact
     if (const auto best = attempt_before_rounding(attempts))
       message << ", of size " << time(best->size) << " it was " << best->error
               << ": rounding makes smaller steps worse";
-    else if (last.size < rounding_of_time * last.time)
+    else if (last.size < Tolerances::same_time * last.time)
       message << ", and times that are closer cannot be told apart";
     message
       << "\n  remedy:  a larger Time/Tolerance, Time/Break points where "
@@ -176,16 +177,7 @@ namespace ThermoContact
         step.end  = time + step.size;
         step.target = TimeStep::load;
       }
-    if (const LoadBreak *begin = loads.break_at(time);
-        has_error_control && begin != nullptr && begin->node_step > 0.)
-      {
-        // a jump, which has a length only for the sake of the nodes' equation
-        step.size        = std::min(begin->node_step, size);
-        step.end         = time + step.size;
-        step.target      = TimeStep::load;
-        step.is_of_nodes = true;
-      }
-    const double margin = multiple_slack * step.size;
+    const double margin = Tolerances::multiple_slack * step.size;
     const auto   end_at = [&](const double end, const TimeStep::Target target) {
       const double remainder = end - time;
       if (has_error_control || std::abs(end - step.end) > margin)
@@ -226,7 +218,6 @@ namespace ThermoContact
   void
   StepController::aim_at(const double time)
   {
-    rejected_of_nodes.reset();
     event_time = time;
   }
 
@@ -237,9 +228,6 @@ namespace ThermoContact
   {
     event_time.reset();
     was_rejected = true;
-    if (step.is_of_nodes && std::isfinite(error) &&
-        (!rejected_of_nodes || is_shorter(step.size)))
-      rejected_of_nodes = {step.size, error};
     const double factor =
       std::isfinite(error) ?
         0.9 * std::pow(error / largest_error(), -1. / order) :
@@ -263,16 +251,9 @@ namespace ThermoContact
   StepController::accept(const TimeStep &step, const double error)
   {
     event_time.reset();
-    rejected_of_nodes.reset();
     if (!has_error_control)
       return;
-    if (step.is_of_nodes)
-      {
-        was_rejected = false;
-        return;
-      }
-
-    const double e = std::max(error, 1e-10); // an error of zero says nothing
+    const double e      = std::max(error, Tolerances::smallest_error);
     double       factor = ladder.keeps_sizes ? keeping_factor(e) :
                                                0.9 * std::pow(e, -0.8 / order) *
                                            std::pow(last_error, 0.3 / order);
@@ -305,7 +286,6 @@ namespace ThermoContact
   StepController::restart(const bool contact_begins)
   {
     event_time.reset();
-    rejected_of_nodes.reset();
     is_restarting = true;
     if (has_error_control)
       set_size((contact_begins ? 0.25 : 0.5) * size);

@@ -17,10 +17,10 @@ def as_planned(row):
     """Status and counts of one run."""
     scheme, step = row["Time/Scheme"], row["Time/Step size"]
     if step == "automatic":
-        if scheme != "sdirk4":
+        if scheme not in ("sdirk3", "sdirk4"):
             return row["status"].startswith("failed: Time/Step size")
         return (row["status"] == "done" and int(row["solves"]) ==
-                5 * (int(row["steps"]) + int(row["rejected_steps"])))
+                STAGES[scheme] * (int(row["steps"]) + int(row["rejected_steps"])))
     steps = round(END_TIME / float(step))
     return (row["status"] == "done" and int(row["steps"]) == steps
             and int(row["rejected_steps"]) == 0

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """usage: output.py PROJECT PROGRAM
 
-doc/output.md is what the program says of its output, and that is all of it: each name in
-the files of some scenes has a text, and each text a name in them. A '*' in a name of the
+doc/output.md is in the program, and is all of its output: each name in the files of some
+scenes has a text there, and each text a name in them. A '*' in a name of the
 page stands for what the scene chooses. The recipes of the page read the tables of a scene.
 """
 import difflib
@@ -101,7 +101,7 @@ faults = list(difflib.unified_diff(
     (project / "doc/output.md").read_text(encoding="utf-8").splitlines(),
     page.splitlines(), "doc/output.md", "the program", lineterm="", n=0))
 if faults:
-    faults.append("remedy:  scripts/run --print-output > doc/output.md")
+    faults.append("remedy:  build the program anew")
 tables = tables_of(page)
 used = {file: set() for file in tables}
 unknown_files = set()

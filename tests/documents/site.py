@@ -3,8 +3,9 @@
 
 The manual as a site, made by doc/site.py as scripts/document does it: every
 page is in a group of the menu, every link leads to a file and a heading, every
-number of an equation to its place, and the words below are found. Skipped
-(exit status 77) without Doxygen, MathJax or the Markdown module for Python.
+number of an equation to its place, and the words below are found: their page comes
+first where node.js can tell. Skipped (exit status 77) without Doxygen, MathJax or the
+Markdown module for Python.
 """
 import importlib.util
 import json
@@ -15,9 +16,19 @@ import sys
 import tempfile
 from pathlib import Path
 
-WORDS = """restart sweep damping tolerance Hertz bifurcation contact_force ParaView
-    cluster gap units python install trouble probes friction energy restitution
-    Poisson friction checkpoint max_contact_force""".split()
+WORDS = {"restart": "how-to", "sweep": "how-to", "damping": "parameters", "tolerance": "parameters",
+         "Hertz": "laws", "bifurcation": "how-to", "contact_force": "output", "ParaView": "how-to",
+         "cluster": "how-to", "gap": "parameters", "units": "units", "python": "fit-of-a-stop",
+         "install": "how-to", "probes": "parameters", "friction": "laws", "restitution": "laws",
+         "Poisson": "parameters", "checkpoint": "how-to", "max_contact_force": "output",
+         "error bars": "numerics", "slow": "messages", "time step": "accuracy", "MPI": "how-to",
+         "steady state": "model", "preload": "laws", "convergence order": "accuracy"}
+FIRST = """
+const fs = require("fs"), folder = process.argv[1], [,, ...queries] = process.argv;
+const document = {getElementById: () => ({addEventListener() {}})};
+eval(["search-index.js", "search.js"].map((name) => fs.readFileSync(folder + "/" + name, "utf8")).join("")
+  + ";for (const query of queries) console.log(hitsOf(query)[0][1][0])");
+"""
 
 project = Path(sys.argv[1]).resolve()
 if not (shutil.which("doxygen") and importlib.util.find_spec("markdown") and
@@ -35,9 +46,18 @@ with tempfile.TemporaryDirectory() as folder:
         text = re.sub(r"\\\[.*?\\\]", "", page.read_text(encoding="utf-8"), flags=re.S)
         numbers.update(dict.fromkeys(re.findall(r"\(([MDCU]\d*\.\d+)\)", text), page.name))
     faults = [f"{page}: ({number}) is no equation" for number, page in sorted(numbers.items())]
-    for word in WORDS:
-        if not any(re.search(rf"\b{word}", " ".join(entry[1:]), re.I) for entry in index):
-            faults.append(f"the search does not find {word}")
+    faults += [f"{page.name}: a link in a formula" for page in site.glob("*.html")
+               for formula in re.findall(r"\\\[.*?\\\]", page.read_text(encoding="utf-8"), re.S)
+               if "<a " in formula]
+    for words in WORDS:
+        if not any(all(re.search(rf"\b{word}", " ".join(entry[1:]), re.I) for word in words.split())
+                   for entry in index):
+            faults.append(f"the search does not find {words}")
+    if shutil.which("node"):
+        first = subprocess.run(["node", "-e", FIRST, site, *WORDS], check=True, text=True,
+                               stdout=subprocess.PIPE).stdout.split()
+        faults += [f"{words}: {place} comes first, not {page}.html" for (words, page), place in
+                   zip(WORDS.items(), first) if not place.startswith(page + ".html")]
 print(f"{len(index)} places, {len(WORDS)} words looked for")
 print("\n".join(faults))
 sys.exit(1 if status or faults else 0)

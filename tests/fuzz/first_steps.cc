@@ -47,13 +47,19 @@ namespace ThermoContact
     void
     run_observed(Simulation<dim> &simulation, Output<dim> &output, Log &log)
     {
-      StepLimit     limit(dim);
-      Progress<dim> progress(simulation, log);
-      simulation.run({[&](const Simulation<dim> &s) { output.observe(s); },
-                      [&](const Simulation<dim> &s) { progress.observe(s); },
-                      [&](const Simulation<dim> &) { limit.count(); }});
+      StepLimit limit(dim);
+      Progress  progress(simulation.scene(), simulation.history(), log);
+      simulation.run(
+        {[&](const Simulation<dim> &s) { output.observe(s); },
+         [&](const Simulation<dim> &s) { progress.observe(s.history()); },
+         [&](const Simulation<dim> &) { limit.count(); }});
       output.finish();
-      report_result(simulation, RunTimes(), progress.initial_energy(), log);
+      report_result(simulation.scene(),
+                    simulation.history(),
+                    simulation.counters(),
+                    RunTimes(),
+                    progress.initial_energy(),
+                    log);
     }
 
 
@@ -65,7 +71,8 @@ namespace ThermoContact
       StepLimit limit(dim);
       try
         {
-          report_errors(simulation,
+          report_errors(simulation.scene(),
+                        simulation.history(),
                         error_bars<dim>(
                           simulation, [&]() { limit.count(); }, log),
                         log);

@@ -147,6 +147,17 @@ def check_other_tables(plot):
     check("probes", len(panels) == 4 and len(shown) == 8 and all(shown), str(legend))
 
 
+def check_two_obstacles(plot):
+    """Lines at u(1) = 0.1 and -0.07, the gaps of the scene, and both in the legend."""
+    figures = drawings.figures_of(plot, "between")
+    panel = drawings.panels_of(figures["figure"])[0][0]
+    levels = sorted(line.get_ydata()[0] for line in panel.lines if len(line.get_ydata()) == 2)
+    check("two obstacles", numpy.allclose(levels, [-0.07, 0.1], rtol=1e-9, atol=0), str(levels))
+    panels, legend = drawings.panels_of(figures["contact"])
+    check("two obstacles, words", panels[0].get_ylabel() == "gap to the nearer obstacle" and
+          "obstacle, $g$ = 0.1; $g_2$ = 0.07" in legend.values(), str(legend))
+
+
 def check_files(plot):
     """Which pictures there are, and that each shows something."""
     usual = ["figure", "contact", "energy"]
@@ -202,9 +213,12 @@ def main():
     path.write_bytes(path.read_bytes()[:-137])  # within a row
     drawings.run("heat", "verification/heat-series.prm", "Time/End time=0.5",
                  "Time/Tolerance=1e-4", "Output/Fields interval=0")
+    drawings.run("between", "examples/two-stops.prm", "Time/End time=4", "Contact/Rear gap=0.07",
+                 "Output/Fields interval=0")
     plot = drawings.load("plot")
     check_figures(plot)
     check_other_tables(plot)
+    check_two_obstacles(plot)
     check_files(plot)
     check_refusals(plot)
 

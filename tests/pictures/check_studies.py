@@ -39,7 +39,7 @@ RESULTS = {"time of the first contact": "first_contact_time",
            "coefficient of restitution": "restitution",
            r"final displacement  $u(1, T)$": "final_displacement_end",
            r"final temperature  $\theta(1, T)$": "final_temperature_end",
-           "state of rest": "reached_state_of_rest"}
+           "steady state reached, number": "reached_state_of_rest"}
 BIFURCATION = {r"$u(1)$ at multiples of $P$": "displacement_end",
                r"$u_t(1)$ at multiples of $P$": "velocity_end",
                r"$\theta(1)$ at multiples of $P$": "temperature_end",
@@ -123,6 +123,11 @@ def check_results(plot, header):
                        lambda panel: RESULTS[panel.get_ylabel()],
                        {"rigid": [0, 2, 1], "normal compliance": [3, 5, 4]}, table)
     check("results", not faults and len(panels) == len(RESULTS), "; ".join(faults))
+    make_study("many", header, {"Time/Scheme": [f"scheme {i // 2}" for i in range(26)],
+                                "Time/Step size": ["0.1", "0.2"] * 13})
+    check("13 curves are too many", list(drawings.figures_of(plot, "many")) == ["work-precision"])
+    check_refused(plot, "13 curves, asked for", ["13 curves", "fewer entries"],
+                  "many", "--figure", "results")
 
     pairs = [(x, y) for y in ("0.4", "0.1", "0.2", "0.3")
              for x in ("1", "10", "0.1", "0.01", "100")]

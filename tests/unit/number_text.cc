@@ -13,6 +13,7 @@
 // many before: operator new is counted.
 
 #include <thermocontact/base/text.h>
+#include <thermocontact/output/csv_file.h>
 #include <thermocontact/output/csv_rows.h>
 
 #include <algorithm>
@@ -224,23 +225,29 @@ namespace
   void
   test_allocations()
   {
-    TableFile file;
-    file.open("rows.csv");
+    const Scene          scene{Parameters()};
+    const OutputUnits    units(scene.parameters);
+    CsvFile<StepRecord>  contact("contact.csv", contact_columns(scene), units);
+    CsvFile<EventRow>    events("events.csv", event_columns(false), units);
+    CsvFile<StepAttempt> steps("steps.csv", attempt_columns(), units);
+    contact.open(".", "", 0);
+    events.open(".", "", 0);
+    steps.open(".", "", 0);
     StepRecord record;
     record.time         = 0.1;
     record.energy       = std::nan("");
     const auto add_rows = [&]() {
-      const CsvColumns<StepRecord> columns =
-        contact_columns(Scene(Parameters()));
       const unsigned long before = n_allocations;
       for (unsigned int i = 0; i < 100; ++i)
         {
-          add_row(columns, record, file);
-          add_row(event_columns(), EventRow(), file);
-          add_row(attempt_columns(), StepAttempt(), file);
+          contact.add(record);
+          events.add(EventRow());
+          steps.add(StepAttempt());
         }
       const unsigned long n = n_allocations - before;
-      file.flush();
+      contact.file.flush();
+      events.file.flush();
+      steps.file.flush();
       return n;
     };
     const bool counts = add_rows() > 0;

@@ -8,10 +8,12 @@
 // a rear stop at 0.01 there are five points more, 0.01 behind the end, and
 // their lines.
 
-#include <thermocontact/output/obstacle_file.h>
+#include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/space/body.h>
 
 #include <deal.II/base/mpi.h>
+
+#include <limits>
 
 #include "../tests.h"
 
@@ -49,8 +51,11 @@ main(int argc, char **argv)
                                                      "Contact/Gap=0.02+y^2/2"});
   const Scene          scene(parameters);
   const Body<2>        body(scene, MPI_COMM_SELF);
-  const ContactEnd<2> &end  = body.contact_end();
-  const std::string    file = obstacle_file(end, OutputUnits(parameters));
+  const ContactEnd<2> &end = body.contact_end();
+  const std::string    file =
+    obstacle_file(end,
+                  OutputUnits(parameters),
+                  std::numeric_limits<double>::infinity());
 
   const std::vector<double> gaps   = numbers_of(file, "\"gap\"");
   const std::vector<double> points = numbers_of(file, "NumberOfComponents");

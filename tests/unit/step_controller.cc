@@ -146,43 +146,6 @@ namespace
 
 
 
-  void
-  test_jump_of_nodes()
-  {
-    LoadHistory history;
-    history.add_breaks({0.});
-    history.breaks[0].node_step = 1e-11;
-    StepController controller   = make_controller(from_rung());
-    controller.follow(history);
-    deallog << "jump of nodes, accurate with error 5 "
-            << accurate(controller, 5.);
-    controller.reject(controller.propose(0.), 5.);
-    for (const double error : {4.4, 4.6, 5.4, 5.6})
-      deallog << (error == 4.4 ? ", then " : ", ") << error << ' '
-              << accurate(controller, error);
-    controller.restart(true);
-    deallog << ", in the other state of contact " << accurate(controller, 5.);
-    controller.reject(controller.propose(0.), 5.);
-    controller.accept(controller.propose(0.), 5.);
-    deallog << ", behind it " << accurate(controller, 5.);
-    const TimeStep next = controller.propose(1e-11);
-    controller.accept(next, 0.);
-    const TimeStep after = controller.propose(1e-11);
-    controller.reject(after, 5.);
-    deallog << ", grows " << after.size / next.size << ", twice "
-            << controller.is_accurate(controller.propose(1e-11), 5.)
-            << std::endl;
-
-    Parameters parameters             = from_rung();
-    parameters.time.minimum_step_size = 1e-9;
-    StepController smallest           = make_controller(parameters);
-    smallest.follow(history);
-    smallest.reject(smallest.propose(0.), 5.);
-    deallog << "the same step again " << accurate(smallest, 5.) << std::endl;
-  }
-
-
-
   /** The ends of all steps. */
   void
   print_steps(const std::string &name, const Parameters &parameters)
@@ -275,7 +238,6 @@ main()
 {
   initlog();
   test_ladder();
-  test_jump_of_nodes();
   test_targets();
   test_multiples();
 }

@@ -19,8 +19,7 @@
 //    So is the force of the rod, (u(1) - g)/eps: with g = 0.1 and u(1) up to
 //    0.13 it has the rounding of a number four times as large.
 //    So it does where the nodes of a strip close one after another at a rigid
-//    obstacle, in stages that are not in the order of their times, and stay
-//    closed to the end of the step, (M.62): all columns to 1e-9.
+//    obstacle, (M.63): all columns to 1e-9.
 // 4. The law at every row of a rod in contact and out of it: the flux is
 //    k(gap, p)(theta - theta_obs) to 1e-12 of the largest, every scheme.
 // 5. The audit (M.22), each line by its own formula, backward Euler, in 1-D and

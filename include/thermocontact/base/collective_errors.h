@@ -10,8 +10,15 @@
 namespace ThermoContact
 {
   /** On all ranks, the message of the first rank that has one. Collective. */
-  std::string
-  first_fault(const std::string &fault, const MPI_Comm communicator);
+  inline std::string
+  first_fault(const std::string &fault, const MPI_Comm communicator)
+  {
+    for (const std::string &message :
+         dealii::Utilities::MPI::all_gather(communicator, fault))
+      if (!message.empty())
+        return message;
+    return "";
+  }
 
   /**
    * Throws on all ranks if the message of rank 0 is not empty. Collective.

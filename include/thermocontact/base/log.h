@@ -43,9 +43,9 @@ namespace ThermoContact
     void
     line(const std::string &text = "");
 
-    /** Writes @p text and a line break to the file alone. */
+    /** As line(), but for the file alone if there are live lines. */
     void
-    file_line(const std::string &text);
+    milestone(const std::string &text);
 
     /**
      * As line(), but if both standard output and standard error are terminals,
@@ -74,6 +74,10 @@ namespace ThermoContact
     const bool    has_live_line_;
     bool          is_live; ///< a live line is on the screen
     std::ofstream file;
+
+    /** Writes @p text and a line break to the file alone. */
+    void
+    file_line(const std::string &text);
 
     void
     erase_live_line();

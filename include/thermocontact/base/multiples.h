@@ -3,19 +3,13 @@
 #ifndef thermocontact_base_multiples_h
 #define thermocontact_base_multiples_h
 
+#include <thermocontact/base/tolerances.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace ThermoContact
 {
-  /**
-   * Times this close to a multiple of an interval, in parts of the interval,
-   * are on it: those who choose steps, write output and count beforehand agree.
-   */
-  constexpr double multiple_slack = 1e-6;
-
-
-
   /**
    * Number of the multiple of @p interval that @p time is on, or else of the
    * last one before it.
@@ -24,7 +18,9 @@ namespace ThermoContact
   whole_intervals(const double interval, const double time)
   {
     const double ratio = time / interval;
-    return std::floor(ratio + (multiple_slack + 4e-16 * ratio)); // rounding
+    return std::floor(ratio +
+                      (Tolerances::multiple_slack +
+                       Tolerances::rounding_of_ratio * ratio)); // rounding
   }
 
 
@@ -39,7 +35,9 @@ namespace ThermoContact
     if (time <= 0.)
       return 0.;
     const double ratio = time / interval;
-    return std::max(1., std::ceil(ratio - (multiple_slack + 4e-16 * ratio)));
+    return std::max(1.,
+                    std::ceil(ratio - (Tolerances::multiple_slack +
+                                       Tolerances::rounding_of_ratio * ratio)));
   }
 
 

@@ -53,6 +53,14 @@ namespace ThermoContact
   double
   round_to_digits(const double value, const unsigned int digits);
 
+  /** @p value with two significant digits, without exponent below 1e12. */
+  std::string
+  about(const double value);
+
+  /** Bytes likewise in GB. */
+  std::string
+  gigabytes(const double bytes);
+
   /**
    * The number that the whole of @p text is: digits with '.', signs, an
    * exponent, no blanks. Nothing if it is anything else, not finite, or beyond

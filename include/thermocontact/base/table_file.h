@@ -3,17 +3,10 @@
 #ifndef thermocontact_base_table_file_h
 #define thermocontact_base_table_file_h
 
-#include <cstdint>
-#include <string>
+#include <thermocontact/base/writable_file.h>
 
 namespace ThermoContact
 {
-  /** The message that @p what has gone wrong with a file, from errno. */
-  std::string
-  file_fault(const std::string &path, const std::string &what);
-
-
-
   /**
    * A file that grows by whole rows, text or binary. Rows are collected and
    * written in larger pieces; a piece that does not fit on the disk is taken
@@ -25,38 +18,23 @@ namespace ThermoContact
   class TableFile
   {
   public:
-    TableFile() = default;
-
-    TableFile(const TableFile &) = delete;
-    TableFile &
-    operator=(const TableFile &) = delete;
-
     /** Writes what is left, if it can. */
     ~TableFile();
 
-    /** Begins a new file at @p path. A fault shows at the next flush(). */
-    void
-    open(const std::string &path);
-
     /**
-     * Goes on with the file at @p path behind its first @p size bytes; what
-     * comes after them is cut off. A fault shows at the next flush().
+     * Begins a new file at @p path with @p head, or goes on with the one that
+     * is there behind its first @p size bytes, if that is not 0; what comes
+     * after them is cut off. A fault shows at the next flush().
      */
     void
-    reopen(const std::string &path, const std::uint64_t size);
+    open(const std::string  &path,
+         const std::string  &head,
+         const std::uint64_t size = 0);
 
-    /** Appends one row of @p length bytes; nothing if the file is not open. */
-    void
-    write_row(const char *row, const std::size_t length)
+    bool
+    is_open() const
     {
-      append_row(
-        [row, length](std::string &text) { text.append(row, length); });
-    }
-
-    void
-    write_row(const std::string &row)
-    {
-      write_row(row.data(), row.size());
+      return file.is_open();
     }
 
     /**
@@ -68,7 +46,7 @@ namespace ThermoContact
     void
     append_row(const Append &append)
     {
-      if (descriptor < 0)
+      if (!is_open())
         return;
       append(rows);
       if (rows.size() >= piece_size)
@@ -98,21 +76,9 @@ namespace ThermoContact
     /** Bytes that are collected before they are written. */
     static constexpr std::size_t piece_size = 1 << 16;
 
-    std::string   path;
-    int           descriptor = -1;
+    WritableFile  file;
     std::string   rows;          ///< not yet written
     std::uint64_t n_written = 0; ///< bytes
-    std::string   fault;
-
-    void
-    open_descriptor(const int flags);
-
-    void
-    close();
-
-    /** Remembers the first fault, from errno. */
-    void
-    fail(const std::string &what);
 
     void
     write_rows();

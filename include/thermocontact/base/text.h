@@ -7,6 +7,7 @@
 
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -50,6 +51,17 @@ namespace ThermoContact
   {
     return std::string(words.size() < width ? width - words.size() : 0, fill) +
            words;
+  }
+
+  /** The words that are not empty, with commas between them. */
+  inline std::string
+  join_words(const std::vector<std::string> &words)
+  {
+    std::string line;
+    for (const std::string &word : words)
+      if (!word.empty())
+        line += (line.empty() ? "" : ", ") + word;
+    return line;
   }
 
   /** A time in seconds: 75 as "1:15", two hours as "2:00:00". */

@@ -232,7 +232,7 @@ namespace ThermoContact
     /**
      * Contact changes at @p time, before the step that was examined last or
      * so soon that it is not worth a step: the mode is switched where the body
-     * stands, and the event waits for a step that is accepted. If one waits
+     * stands, and the event is pending until a step is accepted. If one is
      * already, contact is about to change at once in both modes: that event is
      * taken back and the next attempt is unilateral.
      *
@@ -248,7 +248,7 @@ namespace ThermoContact
 
     /**
      * The nodes leave at once where contact has begun before the step that was
-     * examined last: the end of contact waits behind its begin.
+     * examined last: its end is pending behind its begin.
      *
      * @param stopped the nodes with mass, after the impact on a rigid obstacle
      */

@@ -32,14 +32,6 @@ namespace ThermoContact
   std::optional<FirstImpact>
   first_impact(const Scene &scene);
 
-
-
-  /**
-   * Displacement that the end of a rod loses per unit pressure in a stage of
-   * length @p tau, $\chi(\tau)$ of doc/model.md (M.20), without coupling.
-   */
-  double
-  rod_response(const Material &material, const double tau);
 } // namespace ThermoContact
 
 #endif

@@ -17,12 +17,6 @@ namespace ThermoContact
     double old_time; ///< a time right before it, with the old value
     double new_time; ///< the first time from which on it has the new one
     bool   is_jump;  ///< or else its slope jumps
-
-    /**
-     * Length of a step of its own in which nodes that have the load for their
-     * value follow its jump; 0 if there are none.
-     */
-    double node_step = 0.;
   };
 
 

@@ -26,7 +26,7 @@ namespace ThermoContact
     LevelVector<Number> mass;
     LevelVector<Number> stiffness;
 
-    /** What a V-cycle works with, of all stage lengths in turn. */
+    /** What a V-cycle works with, of one stage length after the other. */
     mutable LevelVector<Number> right;
     mutable LevelVector<Number> solution;
     mutable LevelVector<Number> residual;

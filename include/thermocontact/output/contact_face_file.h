@@ -10,7 +10,6 @@
 #include <deal.II/base/data_out_base.h>
 
 #include <string>
-#include <vector>
 
 namespace ThermoContact
 {
@@ -32,13 +31,22 @@ namespace ThermoContact
 
 
   /**
-   * The cells of the grid that contact nodes, in order of their positions,
-   * form: 2 corners of a line, or 4 of a quadrilateral in the order of VTK,
-   * cell after cell.
+   * A VTU file with the shape of an obstacle: the contact nodes of the
+   * undeformed end, their gap and, so that what moves the body moves the
+   * obstacle to its place, the displacement (gap, 0, 0); of one behind the end
+   * (-rear_gap, 0, 0) at points behind those. Lines between the
+   * nodes if dim = 2, quadrilaterals if dim = 3.
+   *
+   * @param rear_gap infinite: there is no obstacle behind the end
+   * @param gap of an obstacle that moves, at the time of the file; else the
+   *   gaps are those of the nodes
    */
   template <int dim>
-  std::vector<unsigned int>
-  contact_face_corners(const std::vector<ContactNode<dim>> &nodes);
+  std::string
+  obstacle_file(const ContactEnd<dim>       &end,
+                const OutputUnits           &units,
+                const double                 rear_gap,
+                const dealii::Function<dim> *gap = nullptr);
 } // namespace ThermoContact
 
 #endif

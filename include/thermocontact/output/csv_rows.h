@@ -4,7 +4,6 @@
 #define thermocontact_output_csv_rows_h
 
 #include <thermocontact/base/csv_columns.h>
-#include <thermocontact/base/table_file.h>
 #include <thermocontact/contact/event_locator.h>
 #include <thermocontact/simulation/measurements.h>
 #include <thermocontact/time/step_controller.h>
@@ -30,25 +29,12 @@ namespace ThermoContact
   };
 
   /** The columns of events.csv; with two stops one more. */
-  const CsvColumns<EventRow> &
-  event_columns(const bool has_sides = false);
+  CsvColumns<EventRow>
+  event_columns(const bool has_sides);
 
   /** The columns of steps.csv. */
-  const CsvColumns<StepAttempt> &
+  CsvColumns<StepAttempt>
   attempt_columns();
-
-  /** Adds a row to the table of @p record; nothing if it is not open. */
-  template <typename Record>
-  void
-  add_row(const CsvColumns<Record> &columns,
-          const Record             &record,
-          TableFile                &file,
-          const Conversions        &conversions = Conversions())
-  {
-    file.append_row([&](std::string &rows) {
-      append_csv_row(columns, record, rows, conversions);
-    });
-  }
 } // namespace ThermoContact
 
 #endif

@@ -11,8 +11,6 @@
 
 #include <deal.II/base/data_out_base.h>
 
-#include <deal.II/lac/trilinos_parallel_block_vector.h>
-
 #include <chrono>
 #include <optional>
 #include <string>
@@ -26,11 +24,9 @@ namespace ThermoContact
    * by all ranks together. If dim > 1 and there is an obstacle, the contact end
    * is beside them, fields/contact-NNNNN.vtu and contact.pvd.
    *
-   * Cells of degree p are cut into p parts along each direction. The stress is
-   * $C\varepsilon(u+\zeta v)-a\theta I$, if dim > 1 a tensor in space. Fields
-   * that the scene does not have are absent. An obstacle with a shape is beside
-   * them, obstacle.vtu, written with the first snapshot; one that moves, of a
-   * body, in fields/obstacle-NNNNN.vtu and obstacle.pvd.
+   * Fields that the scene does not have are absent. An obstacle with a shape is
+   * beside them, obstacle.vtu, written with the first snapshot; one that moves,
+   * of a body, in fields/obstacle-NNNNN.vtu and obstacle.pvd.
    */
   template <int dim>
   class FieldOutput
@@ -97,18 +93,6 @@ namespace ThermoContact
     /** All, as far as they are there. */
     std::vector<SnapshotSeries *>
     all_series();
-
-    /**
-     * Both fields in one vector. By blocks: DataOut takes other vectors only if
-     * the owned indices are contiguous.
-     */
-    BlockVector
-    joined(const Vector &temperature, const Vector &displacement) const;
-
-    /** Writes the fields by DataOut; returns what is wrong, as the next. */
-    std::string
-    write_patches(const State                         &state,
-                  const dealii::DataOutBase::VtkFlags &flags);
 
     /**
      * Writes the fields from this rank's pieces; returns what is wrong, on all

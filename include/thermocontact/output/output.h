@@ -3,41 +3,33 @@
 #ifndef thermocontact_output_output_h
 #define thermocontact_output_output_h
 
-#include <thermocontact/base/csv_columns.h>
-#include <thermocontact/base/table_file.h>
+#include <thermocontact/output/csv_file.h>
+#include <thermocontact/output/csv_rows.h>
 #include <thermocontact/output/field_output.h>
-#include <thermocontact/output/output_units.h>
 #include <thermocontact/output/probe_output.h>
 #include <thermocontact/output/space_time_output.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <deal.II/base/timer.h>
 
+#include <map>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace ThermoContact
 {
-  struct EventRow;
-
   /** How far the files of a run have been written; for checkpoints. */
   struct OutputProgress
   {
-    /** Lengths in bytes of the tables; 0 for one that there is not. */
-    std::uint64_t contact_size    = 0;
-    std::uint64_t events_size     = 0;
-    std::uint64_t steps_size      = 0;
-    std::uint64_t probes_size     = 0;
-    std::uint64_t space_time_size = 0;
-    std::uint64_t poincare_size   = 0;
-
-    std::vector<double> snapshot_times;
+    std::map<std::string, std::uint64_t> sizes; ///< of tables by name, in bytes
+    std::vector<double>                  snapshot_times;
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &contact_size &events_size &steps_size &probes_size
-        &space_time_size &poincare_size &snapshot_times;
+      archive &sizes &snapshot_times;
     }
   };
 
@@ -102,59 +94,50 @@ namespace ThermoContact
     sync();
 
   private:
-    const std::string            directory;
-    const OutputParameters       parameters;
-    const double                 end_time;
-    const MPI_Comm               communicator;
-    const bool                   is_writer;
-    const OutputUnits            units;
-    const CsvColumns<StepRecord> columns;       ///< of contact.csv
-    const Conversions            contact_units; ///< of its columns
-    const CsvColumns<EventRow>  &event_table;   ///< of events.csv
-    const Conversions            event_units;
-    const Conversions            attempt_units;
-    FieldOutput<dim>             field_output;
-    Timer                        field_timer;
-    Timer                        since_flush;
-    TableFile                    contact_file;
-    TableFile                    events_file;
-    TableFile                    steps_file;
-    TableFile                    poincare_file;
-    const bool                   has_attempts; ///< steps that can be rejected
-    unsigned int                 n_written_events;
+    /** The multiples of an interval, at which something is written. */
+    struct Multiples
+    {
+      const double interval;  ///< 0: there are none
+      double       next = 0.; ///< in intervals
 
-    /** Of columns that an earlier part of the run has left, for a later one. */
-    std::uint64_t unused_space_time_size = 0;
-    std::uint64_t unused_poincare_size   = 0;
-    unsigned int  n_rows;
-    double        next_fields;  ///< in intervals
-    double        next_contact; ///< in intervals
-    double        next_space_time;
-    double        next_period;
+      /** True if @p time is the first one at or after the next multiple. */
+      bool
+      are_reached(const double time);
+    };
+
+    const std::string      directory;
+    const OutputParameters parameters;
+    const double           end_time;
+    const MPI_Comm         communicator;
+    const bool             is_writer;
+    const OutputUnits      units;
+    FieldOutput<dim>       field_output;
+    Timer                  field_timer;
+    Timer                  since_flush;
+    CsvFile<StepRecord>    contact_file;
+    CsvFile<StepRecord>    poincare_file;
+    CsvFile<EventRow>      events_file;
+    CsvFile<StepAttempt>   steps_file;
+    unsigned int           n_written_events = 0;
+    unsigned int           n_rows           = 0;
+    Multiples              of_fields;
+    Multiples              of_contact;
+    Multiples              of_space_time;
+    Multiples              of_period;
+
+    /** Those that an earlier part of the run has left, too, for a later one. */
+    std::map<std::string, std::uint64_t> sizes;
 
     std::unique_ptr<ProbeOutput<dim>>     probe_output; ///< if asked for
     std::unique_ptr<SpaceTimeOutput<dim>> space_time_output;
 
-    /** All tables of the run; those of other ranks are not open. */
-    std::vector<TableFile *>
+    /** All tables of the run by name; not open if they are not asked for. */
+    std::map<std::string, TableFile *>
     tables();
 
-    /** Opens what is written on request. */
+    /** Opens what is asked for; on one rank. */
     void
-    open_optional(const OutputProgress  &sizes,
-                  const Simulation<dim> &simulation);
-
-    /**
-     * Opens a table.
-     *
-     * @param head what it begins with
-     * @param size of the file so far if a run goes on, else 0
-     */
-    void
-    open(TableFile          &file,
-         const std::string  &name,
-         const std::string  &head,
-         const std::uint64_t size);
+    open_tables(const Simulation<dim> &simulation);
 
     void
     restore(const OutputProgress &progress, const Simulation<dim> &simulation);
@@ -165,12 +148,12 @@ namespace ThermoContact
     void
     write_attempts(const std::vector<StepAttempt> &attempts);
 
-    /** The row of poincare.csv, if @p record is at a multiple of the period. */
-    void
-    write_period(const StepRecord &record);
+    /** On one rank; returns the first fault, or nothing. */
+    std::string
+    flush_tables();
 
     bool
-    is_due(const double interval, const double time, double &next) const;
+    is_due(Multiples &multiples, const double time) const;
   };
 } // namespace ThermoContact
 

@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/csv_columns.h>
 #include <thermocontact/input/quantity_units.h>
+#include <thermocontact/output/output_page.h>
 
 #include <string>
 
@@ -18,9 +19,12 @@ namespace ThermoContact
 
     using QuantityUnits::of;
 
-    /** Of a column, key or array in @p file of output_tables(). */
+    /** Of a column, key or array in @p file of the output_page. */
     const Conversion &
-    of(const std::string &file, const std::string &name) const;
+    of(const std::string &file, const std::string &name) const
+    {
+      return of(is_si() ? kind_of(file, name) : "");
+    }
 
     /** Those of the columns of a table; none if there are no units. */
     template <typename Record>

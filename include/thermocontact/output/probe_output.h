@@ -3,9 +3,7 @@
 #ifndef thermocontact_output_probe_output_h
 #define thermocontact_output_probe_output_h
 
-#include <thermocontact/base/csv_columns.h>
-#include <thermocontact/base/table_file.h>
-#include <thermocontact/output/output_units.h>
+#include <thermocontact/output/csv_file.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/point_values.h>
 
@@ -22,16 +20,13 @@ namespace ThermoContact
   {
   public:
     /** @param body borrowed */
-    ProbeOutput(const std::string &directory, const Body<dim> &body);
+    explicit ProbeOutput(const Body<dim> &body);
 
-    /**
-     * Begins the file, or goes on behind its first @p size bytes if that is not
-     * 0. On rank 0.
-     *
-     * @param comments lines at the top, each with its end
-     */
+    /** As CsvFile::open(), with the places of the probes at the top. */
     void
-    open(const std::string &comments, const std::uint64_t size);
+    open(const std::string  &directory,
+         const std::string  &comments,
+         const std::uint64_t size);
 
     /** Adds a row. Collective. A fault shows when file() is flushed. */
     void
@@ -41,16 +36,10 @@ namespace ThermoContact
     TableFile &
     file()
     {
-      return table_file;
+      return csv_file.file;
     }
 
   private:
-    const std::string             path;
-    const bool                    is_writer;
-    const std::vector<Place<dim>> places;
-    PointValues<dim>              point_values;
-    TableFile                     table_file;
-
     /** What a row is made of: values as PointValues gives them. */
     struct Record
     {
@@ -58,9 +47,10 @@ namespace ThermoContact
       const std::vector<double> &values;
     };
 
-    const OutputUnits        units;
-    const CsvColumns<Record> columns;
-    const Conversions        conversions; ///< of the columns
+    const OutputUnits             units;
+    const std::vector<Place<dim>> places;
+    PointValues<dim>              point_values;
+    CsvFile<Record>               csv_file;
 
     /** The columns of @p n_places probes. */
     static CsvColumns<Record>

@@ -4,11 +4,10 @@
 #define thermocontact_output_rod_snapshot_h
 
 #include <thermocontact/space/body.h>
-#include <thermocontact/space/state.h>
-
-#include <deal.II/lac/full_matrix.h>
+#include <thermocontact/space/point_values.h>
 
 #include <string>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -21,11 +20,8 @@ namespace ThermoContact
   class RodSnapshot
   {
   public:
-    /**
-     * Whether a body has such files.
-     *
-     * @param body of a rod, whose nodes are numbered from one end to the other
-     */
+    /** Whether a body has such files; a static one has no PointValues of its
+     * velocity at first. */
     static bool
     is_for(const Body<1> &body);
 
@@ -34,21 +30,14 @@ namespace ThermoContact
 
     /** The file of a state, snapshot number @p cycle. */
     std::string
-    file(const State &state, const unsigned int cycle) const;
+    file(const State &state, const unsigned int cycle);
 
   private:
-    const Body<1>      &body;
-    const RodLayout     layout;
-    FullMatrix<double>  values; ///< of nodes at equidistant points of a cell
-    FullMatrix<double>  derivatives; ///< the same, over the length of the cell
-    std::vector<double> vertices;
-    std::string         cells; ///< points and cells
-
-    /** Values of nodes or derivatives along the rod at the points of cells. */
-    std::vector<double>
-    at_points(const Vector             &nodes,
-              const FullMatrix<double> &matrix,
-              const bool                is_derivative) const;
+    const SceneFields &fields;
+    const std::vector<Place<1>>
+                   places; ///< points of cells, one after the other
+    PointValues<1> point_values;
+    std::string    cells; ///< points and cells
   };
 } // namespace ThermoContact
 

@@ -4,50 +4,29 @@
 #define thermocontact_output_snapshot_h
 
 #include <thermocontact/output/output_units.h>
-#include <thermocontact/space/discretization.h>
+#include <thermocontact/space/body.h>
+#include <thermocontact/space/state.h>
 
 #include <deal.II/base/data_out_base.h>
-
-#include <deal.II/numerics/data_out.h>
 
 #include <string>
 #include <vector>
 
 namespace ThermoContact
 {
-  /** Rows of the stress in space; that of a rod is a scalar. */
-  template <int dim>
-  constexpr unsigned int n_rows = dim == 1 ? 1 : 3;
-
-  template <int dim>
-  constexpr unsigned int n_stresses = n_rows<dim> *n_rows<dim>;
-
-
-
   /**
-   * DataOut whose part of a file can be had as text, and in which the stress,
-   * n_stresses scalars of that name, is a tensor in space whatever the
-   * dimension of the mesh.
+   * Temperature, displacement, velocity and stress of a state as this rank's
+   * part of a VTU file, without header and footer: pieces of some cells each,
+   * since patches need several times the memory of the fields. Cells of degree
+   * p are cut into p parts along each direction. The stress is
+   * $C\varepsilon(u+\zeta v)-a\theta I$, if dim > 1 a tensor in space.
    */
   template <int dim>
-  class Snapshot : public DataOut<dim>
-  {
-  public:
-    /**
-     * This rank's part of a VTU file, without header and footer: pieces of some
-     * cells each, since patches need several times the memory of the fields.
-     */
-    std::vector<std::string>
-    vtu_pieces(const Discretization<dim>   &discretization,
-               const DataOutBase::VtkFlags &flags,
-               const OutputUnits           &units);
-
-  private:
-    /** None without patches: ParaView does not read a file that starts so. */
-    std::string
-    vtu_piece(const DataOutBase::VtkFlags &flags,
-              const OutputUnits           &units) const;
-  };
+  std::vector<std::string>
+  snapshot_pieces(const Body<dim>             &body,
+                  const State                 &state,
+                  const DataOutBase::VtkFlags &flags,
+                  const OutputUnits           &units);
 } // namespace ThermoContact
 
 #endif

@@ -28,7 +28,7 @@ namespace ThermoContact
 
     /**
      * Begins the file of columns, or goes on behind its first @p size bytes if
-     * that is not 0. On rank 0.
+     * that is not 0. On one rank.
      */
     void
     open(const std::uint64_t size);
@@ -45,7 +45,7 @@ namespace ThermoContact
     }
 
     /**
-     * Makes space-time.vtu from the columns so far. On rank 0.
+     * Makes space-time.vtu from the columns so far. On one rank.
      *
      * @param is_done removes the columns if no checkpoint needs them
      * @return what is wrong, or nothing
@@ -56,16 +56,11 @@ namespace ThermoContact
   private:
     const std::string             directory;
     const std::string             columns_path;
-    const bool                    is_writer;
     const OutputUnits             units;
     const std::vector<Place<dim>> places;
     SpaceTimeLayout               layout;
     PointValues<dim>              point_values;
     TableFile                     columns_file;
-    std::vector<double>           column;
-
-    void
-    write_row(const std::vector<double> &numbers);
   };
 } // namespace ThermoContact
 

@@ -4,9 +4,10 @@
 #define thermocontact_report_key_results_h
 
 #include <thermocontact/forecast/steady_state.h>
-#include <thermocontact/simulation/simulation.h>
+#include <thermocontact/simulation/run_history.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace ThermoContact
@@ -32,6 +33,10 @@ namespace ThermoContact
   double
   restitution(const std::vector<ContactEvent> &events);
 
+  /** The energy that the audit (M.22) up to @p record started from. */
+  double
+  starting_energy(const StepRecord &record);
+
   /** The end of the body as it is now, as a state of rest has it. */
   SteadyState
   final_state(const StepRecord &record);
@@ -47,25 +52,63 @@ namespace ThermoContact
                         const SteadyState              &end,
                         const Scene                    &scene);
 
-  /** Number of key results. */
-  constexpr unsigned int n_key_results = 10;
+  /** What is asked of a run first. */
+  struct KeyResult
+  {
+    enum Name : unsigned int
+    {
+      first_contact_time, ///< of the first event
+      contact_begins,
+      contact_duration, ///< altogether
+      max_contact_force,
+      max_penetration,
+      contact_impulse,
+      restitution,
+      final_displacement_end,
+      final_temperature_end,
+      reached_state_of_rest, ///< its number, from 1
+      n_names
+    };
+  };
+
+  /** Keys of summary.json and columns of study.csv. */
+  extern const std::array<const char *, KeyResult::n_names> key_result_names;
 
   /**
-   * Names of what is asked of a run first, in the order of key_results(): keys
-   * of summary.json and columns of study.csv.
+   * Those that have error bars, for which the keys of summary.json add
+   * "_time_error" and "_space_error".
    */
-  extern const std::array<const char *, n_key_results> key_result_names;
+  constexpr std::array<KeyResult::Name, 6> results_with_error_bars = {
+    {KeyResult::first_contact_time,
+     KeyResult::max_contact_force,
+     KeyResult::max_penetration,
+     KeyResult::contact_impulse,
+     KeyResult::final_displacement_end,
+     KeyResult::final_temperature_end}};
+
+  /** By KeyResult::Name, nondimensional; NaN for what there is not. */
+  using KeyResults = std::array<double, KeyResult::n_names>;
+
+  /** The key results of a run so far. */
+  KeyResults
+  key_results(const Scene &scene, const RunHistory &history);
 
   /**
-   * The key results of a run so far, nondimensional: time of the first event;
-   * begins of contact; total time in contact; largest force, largest
-   * penetration, impulse and restitution; displacement and temperature of the
-   * end now; number of the state of rest that is reached. NaN for what there is
-   * not.
+   * The same, but with the largest force and penetration between step ends as
+   * far as the step ends tell, (M.87): what changes with the accuracy of a run
+   * without the luck of where steps end.
    */
-  template <int dim>
-  std::array<double, n_key_results>
-  key_results(const Simulation<dim> &simulation);
+  KeyResults
+  smooth_key_results(const Scene &scene, const RunHistory &history);
+
+  /** Error bars of those that have some. */
+  struct KeyErrors
+  {
+    KeyResults               time;  ///< NaN: not known
+    KeyResults               space; ///< NaN: not known
+    std::vector<std::string> remarks;
+    unsigned int             n_repeats = 0;
+  };
 } // namespace ThermoContact
 
 #endif

@@ -5,7 +5,7 @@
 
 #include <thermocontact/base/log.h>
 #include <thermocontact/output/output_units.h>
-#include <thermocontact/simulation/simulation.h>
+#include <thermocontact/simulation/run_history.h>
 
 #include <chrono>
 
@@ -21,18 +21,18 @@ namespace ThermoContact
    * another tenth of the run is done, a line goes to log.txt and, where there
    * is no live line, to the screen.
    */
-  template <int dim>
   class Progress
   {
   public:
     /**
-     * @param simulation before it runs
+     * @param scene borrowed
+     * @param history before the run
      * @param log borrowed
      */
-    Progress(const Simulation<dim> &simulation, Log &log);
+    Progress(const Scene &scene, const RunHistory &history, Log &log);
 
     void
-    observe(const Simulation<dim> &simulation);
+    observe(const RunHistory &history);
 
     /** Wall time of all attempts at steps so far, in seconds. */
     double
@@ -51,6 +51,7 @@ namespace ThermoContact
   private:
     using Clock = std::chrono::steady_clock;
 
+    const Scene            &scene;
     Log                    &log;
     const OutputUnits       units;
     const Clock::time_point start;
@@ -62,10 +63,10 @@ namespace ThermoContact
     double                  step_seconds_;
 
     void
-    report_tenth(const Simulation<dim> &simulation);
+    report_tenth(const StepRecord &record);
 
     void
-    update_live_line(const Simulation<dim> &simulation);
+    update_live_line(const StepRecord &record);
   };
 } // namespace ThermoContact
 

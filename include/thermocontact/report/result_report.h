@@ -5,8 +5,8 @@
 
 #include <thermocontact/base/log.h>
 #include <thermocontact/base/stop_watch.h>
-#include <thermocontact/report/key_errors.h>
-#include <thermocontact/simulation/simulation.h>
+#include <thermocontact/report/key_results.h>
+#include <thermocontact/time/stage_solver.h>
 
 #include <string>
 
@@ -16,9 +16,8 @@ namespace ThermoContact
    * What is to be said of fixed steps that took more than a twentieth of the
    * energy that was there at first or came by work; empty: nothing.
    */
-  template <int dim>
   std::string
-  scheme_warning(const Simulation<dim> &simulation);
+  scheme_warning(const Scene &scene, const StepRecord &record);
 
   /**
    * Prints contacts, the final state beside the state of rest that the scene
@@ -26,19 +25,20 @@ namespace ThermoContact
    *
    * @param initial_energy Progress::initial_energy()
    */
-  template <int dim>
   void
-  report_result(const Simulation<dim> &simulation,
-                const RunTimes        &times,
-                const double           initial_energy,
-                Log                   &log);
+  report_result(const Scene          &scene,
+                const RunHistory     &history,
+                const SolverCounters &counters,
+                const RunTimes       &times,
+                const double          initial_energy,
+                Log                  &log);
 
   /** Prints each key result as value, error in time, error in space. */
-  template <int dim>
   void
-  report_errors(const Simulation<dim> &simulation,
-                const KeyErrors       &errors,
-                Log                   &log);
+  report_errors(const Scene      &scene,
+                const RunHistory &history,
+                const KeyErrors  &errors,
+                Log              &log);
 } // namespace ThermoContact
 
 #endif

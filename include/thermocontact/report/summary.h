@@ -4,7 +4,7 @@
 #define thermocontact_report_summary_h
 
 #include <thermocontact/base/stop_watch.h>
-#include <thermocontact/report/key_errors.h>
+#include <thermocontact/report/key_results.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <string>

@@ -17,7 +17,7 @@ namespace ThermoContact
   check_damping(const Scene &scene);
 
   /**
-   * Two stops are for the end of a rod that moves with inertia.
+   * Two-sided contact is for the end of a rod that moves with inertia.
    *
    * @throw InputError
    */

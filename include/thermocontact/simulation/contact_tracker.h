@@ -20,11 +20,10 @@ namespace ThermoContact
   {
     enum Kind
     {
-      accept,          ///< contact is what was supposed
-      accept_with_law, ///< and its end is to be taken from the law
-      to_time,         ///< contact changes within: take it again to @p time
-      in_other_state,  ///< contact changes at its start: take it again
-      with_law         ///< take it again, with the law in every stage
+      accept,         ///< contact is what was supposed
+      to_time,        ///< contact changes within: take it again to @p time
+      in_other_state, ///< contact changes at its start: take it again
+      with_law        ///< take it again, with the law in every stage
     };
 
     Kind   kind = accept;
@@ -106,14 +105,9 @@ namespace ThermoContact
      * The step that was judged last is accepted: makes its end a state that the
      * next one can start from, books what impacts have cost, and appends its
      * events.
-     *
-     * @param verdict with which it is accepted; @p result was computed anew if
-     *   that says so
      */
     void
-    accept(const ContactVerdict      &verdict,
-           StepResult                &result,
-           std::vector<ContactEvent> &events);
+    accept(StepResult &result, std::vector<ContactEvent> &events);
 
     /**
      * Nodes in contact at the end of the step that was accepted last, or in the
@@ -133,8 +127,8 @@ namespace ThermoContact
 
     /**
      * The velocity of the obstacle may jump where the step that was accepted
-     * last ends: an impact, if a rigid one turns towards the nodes with mass
-     * that it holds; it lets them go, if it turns away from them.
+     * last ends: an impact, if a rigid one gets faster towards the nodes with
+     * mass that are in contact with it; a release, if it gets slower.
      *
      * @param at where the step ends
      * @param result in, out: of the step, whose costs are added

@@ -6,6 +6,7 @@
 #include <thermocontact/contact/event_locator.h>
 #include <thermocontact/method/load_history.h>
 #include <thermocontact/space/body.h>
+#include <thermocontact/space/heat_mass.h>
 #include <thermocontact/space/state.h>
 #include <thermocontact/time/equilibrium.h>
 #include <thermocontact/time/node_equilibrium.h>
@@ -66,21 +67,23 @@ namespace ThermoContact
     complete(State &state);
 
     /**
-     * True if a discontinuity of the loads moves something at once, a body
-     * without inertia and viscosity or contact nodes in equilibrium, or gives a
-     * body without inertia another velocity.
+     * True if a discontinuity of the loads changes a state at once: moves a
+     * body without inertia and viscosity or contact nodes in equilibrium, gives
+     * a body without inertia another velocity, or the fixed end another
+     * temperature.
      */
     bool
     responds_to_discontinuities() const;
 
     /**
      * The state behind a discontinuity of the loads at the end of a step,
-     * doc/model.md section 18: what is static goes to its equilibrium with the
-     * new loads, with the contact law, and takes heat for it, (M.67); a body
-     * with viscosity and without inertia stays and gets the velocity, and at a
-     * rigid obstacle the pressures, of (M.34); all else stays. The loads do the
-     * work of the displacement that they cause, and what is too much for the
-     * new energy is numerical dissipation. Collective.
+     * doc/model.md section 18: the fixed end takes its new temperature, with
+     * the heat for that, (M.116); what is static goes to its equilibrium with
+     * the new loads, with the contact law, and takes heat for it, (M.67); a
+     * body with viscosity and without inertia stays and gets the velocity, and
+     * at a rigid obstacle the pressures, of (M.34); all else stays. The loads
+     * do the work of the displacement that they cause, and what is too much for
+     * the new energy is numerical dissipation. Collective.
      *
      * @param solver of the stages of the body
      * @param is_closed nodes that are in contact before it: only they may have
@@ -91,8 +94,9 @@ namespace ThermoContact
      *   discontinuity, at the same time, and its energy; work and numerical
      *   dissipation are added to, and all else, closed_nodes too, is still that
      *   of the step
-     * @return false if the loads of the momentum equation are continuous there,
-     *   as at a time that is only listed; then nothing is changed
+     * @return false if fixed end and loads of the momentum equation are
+     *   continuous there, as at a time that is only listed; then nothing is
+     *   changed
      * @throw ComputationError if the new equilibrium is not found
      */
     bool
@@ -145,8 +149,10 @@ namespace ThermoContact
 
     /**
      * Pressures of a step that is accepted: none pulls, and where contact
-     * begins they are those of the law, since no stage has seen them. So is the
-     * heat exchange, where contact ends as well.
+     * begins they are those of the law, since no stage has seen them. Static
+     * nodes and bodies go to the equilibrium of the law at an event, to the
+     * accuracy of which they are there. So does the heat exchange, where
+     * contact ends as well.
      *
      * @param mode of the step
      * @param finding at its end
@@ -183,6 +189,8 @@ namespace ThermoContact
     Nodes adiabatic_nodes; ///< the same for a body that is deformed at once
     Nodes viscous_nodes;   ///< $\zeta S_{NN}$
 
+    std::unique_ptr<const HeatMass<dim>> heat_mass; ///< if it is needed
+
     // of the contact nodes, scratch
     mutable std::vector<NodeLaw> node_laws;
     mutable std::vector<double>  node_positions;
@@ -218,6 +226,10 @@ namespace ThermoContact
     void
     settle_static_nodes(State &state);
 
+    /** One of the two. */
+    void
+    set_static_equilibrium(State &state);
+
     /**
      * Velocities and pressures of contact nodes without mass, with viscosity,
      * at a rigid obstacle, that go with displacements, temperatures and the
@@ -226,6 +238,10 @@ namespace ThermoContact
      */
     void
     settle_viscous_nodes(const std::vector<bool> &is_closed, State &state);
+
+    /** (M.116), by @p rise; returns the work of the heat at the fixed end. */
+    double
+    heat_fixed_end(const double rise, State &state);
 
     /** (M.67) of static nodes alone; returns the work of the loads. */
     double

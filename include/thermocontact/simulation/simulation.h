@@ -50,7 +50,7 @@ namespace ThermoContact
    *   contact changes at s between t and t':   t' = s
    *     and s was missed too often:            m = the law
    *   contact changes at t':                   x' = I(x'); m = the other; done
-   *     where nodes are in equilibrium:        x' anew with m = the law first
+   *     where nodes are static:                x' = their equilibrium
    *   loads jump at t':                        x' = what is in equilibrium with
    *                                            the new ones; done
    *   contact stays as m says:                 done
@@ -251,14 +251,10 @@ namespace ThermoContact
      * be accepted.
      *
      * @param error out: relative to the tolerance, if it is known
-     * @param verdict out: with which the step is to be accepted
      * @return empty if it is; else why not, as steps.csv has it
      */
     std::string
-    judge(const TimeStep &time_step,
-          StepResult     &result,
-          double         &error,
-          ContactVerdict &verdict);
+    judge(const TimeStep &time_step, StepResult &result, double &error);
 
     /**
      * A step that is to be accepted is finished: with what events and
@@ -267,9 +263,7 @@ namespace ThermoContact
      * @throw ComputationError naming step and time if that cannot be found
      */
     void
-    commit(const TimeStep       &time_step,
-           const ContactVerdict &verdict,
-           StepResult           &result);
+    commit(const TimeStep &time_step, StepResult &result);
 
     /** $g'$ at the first contact node; NaN where it may have a jump. */
     double

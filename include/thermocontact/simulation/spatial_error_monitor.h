@@ -61,9 +61,6 @@ namespace ThermoContact
   class SpatialErrorMonitor
   {
   public:
-    /** Errors that are not worth a warning. */
-    static constexpr double tolerated_error = 1.5e-3;
-
     /** @param scene borrowed */
     template <int dim>
     SpatialErrorMonitor(const Scene               &scene,

@@ -12,15 +12,6 @@
 namespace ThermoContact
 {
   /**
-   * Length of a stage, or a step, in which a jump takes place at once: so short
-   * that neither heat nor momentum go far, so long that @p time resolves it.
-   */
-  double
-  jump_length(const Scene &scene, const double time);
-
-
-
-  /**
    * What steps are to follow of the loads of a scene: the break points that are
    * listed and, for error-controlled steps, what the expressions in t do up to
    * the end time: where they depend on the place, at 61 places. Costs nothing

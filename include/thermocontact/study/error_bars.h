@@ -4,7 +4,8 @@
 #define thermocontact_study_error_bars_h
 
 #include <thermocontact/base/log.h>
-#include <thermocontact/report/key_errors.h>
+#include <thermocontact/report/key_results.h>
+#include <thermocontact/simulation/simulation.h>
 
 #include <functional>
 

@@ -29,32 +29,6 @@ namespace ThermoContact
             StudyTable            &table,
             Log                   &log);
 
-
-
-  /**
-   * What the runs that have no row in @p table yet take of the memory of the
-   * machine, StudyMemory::report(). Collective on MPI_COMM_WORLD; the table of
-   * rank 0 counts.
-   *
-   * @return lines for the screen; nothing if there are no such runs, or rods
-   * @throw InputError if that is far too much
-   */
-  std::string
-  check_study_memory(const StudyTable &table);
-
-
-
-  /**
-   * What `--check` says of a study: its runs, their steps altogether, and that
-   * each can be run. All ranks have read the rows of @p table, whose runs take
-   * no memory any more.
-   *
-   * @throw InputError naming the runs that cannot
-   */
-  void
-  check_study(const StudyTable      &table,
-              const StudyParameters &parameters,
-              Log                   &log);
 } // namespace ThermoContact
 
 #endif

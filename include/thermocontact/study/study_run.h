@@ -31,7 +31,7 @@ namespace ThermoContact
     std::optional<Trajectory::Difference> error; ///< none without reference
 
     /** As key_results(); none of a run that failed. */
-    std::optional<std::array<double, n_key_results>> key_results;
+    std::optional<KeyResults> key_results;
   };
 
 

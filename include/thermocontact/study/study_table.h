@@ -73,6 +73,13 @@ namespace ThermoContact
       return rows.size();
     }
 
+    /**
+     * The runs that have no row on rank 0, the same on all ranks. Collective on
+     * MPI_COMM_WORLD.
+     */
+    std::vector<unsigned int>
+    missing_runs() const;
+
     /** The names of all columns. */
     const std::vector<std::string> &
     names() const

@@ -60,8 +60,13 @@ namespace ThermoContact
     }
 
   private:
-    Body<dim>                         &body;
-    const ButcherTableau              &tableau;
+    Body<dim>            &body;
+    const ButcherTableau &of_scheme;
+
+    /** Its own, or one whose abscissae are in the order of time. */
+    const ButcherTableau &in_order;
+
+    const ButcherTableau              *tableau; ///< of the present step
     const std::unique_ptr<StageSolver> solver;
 
     /** Of a fixed end that is heated or moved; else null. */
@@ -113,33 +118,21 @@ namespace ThermoContact
     bool
     can_change_at_once(const ContactMode mode) const;
 
-    /** True if nodes that close in a step are held, doc/model.md (M.62). */
-    bool
-    holds_closing_nodes(const ContactMode mode) const;
+    /**
+     * The stages of unilateral steps are in the order of time where several
+     * nodes are viscous and close one after another: else one that has closed
+     * would be open in a later stage that is earlier, and the step would end
+     * short of the obstacle.
+     */
+    void
+    choose_tableau(const ContactMode mode);
 
     /**
-     * Closed nodes between two stops stay at the one where @p state has them:
+     * Closed nodes between two obstacles stay at the one where @p state has them:
      * the known values of a stage, and its end, may be nearer to the other one.
      */
     void
     choose_stops(const State &state, const ContactMode mode);
-
-    /**
-     * Nodes that closed in an earlier stage of the step stay closed in stage
-     * @p i: where the stages are not in the order of time some would leave them
-     * open again, and the step would end short of the obstacle.
-     */
-    void
-    hold_closing_nodes(const State &state, const unsigned int i);
-
-    /**
-     * Lets nodes go that are held at a stop and have come past the other one
-     * in a stage from the known values.
-     *
-     * @return true if there are any, and the stage is to be solved again
-     */
-    bool
-    release_crossing_nodes(const double tau, StageRates &stage);
 
     /** The nodes in contact at the end of the step. */
     std::vector<bool>

@@ -3,6 +3,8 @@
 #ifndef thermocontact_time_iterative_node_equilibrium_h
 #define thermocontact_time_iterative_node_equilibrium_h
 
+#include <thermocontact/base/tolerances.h>
+#include <thermocontact/space/heat_mass.h>
 #include <thermocontact/time/node_equilibrium.h>
 
 #include <deal.II/lac/vector.h>
@@ -45,14 +47,14 @@ namespace ThermoContact
     vmult(dealii::Vector<double> &y, const dealii::Vector<double> &x) const;
 
   private:
-    const Body<dim>    &body;
-    const double        factor;
-    const bool          takes_heat;
-    std::vector<int>    branches;
-    std::vector<double> diagonal;          ///< of K
-    Vector              inverse_heat_mass; ///< of its diagonal
-    mutable Vector      values;
-    mutable Vector      forces;
+    const Body<dim>                     &body;
+    const double                         factor;
+    const bool                           takes_heat;
+    std::vector<int>                     branches;
+    std::vector<double>                  diagonal;  ///< of K
+    std::unique_ptr<const HeatMass<dim>> heat_mass; ///< if it takes heat
+    mutable Vector                       values;
+    mutable Vector                       forces;
 
     // of the problem that is solved
     const std::vector<double>  *load     = nullptr;
@@ -70,7 +72,8 @@ namespace ThermoContact
     double
     tolerance() const
     {
-      return takes_heat ? 1e-11 : 1e-13;
+      return takes_heat ? Tolerances::adiabatic_residual :
+                          Tolerances::rounding_of_solution;
     }
 
     bool

@@ -52,12 +52,6 @@ namespace ThermoContact
                  Vector                     &y,
                  std::vector<double>        &pressure);
 
-    bool
-    can_hold_nodes() const override
-    {
-      return true;
-    }
-
     void
     keep_contact(const std::vector<bool>   &is_closed,
                  const std::vector<double> &pressure,

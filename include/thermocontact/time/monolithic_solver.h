@@ -46,12 +46,6 @@ namespace ThermoContact
           ContactMode   mode,
           StageRates   &rates) override;
 
-    bool
-    can_hold_nodes() const override
-    {
-      return true;
-    }
-
     void
     keep_contact(const std::vector<bool>   &is_closed,
                  const std::vector<double> &pressure,

@@ -23,12 +23,10 @@ namespace ThermoContact
     Vector              velocity;             ///< $v=u'$
     std::vector<double> pressure;             ///< $p_i$ at the contact nodes
     std::vector<double> exchange_coefficient; ///< $k_i$ there
-    std::vector<bool>   is_held; ///< in: nodes that stay closed; empty: none
 
     /**
-     * in: the stop, 1 or -1, at which nodes stay closed, those of closed stages
-     * among them, wherever the known values are; 0: a node that need not;
-     * empty: there is one stop
+     * in: of closed stages, the obstacle at which each node is held, 1 or -1,
+     * wherever the known values are; empty: there is one
      */
     std::vector<int> held_at;
 
@@ -156,13 +154,6 @@ namespace ThermoContact
           const Vector &momentum_load,
           ContactMode   mode,
           StageRates   &rates) = 0;
-
-    /** True if solve() heeds StageRates::is_held. */
-    virtual bool
-    can_hold_nodes() const
-    {
-      return false;
-    }
 
     /**
      * Takes out of the difference between two results of a step what the

@@ -3,6 +3,7 @@
 #ifndef thermocontact_time_step_controller_h
 #define thermocontact_time_step_controller_h
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/method/load_history.h>
 
@@ -23,11 +24,6 @@ namespace ThermoContact
     std::string reason       = ""; ///< why it ends there or was rejected
     double      wall_seconds = 0.;
   };
-
-
-
-  /** Steps below that part of the time are not much above its rounding. */
-  inline constexpr double rounding_of_time = 1e-13;
 
 
 
@@ -56,7 +52,7 @@ namespace ThermoContact
     enum Target
     {
       none,   ///< nothing: its size is the controller's
-      load,   ///< a break of the loads, or as far as they let it go
+      load,   ///< a break of the loads, or the largest step that they allow
       event,  ///< the instant where contact was seen to change
       output, ///< an output time
       finish  ///< $T$
@@ -68,10 +64,6 @@ namespace ThermoContact
 
     /** Times whose loads are those within the step at its begin and end. */
     double first_loads = 0., last_loads = 0.;
-
-    /** In it nodes follow a jump of what their value is; it has no other use.
-     */
-    bool is_of_nodes = false;
   };
 
 
@@ -158,22 +150,12 @@ namespace ThermoContact
      * changed must be more accurate: the solution is not smooth there, and the
      * estimate is less than the error; unless the rounding of times leaves no
      * shorter one.
-     *
-     * The step in which nodes follow a jump is accurate enough, too, if its
-     * error is, within a tenth, that of a longer attempt at it that was
-     * rejected: where contact changes on the way of the jump, the estimate
-     * measures the way, which does not depend on the length of the step, and
-     * its end does not depend on the way. Errors of all else fall at least as
-     * the length, which is to have fallen by a fifth.
      */
     bool
     is_accurate(const TimeStep &step, const double error) const
     {
       return !has_error_control || error <= largest_error() ||
-             (error <= 1. && is_as_short_as_time_allows(step)) ||
-             (step.is_of_nodes && rejected_of_nodes && is_shorter(step.size) &&
-              std::abs(error - rejected_of_nodes->error) <=
-                0.1 * rejected_of_nodes->error);
+             (error <= 1. && is_as_short_as_time_allows(step));
     }
 
     /** The step is not accurate enough. */
@@ -239,27 +221,11 @@ namespace ThermoContact
     bool                  is_restarting; ///< after contact or a load changed
     std::optional<double> event_time;
 
-    /** Of an attempt in which nodes were to follow a jump. */
-    struct Rejected
-    {
-      double size, error;
-    };
-
-    /** The longest one of the present step in the present state of contact. */
-    std::optional<Rejected> rejected_of_nodes;
-
-    /** By a fifth, than the one that was rejected. */
-    bool
-    is_shorter(const double step_size) const
-    {
-      return step_size <= 0.8 * rejected_of_nodes->size;
-    }
-
     /** No shorter one is worth an attempt. */
     static bool
     is_as_short_as_time_allows(const TimeStep &step)
     {
-      return step.size < rounding_of_time * step.end;
+      return step.size < Tolerances::same_time * step.end;
     }
 
     double

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_base_tolerances_h
+#define thermocontact_base_tolerances_h
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  /**
+   * Every number that says when two numbers are one, when a part is negligible
+   * or when an iteration has arrived, with where it comes from; $u=1.1\cdot
+   * 10^{-16}$ is the unit of rounding. Relative, if not said otherwise.
+   */
+  namespace Tolerances
+  {
+    // ---- what rounding leaves
+
+    /** Of a few operations: 10 u. */
+    inline constexpr double rounding = 1e-15;
+
+    /** Of sums of some hundred terms: 100 u. */
+    inline constexpr double rounding_of_sum = 1e-14;
+
+    /** Of solutions of linear systems with a condition of some thousand. */
+    inline constexpr double rounding_of_solution = 1e-13;
+
+    /** Of what a user writes as products, of projections, of coordinates. */
+    inline constexpr double rounding_of_data = 1e-12;
+
+    /** Of squares of residuals in single precision, whose unit is 6e-8. */
+    inline constexpr double rounding_of_single_squares = 1e-10;
+
+    /**
+     * Of a penetration, in parts of what it is the difference of: a hard
+     * obstacle leaves six of its digits.
+     */
+    inline constexpr double rounding_of_penetration = 1e-10;
+
+    /** Of displacement and time at an event: 40 u, a few operations more. */
+    inline constexpr double rounding_of_event = 4e-15;
+
+    /** Of a ratio of times that is to be whole: 4 u. */
+    inline constexpr double rounding_of_ratio = 4e-16;
+
+    // ---- times
+
+    /** Times this close are one: sums of a thousand steps. */
+    inline constexpr double same_time = 1e-12;
+
+    /**
+     * Times this close to a multiple of an interval, in parts of the interval,
+     * are on it: those who choose steps, write output and count beforehand
+     * agree.
+     */
+    inline constexpr double multiple_slack = 1e-6;
+
+    // ---- places
+
+    /** Points this close to a cell, in parts of its size, are in it. */
+    inline constexpr double in_cell = 1e-10;
+
+    /**
+     * Between the rounding of coordinates, which depends on the ranks, and the
+     * distance of nodes: a step in which they are sorted.
+     */
+    inline constexpr double step_of_order = 1e-11;
+
+    // ---- contact
+
+    /** Of an event, where steps are fixed and no tolerance is given. */
+    inline constexpr double fixed_step_event = 1e-13;
+
+    /** Of a zero at the start of a step: the root of a cubic with one there. */
+    inline constexpr double zero_at_start = 1e-9;
+
+    /** Parts of the velocity of an obstacle by which it does not jump. */
+    inline constexpr double continuous_velocity = 1e-6;
+
+    /** Steps of damped Newton methods that are shorter have stalled: 2^-10. */
+    inline constexpr double shortest_newton_step = 1e-3;
+
+    /** Difference quotients: the root of u, times ten for noisy functions. */
+    inline constexpr double difference_step = 1e-7;
+
+    /** Nodes whose changes are this close along a segment change together. */
+    inline constexpr double simultaneous_changes = 1e-10;
+
+    /**
+     * Length of the stage in which a static body moves at once, in parts of the
+     * time that heat takes through it and of the end time: heat does not go far
+     * in it, and rates are within the range of numbers.
+     */
+    inline constexpr double motion_at_once = 1e-11;
+
+    /**
+     * The same for iterations, which measure what the heat of the motion leaves
+     * unsolved by the heat that flows in the stage.
+     */
+    inline constexpr double iterative_motion_at_once = 1e-7;
+
+    // ---- iterations
+
+    /** Krylov: while the branches of contact still change. */
+    inline constexpr double loose_residual = 1e-5;
+
+    /** Krylov: of what corrects an estimate of errors. */
+    inline constexpr double estimate_residual = 1e-3;
+
+    /** Krylov: if the user names none; what 1e-8 of a result needs. */
+    inline constexpr double default_residual = 1e-9;
+
+    /** Projections of initial values: the digits that later steps keep. */
+    inline constexpr double projection_residual = 1e-11;
+
+    /** Conjugate gradients for nodes that move at once: its heat is large. */
+    inline constexpr double adiabatic_residual = 1e-11;
+
+    /** The spectral radius of a fixed point: for a refusal, not a result. */
+    inline constexpr double eigenvalue_change = 1e-6;
+
+    /** Refinement ends: velocities have eight more digits then than before. */
+    inline constexpr double refined_change = 1e-8;
+
+    /** Parts of the largest displacement that a node need not be moved. */
+    inline constexpr double negligible_displacement = 1e-6;
+
+    // ---- what is worth a warning, or a step
+
+    /** Estimated errors below that say nothing on the next step size. */
+    inline constexpr double smallest_error = 1e-10;
+
+    /** Error of the mesh, in parts of the solution. */
+    inline constexpr double tolerated_mesh_error = 1.5e-3;
+
+    /** Energy that fixed steps of a scheme without a bound may create. */
+    inline constexpr double energy_of_fixed_steps = 1e-3;
+
+    /** Energy that all others may create: rounding of some thousand steps. */
+    inline constexpr double energy_of_rounding = 1e-9;
+
+    /** Step sizes this close to the passage of a cell are meant to be it. */
+    inline constexpr double same_step_size = 1e-9;
+
+    // ---- forecasts
+
+    /** Tolerance of the run on a few cells that finds the first impact. */
+    inline constexpr double forecast_run = 1e-3;
+  } // namespace Tolerances
+
+
+
+  /** True if two times cannot be told apart. */
+  inline bool
+  are_same_time(const double a, const double b)
+  {
+    return std::abs(a - b) <=
+           Tolerances::same_time * std::max(std::abs(a), std::abs(b));
+  }
+} // namespace ThermoContact
+
+#endif

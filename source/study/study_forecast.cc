@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/machine_memory.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/forecast/expected_memory.h>
+#include <thermocontact/forecast/forecast.h>
+#include <thermocontact/study/study_forecast.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** As many scenes are read before a study; that takes a second. */
+    constexpr unsigned int max_checked = 2000;
+
+
+
+    struct RunMemory
+    {
+      std::string name;
+      double      bytes;
+    };
+
+
+
+    /** What the scenes of some runs and of the reference tell. */
+    struct StudyForecast
+    {
+      std::vector<RunMemory> runs; ///< those that have no row yet
+      double                 bytes_of_reference = 0.;
+      bool                   has_bodies         = false;
+      double                 steps              = 0.; ///< of @p n_known runs
+      unsigned int           n_known            = 0;
+      unsigned int           n_refused          = 0;
+      std::string            refused; ///< the first ones, and why
+    };
+
+
+
+    StudyForecast
+    read_scenes(const StudyTable &table, const std::vector<unsigned int> &runs)
+    {
+      const StudyPlan &plan = table.plan();
+      SceneReader      reader(plan.scene_assignments());
+      StudyForecast    forecast;
+      const auto       read = [&](const Overrides &overrides) {
+        plan.read_scene(overrides, reader);
+        forecast.has_bodies |= reader.scene().dimension > 1;
+        return Scene(reader.scene());
+      };
+      for (const unsigned int run : runs)
+        try
+          {
+            const Scene scene = read(plan.overrides(run));
+            if (!table.has(run))
+              forecast.runs.push_back(
+                {plan.description(run), expected_memory(scene, 1)});
+            if (const auto cost =
+                  expected_cost(scene, scene.parameters.mesh.cells))
+              {
+                forecast.steps += cost->steps;
+                ++forecast.n_known;
+              }
+          }
+        catch (const InputError &error)
+          {
+            if (++forecast.n_refused <= 3)
+              forecast.refused +=
+                "\n  " + plan.description(run) + ": " + error.what();
+          }
+      if (plan.reference())
+        forecast.bytes_of_reference =
+          expected_memory(read(*plan.reference()), 1);
+      return forecast;
+    }
+
+
+
+    /** check_study_memory() of what is forecast; collective. */
+    std::string
+    describe_memory(StudyForecast forecast)
+    {
+      const MPI_Comm     communicator       = MPI_COMM_WORLD;
+      auto              &runs               = forecast.runs;
+      const double       bytes_of_reference = forecast.bytes_of_reference;
+      const SharedMemory memory             = scarcest_memory(communicator);
+      if (!forecast.has_bodies)
+        return "";
+      const auto        n_here    = static_cast<std::size_t>(std::round(
+        memory.share * Utilities::MPI::n_mpi_processes(communicator)));
+      const std::size_t n_at_once = std::min(n_here, runs.size());
+
+      std::stable_sort(runs.begin(),
+                       runs.end(),
+                       [](const RunMemory &a, const RunMemory &b) {
+                         return a.bytes > b.bytes;
+                       });
+      double bytes = 0.;
+      for (std::size_t i = 0; i < n_at_once; ++i)
+        bytes += runs[i].bytes;
+      std::vector<std::string> words;
+      if (n_at_once > 0)
+        words.push_back(gigabytes(runs[0].bytes) + " for " + runs[0].name);
+      if (n_at_once > 1)
+        words.push_back(text(gigabytes(bytes),
+                             " for the ",
+                             n_at_once,
+                             " largest runs, which may be under way at the "
+                             "same time"));
+      if (bytes_of_reference > 0.)
+        words.push_back(gigabytes(bytes_of_reference) + " for the reference");
+      const std::string what        = join_words(words);
+      const double      needed      = std::max(bytes, bytes_of_reference);
+      const std::string fewer_ranks = n_at_once > 1 ? "fewer ranks, " : "";
+      if (needed > 2. * memory.bytes)
+        throw InputError(
+          text(bytes > 2. * memory.bytes ? "Study/Vary" : "Study/Reference",
+               ": the study takes, of memory here, about ",
+               what,
+               "; there are ",
+               gigabytes(memory.bytes),
+               "\n  allowed: what takes less than twice as much as there is, "
+               "since the forecast may be off by as much\n  remedy:  ",
+               fewer_ranks,
+               "fewer Mesh/Cells, a lower Mesh/Degree, Solver/Linear solver = "
+               "iterative"));
+      std::string lines =
+        "  memory    about " + what + "; here are " + gigabytes(memory.bytes);
+      if (needed > memory.bytes)
+        lines += text("\n  warning:  that may not be enough memory; ",
+                      n_at_once > 1 ? "fewer ranks or " : "",
+                      "Solver/Linear solver = iterative take less");
+      return lines;
+    }
+
+
+
+    /** False if all runs are rods. */
+    bool
+    has_bodies(const StudyPlan &plan)
+    {
+      const auto &varied = plan.varied();
+      return SceneReader(plan.scene_assignments()).scene().dimension > 1 ||
+             std::find(varied.begin(), varied.end(), "Dimension") !=
+               varied.end() ||
+             plan.reference();
+    }
+  } // namespace
+
+
+
+  std::string
+  check_study_memory(const StudyTable &table)
+  {
+    std::vector<unsigned int> runs = table.missing_runs();
+    if (runs.empty() || !has_bodies(table.plan()))
+      return "";
+    runs.resize(std::min<std::size_t>(runs.size(), max_checked));
+    return describe_memory(read_scenes(table, runs));
+  }
+
+
+
+  void
+  check_study(const StudyTable      &table,
+              const StudyParameters &parameters,
+              Log                   &log)
+  {
+    const unsigned int n_runs = table.plan().n_runs();
+    log.line(
+      text("  study     ", n_runs, " runs, reference: ", parameters.reference));
+    std::vector<unsigned int> runs(std::min(n_runs, max_checked));
+    std::iota(runs.begin(), runs.end(), 0);
+    const StudyForecast forecast = read_scenes(table, runs);
+    if (forecast.n_known > 0)
+      log.line(text("  expected  ",
+                    about(forecast.steps * parameters.repetitions),
+                    " steps, about, of ",
+                    forecast.n_known,
+                    " runs"));
+    if (table.size() < n_runs)
+      if (const std::string lines = describe_memory(forecast); !lines.empty())
+        log.line(lines);
+    if (runs.size() < n_runs)
+      log.line(text("  checked   the first ", runs.size(), " runs"));
+    if (forecast.n_refused > 0)
+      throw InputError(text("Study/Vary: ",
+                            forecast.n_refused,
+                            " of ",
+                            runs.size(),
+                            " runs cannot be run",
+                            forecast.refused,
+                            forecast.n_refused > 3 ? "\n  and others" : "",
+                            "\n  remedy:  leave them out, in sets of their own "
+                            "between ';;'"));
+  }
+} // namespace ThermoContact
