@@ -3,13 +3,15 @@ study varies: part of scripts/plot."""
 
 import math
 
-from plot_common import COLOURS, convert, fail, new_figure, plain, read_rows
+from plot_common import (COLOURS, convert, fail, in_unit, new_figure, plain,
+                         read_rows, units_of)
 from plot_sweep import curves_of, entry_label, number, numeric, read_sweep
 
 POINTS = {"displacement_end": r"$u(1)$ at multiples of $P$",
           "velocity_end": r"$u_t(1)$ at multiples of $P$",
           "temperature_end": r"$\theta(1)$ at multiples of $P$"}
 PEAKS = r"peak force of a period"
+MOST_LABELS = 12
 
 
 def directory_of(sweep, run):
@@ -75,16 +77,25 @@ def draw(path, n_periods):
              "a larger Time/End time")
     figure = new_figure(8, 2.4 * len(shown) + 0.8)
     figure.suptitle(plain(sweep.title, 90))
+    comments, header, _ = read_rows(
+        directory_of(sweep, sweep.runs[0]) / "contact.csv", [])
+    units = units_of(comments, header)
     panels = figure.subplots(len(shown), 1, sharex=True, squeeze=False).flat
     for panel, name in zip(panels, shown):
-        for i, (label, runs) in enumerate(curves_of(sweep, names[0]).items()):
+        curves = curves_of(sweep, names[0])
+        for i, (label, runs) in enumerate(curves.items()):
             xy = [(number(run[names[0]]), value) for run in runs
                   for value in points[run["run"]][name]]
             panel.plot([x for x, _ in xy], [y for _, y in xy], ".",
                        markersize=3, color=COLOURS[i % len(COLOURS)],
-                       label=plain(label, 90), rasterized=True)
-        panel.set_ylabel(labels[name])
+                       label=plain(label, 90) if i < MOST_LABELS else None,
+                       rasterized=True)
+        panel.set_ylabel(in_unit(labels[name], units.get(
+            "contact_force" if name == "peaks" else name)))
+        panel.ticklabel_format(axis="y", scilimits=(-3, 4))
         if label:
-            panel.legend(fontsize=9)
+            left_out = len(curves) - MOST_LABELS
+            panel.legend(fontsize=9, title=f"and {left_out} more"
+                         if left_out > 0 else None)
     panel.set_xlabel(entry_label(sweep, names[0]))
     return figure

@@ -79,23 +79,19 @@ namespace ThermoContact
     all_assignments(const CommandLine &command)
     {
       std::vector<Assignment> assignments;
-      if (!command.file_name.empty())
-        {
-          std::string text, fault;
-          if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-            try
-              {
-                text = read_text(command.file_name);
-              }
-            catch (const InputError &error)
-              {
-                fault = error.what();
-              }
-          throw_everywhere<InputError>(fault, MPI_COMM_WORLD);
-          std::istringstream stream(
-            Utilities::MPI::broadcast(MPI_COMM_WORLD, text));
-          assignments = read_assignments(stream, command.file_name);
-        }
+      std::string             fault;
+      if (!command.file_name.empty() &&
+          Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        try
+          {
+            assignments = read_parameter_file(command.file_name);
+          }
+        catch (const InputError &error)
+          {
+            fault = error.what();
+          }
+      throw_everywhere<InputError>(fault, MPI_COMM_WORLD);
+      assignments = Utilities::MPI::broadcast(MPI_COMM_WORLD, assignments);
       assignments.insert(assignments.end(),
                          command.overrides.begin(),
                          command.overrides.end());

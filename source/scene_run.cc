@@ -269,10 +269,12 @@ namespace ThermoContact
   std::string
   Request::output_directory() const
   {
-    return parameters.output.directory.empty() ?
+    if (!parameters.output.directory.empty())
+      return parameters.output.directory;
+    return command.file_name == "-" ?
+             "results/standard-input" :
              "results/" +
-               std::filesystem::path(command.file_name).stem().string() :
-             parameters.output.directory;
+               std::filesystem::path(command.file_name).stem().string();
   }
 
 

@@ -93,8 +93,10 @@ def run(entries=None, base=None, output=None, progress=None, resume=False, ranks
             as_root = ["--allow-run-as-root"] * (os.geteuid() == 0)
             command = ["mpirun", *as_root, "--oversubscribe", "-n", str(ranks), *command]
         with tempfile.TemporaryFile("w+") as messages:
+            # ranks that share processors leave them while they wait
+            environment = {"OMPI_MCA_mpi_yield_when_idle": "1", **os.environ}
             with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=messages,
-                                  text=True) as process:
+                                  text=True, env=environment) as process:
                 for line in process.stdout:
                     if progress:
                         _report(line, progress)
@@ -106,3 +108,27 @@ def run(entries=None, base=None, output=None, progress=None, resume=False, ranks
         raise ComputationError(message or f"exit status {process.returncode}",
                                _temporary_result(directory, temporary))
     return read(directory, temporary)
+
+
+def study(vary, base=None, entries=None, processes=None, output=None, **options):
+    """Runs a scene for all combinations of values: a pandas.DataFrame with a row for
+    each run, in the units of the files (attrs["units"]).
+
+    vary: a dict {"Section/Entry": values}; several entries that go together are a tuple,
+        {("A/B", "C/D"): [(b1, d1), (b2, d2)]}. Values may be a text, "0.6 .. 2.6 (61)".
+    processes: that share the runs; None: as many as there are processors.
+    base, entries, output, options: as of run().
+    """
+    axes = []
+    for paths, values in vary.items():
+        if isinstance(paths, str):
+            paths, values = (paths,), values if isinstance(values, str) else [
+                (value,) for value in values]
+        if isinstance(values, str):
+            axes.append(f"{paths[0]} = {values}")
+            continue
+        axes.append(" , ".join(f"{path} = " + " | ".join(map(_word, column))
+                               for path, column in zip(paths, zip(*values))))
+    result = run({**(entries or {}), "Study/Vary": " ; ".join(axes)}, base, output,
+                 ranks=processes or os.cpu_count() or 1, **options)
+    return result.table.to_pandas()

@@ -2,12 +2,26 @@
 """Output directories: of a run, and of a study."""
 
 import json
+import shutil
+import subprocess
+import sys
 import xml.etree.ElementTree
 from functools import cached_property
 from pathlib import Path
 
 from .errors import Error
+from .optional import optional_module
 from .table import read_table
+
+
+def _plot_script():
+    """scripts/plot of the sources, or of an installation."""
+    script = Path(__file__).resolve().parents[2] / "scripts/plot"
+    installed = shutil.which("thermocontact-plot")
+    if script.exists() or installed:
+        return str(script if script.exists() else installed)
+    raise Error("scripts/plot is not beside the module and thermocontact-plot is not in "
+                "PATH: install the program, or use the module of its sources")
 
 
 class _Directory:
@@ -33,17 +47,36 @@ class _Directory:
         """What the screen showed."""
         return (self.directory / "log.txt").read_text(encoding="utf-8")
 
+    def plot(self, figure=None, output=None, **options):
+        """Pictures by scripts/plot, a list of their paths.
+
+        figure: the name of one picture; None: all that can be drawn.
+        output: a file or a directory; None: the directory of the run or study.
+        options: of scripts/plot, end_time=1 for --end-time 1.
+        """
+        command = [sys.executable, _plot_script(), str(self.directory)]
+        for name, value in {"figure": figure, "output": output, **options}.items():
+            if value is not None:
+                command += [f"--{name.replace('_', '-')}", str(value)]
+        done = subprocess.run(command, capture_output=True, text=True)
+        if done.returncode != 0:
+            raise Error(done.stderr.strip())
+        return [Path(line[len("wrote "):]) for line in done.stdout.splitlines()
+                if line.startswith("wrote ")]
+
 
 class Run(_Directory):
     """What one run wrote; a table that the scene does not have is an Error.
 
-    contact, events, steps, probes: Tables.
+    contact, events, steps, probes, poincare: Tables; the last one has a row for each
+    Output/Period.
     """
 
     contact = cached_property(lambda self: read_table(self.directory / "contact.csv"))
     events = cached_property(lambda self: read_table(self.directory / "events.csv"))
     steps = cached_property(lambda self: read_table(self.directory / "steps.csv"))
     probes = cached_property(lambda self: read_table(self.directory / "probes.csv"))
+    poincare = cached_property(lambda self: read_table(self.directory / "poincare.csv"))
 
     @cached_property
     def summary(self):
@@ -63,12 +96,21 @@ class Run(_Directory):
         return [(float(entry.get("timestep")), self.directory / entry.get("file"))
                 for entry in root.iter("DataSet")]
 
+    def _mesh(self, name, i):
+        meshio = optional_module("meshio", "python3-meshio")
+        files = self._collection(name)
+        if not files:
+            raise Error(f"{self.directory}: no {name}; set Output/Fields interval")
+        return meshio.read(files[i][1])
+
     def fields(self, i=-1):
         """Snapshot number i as a meshio.Mesh: points, point_data by name."""
-        import meshio
-        if not self.snapshots:
-            raise Error(f"{self.directory}: no snapshots; set Output/Fields interval")
-        return meshio.read(self.snapshots[i][1])
+        return self._mesh("fields.pvd", i)
+
+    def contact_face(self, i=-1):
+        """The contact face of a body in 2-D or 3-D at snapshot number i: a meshio.Mesh
+        with pressure and gap."""
+        return self._mesh("contact.pvd", i)
 
 
 class Study(_Directory):

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy
 
 from .errors import Error
+from .optional import optional_module
 
 
 UNITS = "units:"
@@ -61,9 +62,10 @@ class Table(Mapping):
         return f"<{self.n_rows} rows of {', '.join(self._columns)}>"
 
     def to_pandas(self):
-        """The same as a pandas.DataFrame."""
-        import pandas
-        return pandas.DataFrame(dict(self))
+        """The same as a pandas.DataFrame; attrs["units"] has the units."""
+        frame = optional_module("pandas", "python3-pandas").DataFrame(dict(self))
+        frame.attrs["units"] = dict(self.units)
+        return frame
 
 
 def read_table(path):

@@ -6,6 +6,7 @@
 #include <getopt.h>
 
 #include <cstring>
+#include <iterator>
 
 namespace ThermoContact
 {
@@ -15,6 +16,7 @@ namespace ThermoContact
     return R"(Usage: thermocontact [OPTIONS] FILE.prm
 
 Dynamic contact of a thermoviscoelastic rod with an elastic or rigid obstacle.
+FILE.prm may be -, the standard input.
 
   --set 'Section/Entry=value'  override one entry of FILE.prm; repeatable
   --output DIR                 short for --set Output/Directory=DIR
@@ -38,35 +40,28 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
 
   namespace
   {
-    enum Option
+    /** An option, and what it sets if it has no argument. */
+    struct Option
     {
-      set_option = 1,
-      output_option,
-      check_option,
-      print_parameters_option,
-      print_output_option,
-      resume_option,
-      units_option,
-      force_option,
-      quiet_option,
-      help_option,
-      version_option,
-      option_numbers_end ///< letters are larger
+      const char *name;
+      int         argument; ///< as getopt_long() wants it
+      bool CommandLine::*flag;
     };
 
-    const option options[] = {
-      {"set", required_argument, nullptr, set_option},
-      {"output", required_argument, nullptr, output_option},
-      {"check", no_argument, nullptr, check_option},
-      {"print-parameters", optional_argument, nullptr, print_parameters_option},
-      {"print-output", no_argument, nullptr, print_output_option},
-      {"resume", no_argument, nullptr, resume_option},
-      {"units", no_argument, nullptr, units_option},
-      {"force", no_argument, nullptr, force_option},
-      {"quiet", no_argument, nullptr, quiet_option},
-      {"help", no_argument, nullptr, help_option},
-      {"version", no_argument, nullptr, version_option},
-      {nullptr, 0, nullptr, 0}};
+    const Option all_options[] = {
+      {"set", required_argument, nullptr},
+      {"output", required_argument, nullptr},
+      {"print-parameters", optional_argument, nullptr},
+      {"check", no_argument, &CommandLine::check_only},
+      {"print-output", no_argument, &CommandLine::show_output},
+      {"resume", no_argument, &CommandLine::is_resumed},
+      {"units", no_argument, &CommandLine::prints_scene},
+      {"force", no_argument, &CommandLine::is_forced},
+      {"quiet", no_argument, &CommandLine::is_quiet},
+      {"help", no_argument, &CommandLine::show_help},
+      {"version", no_argument, &CommandLine::show_version}};
+
+    constexpr int n_options = std::size(all_options); // letters are larger
 
 
 
@@ -81,6 +76,7 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
 
 
     /**
+     * @param option its number in all_options, from 1, or getopt_long()'s sign
      * @param argument of the option, or null
      * @param word as typed
      */
@@ -90,50 +86,23 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
                  const std::string &word,
                  CommandLine       &command_line)
     {
-      switch (option)
-        {
-          case set_option:
-            command_line.overrides.push_back(parse_override(argument));
-            break;
-          case output_option:
-            command_line.overrides.push_back(
-              {command_line_place, "Output/Directory", argument});
-            break;
-          case check_option:
-            command_line.check_only = true;
-            break;
-          case print_parameters_option:
-            command_line.print_parameters = argument ? argument : "prm";
-            break;
-          case print_output_option:
-            command_line.show_output = true;
-            break;
-          case resume_option:
-            command_line.is_resumed = true;
-            break;
-          case units_option:
-            command_line.prints_scene = true;
-            break;
-          case force_option:
-            command_line.is_forced = true;
-            break;
-          case quiet_option:
-            command_line.is_quiet = true;
-            break;
-          case help_option:
-            command_line.show_help = true;
-            break;
-          case version_option:
-            command_line.show_version = true;
-            break;
-          case ':':
-            refuse_argument(word, "its argument is missing");
-          default:
-            refuse_argument(word,
-                            word.compare(0, 2, "--") == 0 ?
-                              "unknown or ambiguous option" :
-                              "no option; a file of that name is ./" + word);
-        }
+      if (option == ':')
+        refuse_argument(word, "its argument is missing");
+      if (option < 1 || option > n_options)
+        refuse_argument(word,
+                        word.compare(0, 2, "--") == 0 ?
+                          "unknown or ambiguous option" :
+                          "no option; a file of that name is ./" + word);
+      const auto &[name, has_argument, flag] = all_options[option - 1];
+      if (has_argument == no_argument)
+        command_line.*flag = true;
+      else if (has_argument == optional_argument)
+        command_line.print_parameters = argument ? argument : "prm";
+      else if (std::strcmp(name, "set") == 0)
+        command_line.overrides.push_back(parse_override(argument));
+      else
+        command_line.overrides.push_back(
+          {command_line_place, "Output/Directory", argument});
     }
 
 
@@ -143,7 +112,7 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
     last_word(const int argc, char **argv)
     {
       // in letters behind one '-', getopt stops before it goes on in argv
-      if (optopt > option_numbers_end)
+      if (optopt > n_options)
         for (int i = 1; i < argc; ++i)
           if (argv[i][0] == '-' && argv[i][1] != '-' &&
               std::strchr(argv[i], optopt) != nullptr)
@@ -172,10 +141,18 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
   {
     CommandLine command_line;
     command_line.program_name = argv[0];
-    opterr                    = 0; // messages are ours
-    optind                    = 1;
-    for (int o; optopt = 0,
-                (o = getopt_long(argc, argv, ":", options, nullptr)) != -1;)
+    std::vector<option> options;
+    for (const Option &one : all_options)
+      options.push_back({one.name,
+                         one.argument,
+                         nullptr,
+                         static_cast<int>(options.size()) + 1});
+    options.push_back({nullptr, 0, nullptr, 0});
+    opterr = 0; // messages are ours
+    optind = 1;
+    for (int o;
+         optopt = 0,
+         (o = getopt_long(argc, argv, ":", options.data(), nullptr)) != -1;)
       apply_option(o, optarg, last_word(argc, argv), command_line);
 
     if (argc - optind > 1)

@@ -4,7 +4,7 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/input/constants.h>
 #include <thermocontact/input/expression.h>
-#include <thermocontact/input/table.h>
+#include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <deal.II/base/patterns.h>

@@ -2,9 +2,10 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
+#include <thermocontact/input/elementary_functions.h>
 #include <thermocontact/input/expression.h>
+#include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/parameter_text.h>
-#include <thermocontact/input/table.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <deal.II/base/numbers.h>
@@ -14,6 +15,8 @@
 #include <cctype>
 #include <charconv>
 #include <cstring>
+#include <functional>
+#include <type_traits>
 
 namespace ThermoContact
 {
@@ -21,13 +24,19 @@ namespace ThermoContact
   {
     number,
     variable,
-    // of two operands
+    function, ///< an elementary one
+    table,
+    // of one operand
+    minus_sign,
+    negation,
+    abs,
+    // of two
     plus,
     minus,
     times,
     over,
-    to_the_power,
-    whole_power,
+    power,
+    angle,
     less,
     less_equal,
     equal,
@@ -37,45 +46,9 @@ namespace ThermoContact
     any_rounded,
     smaller,
     larger,
-    angle,
     // of three, the first one is a condition
     choice,
-    choice_rounded,
-    // of one
-    table,
-    minus_sign,
-    negation,
-    sin,
-    cos,
-    tan,
-    asin,
-    acos,
-    atan,
-    sinh,
-    cosh,
-    tanh,
-    asinh,
-    acosh,
-    atanh,
-    exp,
-    log,
-    sqrt,
-    erf,
-    erfc,
-    abs,
-    sign,
-    rint,
-    nearest,
-    floor,
-    ceil,
-    // made of others
-    log2,
-    log10,
-    sec,
-    csc,
-    cot,
-    sum,
-    mean
+    choice_rounded
   };
 
 
@@ -86,103 +59,35 @@ namespace ThermoContact
 
 
 
-    // ------------------------------------------------------- constant powers
+    // ---------------------------------------------------- powers and angles
 
-    double
-    whole_power(const double a, const double exponent)
-    {
-      return exponent == 2. ? a * a :
-             exponent == 3. ? a * a * a :
-                              a * a * a * a;
-    }
-
-    /** The derivative of a power where it is one; at zero it may be infinite.
-     */
-    double
-    slope_of_power(const double a, const double factor, const double exponent)
-    {
-      const double slope = factor == 0. ? 0. : factor * std::pow(a, exponent);
-      return std::isfinite(slope) ? slope : 0.;
-    }
-
-    Interval
-    slope_of_power(const Interval &a,
-                   const double    factor,
-                   const double    exponent)
-    {
-      return factor == 0. ? Interval(0.) : factor * pow(a, exponent);
-    }
-
-    template <typename Number>
-    Jet<Number>
-    constant_power(const Jet<Number> &a, const double exponent)
-    {
-      using std::pow;
-      return chain(a,
-                   Number(pow(a.value, exponent)),
-                   slope_of_power(a.value, exponent, exponent - 1.),
-                   slope_of_power(a.value,
-                                  exponent * (exponent - 1.),
-                                  exponent - 2.));
-    }
-
-    template <typename Number>
-    Jet<Number>
-    whole_power(const Jet<Number> &a, const double exponent)
-    {
-      return constant_power(a, exponent);
-    }
-
-
-
-    // ------------------------------------------------------- smooth functions
-
-    template <typename Number>
-    Number
-    inverse(const Number &x)
-    {
-      return 1. / x;
-    }
-
-    template <typename Number>
-    Jet<Number>
-    exp_of(const Jet<Number> &x)
-    {
-      using std::exp;
-      const Number value = exp(x.value);
-      return chain(x, value, value, value);
-    }
-
-    template <typename Number>
-    Jet<Number>
-    log_of(const Jet<Number> &x)
-    {
-      using std::log;
-      const Number slope = inverse(x.value);
-      return chain(x, Number(log(x.value)), slope, -square(slope));
-    }
-
+    /** Whole powers that are small are products. */
     double
     power(const double a, const double b)
     {
-      return std::pow(a, b);
+      return b == 2. ? a * a :
+             b == 3. ? a * a * a :
+             b == 4. ? a * a * a * a :
+                       std::pow(a, b);
     }
 
-    NumberJet
-    power(const NumberJet &a, const NumberJet &b)
+    template <typename Number>
+    Jet<Number>
+    power(const Jet<Number> &a, const Jet<Number> &b)
     {
-      if (b.first == 0. && b.second == 0.)
-        return constant_power(a, b.value);
-      NumberJet result = exp_of(b * log_of(a));
-      result.value     = std::pow(a.value, b.value);
+      using std::exp;
+      if (Interval(b.value).width() == 0. && Interval(b.first).width() == 0. &&
+          Interval(b.first).contains(0.))
+        return constant_power(a, Interval(b.value).low);
+      const Number slope = 1. / a.value;
+      const auto   exponent =
+        b *
+        chain(a, monotone(std::log, a.value), slope, Number(-square(slope)));
+      const Number value  = exp(exponent.value);
+      Jet<Number>  result = chain(exponent, value, value, value);
+      if constexpr (std::is_same_v<Number, double>)
+        result.value = std::pow(a.value, b.value);
       return result;
-    }
-
-    IntervalJet
-    power(const IntervalJet &a, const IntervalJet &b)
-    {
-      return b.value.width() == 0. ? constant_power(a, b.value.low) :
-                                     exp_of(b * log_of(a));
     }
 
     double
@@ -192,22 +97,13 @@ namespace ThermoContact
     }
 
     Interval
-    angle_of(const Interval &y, const Interval &x)
+    angle(const Interval &y, const Interval &x)
     {
       if (x.low <= 0. && y.contains(0.))
         return Interval::everything(); // the origin, or the branch cut
-      Interval result =
-        widened(std::atan2(y.low, x.low), std::atan2(y.high, x.high));
-      result =
-        hull(result,
-             widened(std::atan2(y.low, x.high), std::atan2(y.high, x.low)));
-      return result;
-    }
-
-    double
-    angle_of(const double y, const double x)
-    {
-      return std::atan2(y, x);
+      return hull(widened(std::atan2(y.low, x.low), std::atan2(y.high, x.high)),
+                  widened(std::atan2(y.low, x.high),
+                          std::atan2(y.high, x.low)));
     }
 
     template <typename Number>
@@ -218,12 +114,12 @@ namespace ThermoContact
       const Number n1 = x.value * y.second - y.value * x.second;
       const Number r  = square(x.value) + square(y.value);
       const Number r1 = 2. * (x.value * x.first + y.value * y.first);
-      return {angle_of(y.value, x.value), n / r, (n1 * r - n * r1) / square(r)};
+      return {angle(y.value, x.value), n / r, (n1 * r - n * r1) / square(r)};
     }
 
 
 
-    // ------------------------------------------------------- steps and kinks
+    // ------------------------------------------------------- jumps and kinks
 
     double
     value_of(const double x)
@@ -238,97 +134,44 @@ namespace ThermoContact
       return x.value;
     }
 
-    double
-    step(const double x, double (*function)(double))
-    {
-      return function(x);
-    }
-
-    NumberJet
-    step(const NumberJet &x, double (*function)(double))
-    {
-      return NumberJet(function(x.value));
-    }
-
-    IntervalJet
-    step(const IntervalJet &x, double (*function)(double))
-    {
-      const Interval value(function(x.value.low), function(x.value.high));
-      const Interval slope =
-        value.low == value.high ? Interval(0.) : Interval::everything();
-      return {value, slope, slope};
-    }
-
-    double
-    sign_of(const double x)
-    {
-      return (x > 0.) - (x < 0.);
-    }
-
-    double
-    rint_of(const double x)
-    {
-      return std::floor(x + 0.5);
-    }
-
-    double
-    nearest_of(const double x)
-    {
-      return std::trunc(x + (x >= 0. ? 0.5 : -0.5));
-    }
-
-    double
-    floor_of(const double x)
-    {
-      return std::floor(x);
-    }
-
-    double
-    ceil_of(const double x)
-    {
-      return std::ceil(x);
-    }
-
-
-
-    /** What is one or the other, and continuous; @p value is that of both. */
+    /** What is one or the other in a span of time; numbers decide. */
     template <typename Number>
     Number
-    kink(const Number &a, const Number &, const Interval &)
+    either(const Number &a, const Number &b)
     {
-      return a; // numbers decide
-    }
-
-    template <>
-    IntervalJet
-    kink(const IntervalJet &a, const IntervalJet &b, const Interval &value)
-    {
-      const Interval first = hull(a.first, b.first);
-      return {value, first, Interval::everything()};
-    }
-
-    /** What is one or the other. */
-    template <typename Number>
-    Number
-    jump(const Number &a, const Number &)
-    {
+      if constexpr (std::is_same_v<Number, IntervalJet>)
+        return {hull(a.value, b.value),
+                Interval::everything(),
+                Interval::everything()};
       return a;
     }
 
-    template <>
-    IntervalJet
-    jump(const IntervalJet &a, const IntervalJet &b)
+    /** The smaller or the larger one of two. */
+    template <typename Number>
+    Number
+    extremum(const Number &a, const Number &b, const bool is_larger)
     {
-      return {hull(a.value, b.value),
-              Interval::everything(),
-              Interval::everything()};
+      const Truth takes_b = is_larger ? is_less(value_of(a), value_of(b)) :
+                                        is_less(value_of(b), value_of(a));
+      if constexpr (std::is_same_v<Number, IntervalJet>)
+        if (takes_b == Truth::undecided)
+          {
+            const auto of = [is_larger](const double x, const double y) {
+              return is_larger ? std::max(x, y) : std::min(x, y);
+            };
+            return {{of(a.value.low, b.value.low),
+                     of(a.value.high, b.value.high)},
+                    hull(a.first, b.first),
+                    Interval::everything()};
+          }
+      return takes_b == Truth::yes ? b : a;
     }
 
     template <typename Number>
     Number
     number_of(const Truth truth)
     {
-      return truth == Truth::undecided ? jump(Number(0.), Number(1.)) :
+      return truth == Truth::undecided ? either(Number(0.), Number(1.)) :
                                          Number(truth == Truth::yes ? 1. : 0.);
     }
 
@@ -354,188 +197,6 @@ namespace ThermoContact
              a == Truth::yes && b == Truth::yes ? Truth::yes :
                                                   Truth::undecided;
     }
-
-    Interval
-    as_interval(const double x)
-    {
-      return x;
-    }
-
-    Interval
-    as_interval(const Interval &x)
-    {
-      return x;
-    }
-
-    /** The smaller or the larger one of two. */
-    template <typename Number>
-    Number
-    extremum(const Number &a, const Number &b, const bool is_larger)
-    {
-      const Truth takes_b = is_larger ? is_less(value_of(a), value_of(b)) :
-                                        is_less(value_of(b), value_of(a));
-      if (takes_b != Truth::undecided)
-        return takes_b == Truth::yes ? b : a;
-      const Interval x = as_interval(value_of(a)), y = as_interval(value_of(b));
-      return kink(a,
-                  b,
-                  is_larger ?
-                    Interval(std::max(x.low, y.low), std::max(x.high, y.high)) :
-                    Interval(std::min(x.low, y.low), std::min(x.high, y.high)));
-    }
-  } // namespace
-
-
-
-  namespace
-  {
-    /** A smooth function of one argument, of a number. */
-    template <typename Operation>
-    double
-    smooth(const Operation operation, const double x)
-    {
-      switch (operation)
-        {
-          case Operation::sin:
-            return std::sin(x);
-          case Operation::cos:
-            return std::cos(x);
-          case Operation::tan:
-            return std::tan(x);
-          case Operation::asin:
-            return std::asin(x);
-          case Operation::acos:
-            return std::acos(x);
-          case Operation::atan:
-            return std::atan(x);
-          case Operation::sinh:
-            return std::sinh(x);
-          case Operation::cosh:
-            return std::cosh(x);
-          case Operation::tanh:
-            return std::tanh(x);
-          case Operation::asinh:
-            return std::asinh(x);
-          case Operation::acosh:
-            return std::acosh(x);
-          case Operation::atanh:
-            return std::atanh(x);
-          case Operation::exp:
-            return std::exp(x);
-          case Operation::log:
-            return std::log(x);
-          case Operation::sqrt:
-            return std::sqrt(x);
-          case Operation::erfc:
-            return std::erfc(x);
-          default:
-            return std::erf(x);
-        }
-    }
-
-
-
-    /** The same with its derivatives. */
-    template <typename Operation, typename Number>
-    Jet<Number>
-    smooth(const Operation operation, const Jet<Number> &x)
-    {
-      using std::acos;
-      using std::acosh;
-      using std::asin;
-      using std::asinh;
-      using std::atan;
-      using std::atanh;
-      using std::cos;
-      using std::cosh;
-      using std::erf;
-      using std::erfc;
-      using std::exp;
-      using std::sin;
-      using std::sinh;
-      using std::sqrt;
-      using std::tan;
-      using std::tanh;
-      const Number &v = x.value;
-      switch (operation)
-        {
-          case Operation::sin:
-            return chain(x, Number(sin(v)), Number(cos(v)), Number(-sin(v)));
-          case Operation::cos:
-            return chain(x, Number(cos(v)), Number(-sin(v)), Number(-cos(v)));
-          case Operation::tan:
-            {
-              const Number t = tan(v), slope = 1. + square(t);
-              return chain(x, t, slope, 2. * (t * slope));
-            }
-          case Operation::asin:
-          case Operation::acos:
-            {
-              const Number slope = inverse(Number(sqrt(1. - square(v))));
-              const Number f2    = v * (slope * square(slope));
-              return operation == Operation::asin ?
-                       chain(x, Number(asin(v)), slope, f2) :
-                       chain(x, Number(acos(v)), -slope, -f2);
-            }
-          case Operation::atan:
-            {
-              const Number slope = inverse(Number(1. + square(v)));
-              return chain(x,
-                           Number(atan(v)),
-                           slope,
-                           -2. * (v * square(slope)));
-            }
-          case Operation::sinh:
-            return chain(x, Number(sinh(v)), Number(cosh(v)), Number(sinh(v)));
-          case Operation::cosh:
-            return chain(x, Number(cosh(v)), Number(sinh(v)), Number(cosh(v)));
-          case Operation::tanh:
-            {
-              // of intervals 1 - tanh^2 would not vanish far from zero
-              const Number t     = tanh(v),
-                           slope = inverse(square(Number(cosh(v))));
-              return chain(x, t, slope, -2. * (t * slope));
-            }
-          case Operation::asinh:
-            {
-              const Number slope = inverse(Number(sqrt(1. + square(v))));
-              return chain(x,
-                           Number(asinh(v)),
-                           slope,
-                           -(v * (slope * square(slope))));
-            }
-          case Operation::acosh:
-            {
-              const Number slope = inverse(Number(sqrt(square(v) - 1.)));
-              return chain(x,
-                           Number(acosh(v)),
-                           slope,
-                           -(v * (slope * square(slope))));
-            }
-          case Operation::atanh:
-            {
-              const Number slope = inverse(Number(1. - square(v)));
-              return chain(x,
-                           Number(atanh(v)),
-                           slope,
-                           2. * (v * square(slope)));
-            }
-          case Operation::exp:
-            return exp_of(x);
-          case Operation::log:
-            return log_of(x);
-          case Operation::sqrt:
-            return constant_power(x, 0.5);
-          default:
-            {
-              const Number slope =
-                2. / std::sqrt(dealii::numbers::PI) * Number(exp(-square(v)));
-              return operation == Operation::erf ?
-                       chain(x, Number(erf(v)), slope, -2. * (v * slope)) :
-                       chain(x, Number(erfc(v)), -slope, 2. * (v * slope));
-            }
-        }
-    }
   } // namespace
 
 
@@ -550,7 +211,7 @@ namespace ThermoContact
     const auto b = [&]() { return evaluate_part(part.operands[1], variables); };
     const auto choose = [&](const Truth truth) {
       return truth == Truth::undecided ?
-               jump(b(), evaluate_part(part.operands[2], variables)) :
+               either(b(), evaluate_part(part.operands[2], variables)) :
              truth == Truth::yes ? b() :
                                    evaluate_part(part.operands[2], variables);
     };
@@ -575,10 +236,8 @@ namespace ThermoContact
           return a() * b();
         case Operation::over:
           return a() / b();
-        case Operation::to_the_power:
+        case Operation::power:
           return power(a(), b());
-        case Operation::whole_power:
-          return whole_power(a(), part.number);
         case Operation::less:
           return number_of<Number>(is_less(value_of(a()), value_of(b())));
         case Operation::less_equal:
@@ -614,18 +273,8 @@ namespace ThermoContact
             const Number x = a();
             return extremum(x, Number(-x), true);
           }
-        case Operation::sign:
-          return step(a(), sign_of);
-        case Operation::rint:
-          return step(a(), rint_of);
-        case Operation::nearest:
-          return step(a(), nearest_of);
-        case Operation::floor:
-          return step(a(), floor_of);
-        case Operation::ceil:
-          return step(a(), ceil_of);
         default:
-          return smooth(part.operation, a());
+          return elementary_functions()[part.operands[1]](a());
       }
   }
 
@@ -690,20 +339,22 @@ namespace ThermoContact
       , names(names)
       , parts(expression.parts)
       , tables(expression.tables_)
-      , is_named(expression.is_named)
+      , named(expression.named)
       , next(begin)
       , end(end)
     {}
 
 
 
-    static bool
-    is_function(const std::string &name)
+    static std::vector<std::string>
+    function_names()
     {
-      return name == "table" || name == "smooth" ||
-             std::any_of(std::begin(functions),
-                         std::end(functions),
-                         [&](const Function &f) { return f.name == name; });
+      std::vector<std::string> names{"table", "smooth"};
+      for (const Function &function : functions)
+        names.emplace_back(function.name);
+      for (const ElementaryFunction &function : elementary_functions())
+        names.push_back(function.name);
+      return names;
     }
 
 
@@ -713,8 +364,8 @@ namespace ThermoContact
     {
       if (skip_blanks() == '\0')
         refuse(path, text, "an empty expression", "0 for none", next);
-      unsigned int whole = choice();
-      const char   left  = skip_blanks();
+      const unsigned int whole = choice();
+      const char         left  = skip_blanks();
       if (left == ')')
         cannot_read("a ')' without a '('");
       if (left == ',')
@@ -725,24 +376,20 @@ namespace ThermoContact
                next);
       if (left != '\0')
         cannot_read("an operator is missing before " + next_word());
-      if (names.origin != 0.)
-        whole = add(Operation::minus, {whole, number(names.origin)});
-      if (names.unit != 1.)
-        whole = add(Operation::over, {whole, number(names.unit)});
       if (whole + 1 != parts.size()) // the whole is to be the last one
         parts.push_back(Part(parts[whole]));
     }
 
   private:
-    const std::string                         &path;
-    const std::string                         &text;
-    const ExpressionNames                     &names;
-    std::vector<Part>                         &parts;
-    std::vector<std::shared_ptr<const Table>> &tables;
-    std::vector<bool>                         &is_named;
-    std::size_t                                next;
-    const std::size_t                          end;
-    unsigned int                               n_levels = 0;
+    const std::string                                 &path;
+    const std::string                                 &text;
+    const ExpressionNames                             &names;
+    std::vector<Part>                                 &parts;
+    std::vector<std::shared_ptr<const MeasuredTable>> &tables;
+    std::vector<NamedVariable>                        &named;
+    std::size_t                                        next;
+    const std::size_t                                  end;
+    unsigned int                                       n_levels = 0;
 
 
 
@@ -754,38 +401,53 @@ namespace ThermoContact
       unsigned int n_arguments;
     };
 
-    static constexpr Function functions[] = {
-      {"sin", Operation::sin, 1},          {"cos", Operation::cos, 1},
-      {"tan", Operation::tan, 1},          {"asin", Operation::asin, 1},
-      {"acos", Operation::acos, 1},        {"atan", Operation::atan, 1},
-      {"atan2", Operation::angle, 2},      {"sinh", Operation::sinh, 1},
-      {"cosh", Operation::cosh, 1},        {"tanh", Operation::tanh, 1},
-      {"asinh", Operation::asinh, 1},      {"acosh", Operation::acosh, 1},
-      {"atanh", Operation::atanh, 1},      {"sec", Operation::sec, 1},
-      {"csc", Operation::csc, 1},          {"cot", Operation::cot, 1},
-      {"exp", Operation::exp, 1},          {"log", Operation::log, 1},
-      {"ln", Operation::log, 1},           {"log2", Operation::log2, 1},
-      {"log10", Operation::log10, 1},      {"sqrt", Operation::sqrt, 1},
-      {"pow", Operation::to_the_power, 2}, {"erf", Operation::erf, 1},
-      {"erfc", Operation::erfc, 1},        {"abs", Operation::abs, 1},
-      {"sign", Operation::sign, 1},        {"rint", Operation::rint, 1},
-      {"int", Operation::nearest, 1},      {"floor", Operation::floor, 1},
-      {"ceil", Operation::ceil, 1},        {"if", Operation::choice_rounded, 3},
-      {"min", Operation::smaller, 0},      {"max", Operation::larger, 0},
-      {"sum", Operation::sum, 0},          {"avg", Operation::mean, 0}};
+    /** Those that are not elementary. */
+    static constexpr Function functions[] = {{"abs", Operation::abs, 1},
+                                             {"atan2", Operation::angle, 2},
+                                             {"pow", Operation::power, 2},
+                                             {"min", Operation::smaller, 0},
+                                             {"max", Operation::larger, 0},
+                                             {"sum", Operation::plus, 0},
+                                             {"avg", Operation::plus, 0},
+                                             {"if",
+                                              Operation::choice_rounded,
+                                              3}};
 
 
 
-    [[noreturn]] void
-    cannot_read(const std::string &fault)
+    /** An operator between two operands. */
+    struct Operator
     {
-      cannot_read(fault, next);
-    }
+      const char  *sign;
+      unsigned int level; ///< larger ones bind first
+      Operation    operation;
+      bool         is_swapped, is_negated;
+    };
+
+    /** Of those that begin alike the longer one is first. */
+    static constexpr Operator operators[] = {
+      {"||", 0, Operation::any, false, false},
+      {"|", 0, Operation::any_rounded, false, false},
+      {"&&", 1, Operation::both, false, false},
+      {"&", 1, Operation::both_rounded, false, false},
+      {"<=", 2, Operation::less_equal, false, false},
+      {">=", 2, Operation::less_equal, true, false},
+      {"==", 2, Operation::equal, false, false},
+      {"!=", 2, Operation::equal, false, true},
+      {"<", 2, Operation::less, false, false},
+      {">", 2, Operation::less, true, false},
+      {"+", 3, Operation::plus, false, false},
+      {"-", 3, Operation::minus, false, false},
+      {"*", 4, Operation::times, false, false},
+      {"/", 4, Operation::over, false, false}};
+
+    static constexpr unsigned int level_of_comparisons = 2, level_of_signs = 5;
 
 
 
+    /** @param position the present one if it is nowhere */
     [[noreturn]] void
-    cannot_read(const std::string &fault, const std::size_t position)
+    cannot_read(const std::string &fault, const std::size_t position = nowhere)
     {
       std::string known;
       for (const std::string &name : names.variables)
@@ -797,7 +459,7 @@ namespace ThermoContact
              text,
              "cannot be read: " + fault,
              "an expression in " + known + ", e.g. " + names.example,
-             position);
+             position == nowhere ? next : position);
     }
 
 
@@ -900,9 +562,9 @@ namespace ThermoContact
     unsigned int
     add(const Operation                  operation,
         const std::vector<unsigned int> &operands,
-        const double                     value = 0.)
+        const unsigned int               elementary = 0)
     {
-      Part part{operation, value, {0, 0, 0}, 1};
+      Part part{operation, 0., {0, elementary, 0}, 1};
       bool is_of_numbers = true;
       for (unsigned int i = 0; i < operands.size(); ++i)
         {
@@ -931,28 +593,13 @@ namespace ThermoContact
 
 
 
-    /** Squares, and small powers of variables, are products. */
-    unsigned int
-    add_power(const unsigned int base, const unsigned int exponent)
-    {
-      const Part &part        = parts[exponent];
-      const bool  is_variable = parts[base].operation == Operation::variable;
-      if (part.operation == Operation::number &&
-          (part.number == 2. ||
-           (is_variable && (part.number == 3. || part.number == 4.))))
-        return add(Operation::whole_power, {base}, part.number);
-      return add(Operation::to_the_power, {base, exponent});
-    }
-
-
-
     // ---------------------------------------------------------- the language
 
     unsigned int
     choice()
     {
       const Level        level(*this);
-      const unsigned int condition = disjunction();
+      const unsigned int condition = binary(0);
       if (!takes("?"))
         return condition;
       const unsigned int first = choice();
@@ -964,94 +611,42 @@ namespace ThermoContact
 
 
 
+    /** Operators of @p level and above. */
     unsigned int
-    disjunction()
+    binary(const unsigned int level)
     {
-      unsigned int result = conjunction();
+      if (level == level_of_signs)
+        return signed_power();
+      unsigned int result = binary(level + 1);
       while (true)
-        if (takes("||"))
-          result = add(Operation::any, {result, conjunction()});
-        else if (takes("|"))
-          result = add(Operation::any_rounded, {result, conjunction()});
-        else
-          return result;
+        {
+          const auto found =
+            std::find_if(std::begin(operators),
+                         std::end(operators),
+                         [&](const Operator &o) {
+                           return o.level == level && takes(o.sign);
+                         });
+          if (found == std::end(operators))
+            {
+              if (level == level_of_comparisons)
+                refuse_assignment();
+              return result;
+            }
+          const unsigned int other = binary(level + 1);
+          result = found->is_swapped ? add(found->operation, {other, result}) :
+                                       add(found->operation, {result, other});
+          if (found->is_negated)
+            result = add(Operation::negation, {result});
+        }
     }
 
 
 
-    unsigned int
-    conjunction()
+    void
+    refuse_assignment()
     {
-      unsigned int result = comparison();
-      while (true)
-        if (takes("&&"))
-          result = add(Operation::both, {result, comparison()});
-        else if (takes("&"))
-          result = add(Operation::both_rounded, {result, comparison()});
-        else
-          return result;
-    }
-
-
-
-    unsigned int
-    comparison()
-    {
-      unsigned int result = sum();
-      while (true)
-        if (takes("<="))
-          result = add(Operation::less_equal, {result, sum()});
-        else if (takes(">="))
-          {
-            const unsigned int other = sum();
-            result = add(Operation::less_equal, {other, result});
-          }
-        else if (takes("=="))
-          result = add(Operation::equal, {result, sum()});
-        else if (takes("!="))
-          result =
-            add(Operation::negation, {add(Operation::equal, {result, sum()})});
-        else if (takes("<"))
-          result = add(Operation::less, {result, sum()});
-        else if (takes(">"))
-          {
-            const unsigned int other = sum();
-            result                   = add(Operation::less, {other, result});
-          }
-        else if (skip_blanks() == '=')
-          refuse(path, text, "an '='", "== to compare", next);
-        else
-          return result;
-    }
-
-
-
-    unsigned int
-    sum()
-    {
-      unsigned int result = product();
-      while (true)
-        if (takes("+"))
-          result = add(Operation::plus, {result, product()});
-        else if (takes("-"))
-          result = add(Operation::minus, {result, product()});
-        else
-          return result;
-    }
-
-
-
-    unsigned int
-    product()
-    {
-      unsigned int result = signed_power();
-      while (true)
-        if (takes("*"))
-          result = add(Operation::times, {result, signed_power()});
-        else if (takes("/"))
-          result = add(Operation::over, {result, signed_power()});
-        else
-          return result;
+      if (skip_blanks() == '=')
+        refuse(path, text, "an '='", "== to compare", next);
     }
 
 
@@ -1065,7 +660,7 @@ namespace ThermoContact
       if (takes("+"))
         return signed_power();
       const unsigned int base = operand();
-      return takes("^") ? add_power(base, signed_power()) : base;
+      return takes("^") ? add(Operation::power, {base, signed_power()}) : base;
     }
 
 
@@ -1085,8 +680,7 @@ namespace ThermoContact
         return literal();
       if (!is_of_name(first))
         {
-          if (first == '=')
-            refuse(path, text, "an '='", "== to compare", next);
+          refuse_assignment();
           cannot_read(first == '\0' ?
                         "it ends where a number or a name should stand" :
                         "a number or a name is missing before " + next_word());
@@ -1144,7 +738,7 @@ namespace ThermoContact
       const auto variable =
         std::find(names.variables.begin(), names.variables.end(), name);
       if (variable != names.variables.end())
-        return read_variable(variable - names.variables.begin());
+        return read_variable(variable - names.variables.begin(), begin);
       if (const auto constant = names.constants.find(name);
           constant != names.constants.end())
         return number(constant->second);
@@ -1152,20 +746,15 @@ namespace ThermoContact
         return number(dealii::numbers::PI);
       if (name == "_e")
         return number(dealii::numbers::E);
-      std::vector<std::string> known{"pi"};
-      for (const std::string &variable : names.variables)
-        if (!variable.empty())
-          known.push_back(variable);
+      std::vector<std::string> known = function_names();
+      if (std::find(known.begin(), known.end(), name) != known.end())
+        cannot_read("the function " + name + " has no argument; " + name +
+                      "(...)",
+                    begin);
+      known.emplace_back("pi");
+      known.insert(known.end(), names.variables.begin(), names.variables.end());
       for (const auto &constant : names.constants)
         known.push_back(constant.first);
-      for (const Function &function : functions)
-        {
-          if (name == function.name)
-            cannot_read("the function " + name + " has no argument; " + name +
-                          "(...)",
-                        begin);
-          known.push_back(function.name);
-        }
       cannot_read("there is no name '" + quote(name, 40) + "'" +
                     did_you_mean(name, known),
                   begin);
@@ -1174,15 +763,11 @@ namespace ThermoContact
 
 
     unsigned int
-    read_variable(const unsigned int index)
+    read_variable(const unsigned int index, const std::size_t position)
     {
-      is_named[index] = true;
+      named.push_back({index, position});
       parts.push_back({Operation::variable, 0., {index, 0, 0}, 1});
-      const unsigned int value = parts.size() - 1;
-      if (names.variable_units.empty() || names.variable_units[index] == 1.)
-        return value;
-      return add(Operation::times,
-                 {value, number(names.variable_units[index])});
+      return parts.size() - 1;
     }
 
 
@@ -1200,19 +785,17 @@ namespace ThermoContact
                name + "() has another value each time",
                "functions of position and time",
                begin);
+      const auto is_it = [&](const auto &f) { return f.name == name; };
       const auto function =
-        std::find_if(std::begin(functions),
-                     std::end(functions),
-                     [&](const Function &f) { return f.name == name; });
-      if (function == std::end(functions))
-        {
-          std::vector<std::string> known;
-          for (const Function &f : functions)
-            known.push_back(f.name);
-          cannot_read("there is no function '" + quote(name, 40) + "()'" +
-                        did_you_mean(name, known),
-                      begin);
-        }
+        std::find_if(std::begin(functions), std::end(functions), is_it);
+      const auto elementary    = std::find_if(elementary_functions().begin(),
+                                           elementary_functions().end(),
+                                           is_it);
+      const bool is_elementary = elementary != elementary_functions().end();
+      if (function == std::end(functions) && !is_elementary)
+        cannot_read("there is no function '" + quote(name, 40) + "()'" +
+                      did_you_mean(name, function_names()),
+                    begin);
       std::vector<unsigned int> arguments;
       if (skip_blanks() != ')')
         do
@@ -1220,7 +803,7 @@ namespace ThermoContact
         while (takes(","));
       const std::size_t last = next;
       close(parenthesis);
-      const unsigned int n = function->n_arguments;
+      const unsigned int n = is_elementary ? 1 : function->n_arguments;
       if (n == 0 ? arguments.empty() : arguments.size() != n)
         cannot_read(name + "() takes " +
                       (n == 0 ? "one argument or more" :
@@ -1229,7 +812,18 @@ namespace ThermoContact
                                 "three arguments") +
                       ", and has " + std::to_string(arguments.size()),
                     last);
-      return add_function(function->operation, arguments);
+      if (is_elementary)
+        return add(Operation::function,
+                   arguments,
+                   elementary - elementary_functions().begin());
+      if (n > 0)
+        return add(function->operation, arguments);
+      unsigned int result = arguments[0];
+      for (unsigned int i = 1; i < arguments.size(); ++i)
+        result = add(function->operation, {result, arguments[i]});
+      return name == "avg" ?
+               add(Operation::over, {result, number(arguments.size())}) :
+               result;
     }
 
 
@@ -1262,7 +856,7 @@ namespace ThermoContact
         commas.size() > 1 ? between(commas[0] + 1, commas[1]) : "";
       try
         {
-          tables.push_back(std::make_shared<const Table>(
+          tables.push_back(std::make_shared<const MeasuredTable>(
             names.folder.empty() || file[0] == '/' ? file :
                                                      names.folder + "/" + file,
             column,
@@ -1282,46 +876,6 @@ namespace ThermoContact
          {argument, static_cast<unsigned int>(tables.size() - 1), 0},
          parts[argument].n_levels + 1});
       return parts.size() - 1;
-    }
-
-
-
-    unsigned int
-    add_function(const Operation operation, const std::vector<unsigned int> &x)
-    {
-      switch (operation)
-        {
-          case Operation::log2:
-          case Operation::log10:
-            {
-              const double base = operation == Operation::log2 ? 2. : 10.;
-              return add(Operation::over,
-                         {add(Operation::log, x), number(std::log(base))});
-            }
-          case Operation::sec:
-            return add(Operation::over, {number(1.), add(Operation::cos, x)});
-          case Operation::csc:
-            return add(Operation::over, {number(1.), add(Operation::sin, x)});
-          case Operation::cot:
-            return add(Operation::over, {number(1.), add(Operation::tan, x)});
-          case Operation::smaller:
-          case Operation::larger:
-          case Operation::sum:
-          case Operation::mean:
-            {
-              const bool adds =
-                operation == Operation::sum || operation == Operation::mean;
-              unsigned int result = x[0];
-              for (unsigned int i = 1; i < x.size(); ++i)
-                result =
-                  add(adds ? Operation::plus : operation, {result, x[i]});
-              if (operation != Operation::mean)
-                return result;
-              return add(Operation::over, {result, number(x.size())});
-            }
-          default:
-            return add(operation, x);
-        }
     }
   };
 
@@ -1343,7 +897,6 @@ namespace ThermoContact
     : path_(path)
     , text_(text)
     , variable_names(names.variables)
-    , is_named(names.variables.size(), false)
   {
     Reader(*this, names, begin, end).read();
     check_values(begin > 0 || end < text.size() ? begin : nowhere);
@@ -1406,10 +959,11 @@ namespace ThermoContact
   bool
   Expression::depends_on(const std::string &variable) const
   {
-    for (unsigned int i = 0; i < variable_names.size(); ++i)
-      if (variable_names[i] == variable)
-        return is_named[i];
-    return false;
+    return std::any_of(named.begin(),
+                       named.end(),
+                       [&](const NamedVariable &one) {
+                         return variable_names[one.index] == variable;
+                       });
   }
 
 
@@ -1424,16 +978,6 @@ namespace ThermoContact
             evaluate_part(part.operands[0], variables)))
         files.push_back(tables_[part.operands[1]]->file_name());
     return files;
-  }
-
-
-
-  bool
-  Expression::is_constant() const
-  {
-    return std::none_of(is_named.begin(), is_named.end(), [](const bool is) {
-      return is;
-    });
   }
 
 
@@ -1473,76 +1017,74 @@ namespace ThermoContact
   bool
   can_name_constant(const std::string &name)
   {
-    static const std::vector<std::string> taken{
-      "x", "y", "z", "t", "gap", "pressure", "theta_A", "pi", "_pi", "_e"};
+    std::vector<std::string> taken = Expression::Reader::function_names();
+    for (const char *const variable :
+         {"x", "y", "z", "t", "gap", "pressure", "theta_A", "pi", "_pi", "_e"})
+      taken.emplace_back(variable);
     return identifiers_in(name) == std::vector<std::string>{name} &&
            name.find('.') == std::string::npos &&
-           std::find(taken.begin(), taken.end(), name) == taken.end() &&
-           !Expression::Reader::is_function(name);
+           std::find(taken.begin(), taken.end(), name) == taken.end();
   }
-
-
-
-  namespace
-  {
-    /** Constants whose values follow from each other. */
-    class ConstantEvaluator
-    {
-    public:
-      explicit ConstantEvaluator(
-        const std::map<std::string, std::string> &texts)
-        : texts(texts)
-      {}
-
-      std::map<std::string, double>
-      values()
-      {
-        for (const auto &constant : texts)
-          evaluate(constant.first);
-        return known;
-      }
-
-    private:
-      const std::map<std::string, std::string> &texts;
-      std::map<std::string, double>             known;
-      std::vector<std::string>                  open; ///< being evaluated
-
-      void
-      evaluate(const std::string &name)
-      {
-        if (known.count(name) > 0)
-          return;
-        const std::string &text  = texts.at(name);
-        const auto         first = std::find(open.begin(), open.end(), name);
-        if (first != open.end())
-          {
-            std::string path;
-            for (auto other = first; other != open.end(); ++other)
-              path += *other + " -> ";
-            path += name;
-            throw InputError("Constants/" + name + " = " + quote(text) +
-                             ": it depends on itself: " + path +
-                             "\n  allowed: numbers, or expressions in other "
-                             "constants");
-          }
-        open.push_back(name);
-        for (const std::string &other : identifiers_in(text))
-          if (texts.count(other) > 0)
-            evaluate(other);
-        known[name] =
-          Expression("Constants/" + name, text, {{}, known, "2*pi/3"})
-            .evaluate<double>(nullptr);
-        open.pop_back();
-      }
-    };
-  } // namespace
 
 
 
   std::map<std::string, double>
   evaluate_constants(const std::map<std::string, std::string> &texts)
   {
-    return ConstantEvaluator(texts).values();
+    std::map<std::string, double>                  known;
+    std::vector<std::string>                       open; // being evaluated
+    const std::function<void(const std::string &)> evaluate =
+      [&](const std::string &name) {
+        if (known.count(name) > 0)
+          return;
+        const std::string path = "Constants/" + name, &text = texts.at(name);
+        const auto        first = std::find(open.begin(), open.end(), name);
+        if (first != open.end())
+          {
+            std::string circle;
+            for (auto other = first; other != open.end(); ++other)
+              circle += *other + " -> ";
+            refuse(path,
+                   text,
+                   "it depends on itself: " + circle + name,
+                   "numbers, or expressions in other constants");
+          }
+        open.push_back(name);
+        for (const std::string &other : identifiers_in(text))
+          if (texts.count(other) > 0)
+            evaluate(other);
+        known[name] = Expression(path, text, {{}, known, "2*pi/3"})
+                        .evaluate<double>(nullptr);
+        open.pop_back();
+      };
+    // numbers first, so that a misprint of their names is answered with them
+    for (const bool is_number : {true, false})
+      for (const auto &[name, text] : texts)
+        if (parse_number(text).has_value() == is_number)
+          evaluate(name);
+    return known;
+  }
+
+
+
+  std::string
+  rename_variables(const std::string              &path,
+                   const std::string              &text,
+                   const ExpressionNames          &names,
+                   const std::vector<std::string> &others)
+  {
+    Expression expression;
+    expression.path_ = path;
+    expression.text_ = text;
+    Expression::Reader(expression, names, 0, text.size()).read();
+    std::string result;
+    std::size_t end = 0; // of what is in the result
+    for (const Expression::NamedVariable &one : expression.named)
+      {
+        result += text.substr(end, one.position - end) + others[one.index];
+        end = one.position + names.variables[one.index].size();
+      }
+    return result + text.substr(end);
   }
 
 

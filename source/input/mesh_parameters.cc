@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/input/section_of_entries.h>
 #include <thermocontact/input/words_of_kinds.h>
 
 #include <deal.II/base/patterns.h>
@@ -35,57 +36,34 @@ namespace ThermoContact
   {
     using namespace dealii::Patterns;
 
-    prm.enter_subsection("Mesh");
-    prm.add_parameter("Cells",
-                      cells,
-                      "Number of cells along the rod; the paper: 250.",
-                      Integer(1, 10000000));
-    prm.add_parameter("Degree",
-                      degree,
-                      "Polynomial degree p of both fields; the paper: 1.",
-                      Integer(1, 30));
-    prm.add_parameter("Refinements",
-                      refinements,
-                      "Global refinements of that mesh.",
-                      Integer(0, 30));
-    prm.add_parameter("Grading",
-                      grading,
-                      "Size of the first cell over size of the last, in "
-                      "geometric progression; 1 is uniform.",
-                      Double(1e-8, 1e8));
-    prm.add_parameter("Mass matrix",
-                      mass_matrix,
-                      "consistent; lumped (Gauss-Lobatto rule: diagonal); or "
-                      "midpoint (one point to a cell), with which waves in an "
-                      "elastic rod of equal linear cells have no dispersion if "
-                      "Time/Scheme = energy conserving and Time/Step size = "
-                      "h sqrt(b).",
-                      Selection("consistent|lumped|midpoint"));
-    prm.add_parameter("Geometry",
-                      geometry,
-                      "What the mesh stands for, for Dimension = 2: " +
-                        in_words(geometries(),
-                                 [](const auto &kind) {
-                                   return " (" + kind.text + ")";
-                                 }) +
-                        ".",
-                      Selection(names_of(geometries())));
-    prm.add_parameter("Width",
-                      width,
-                      "Width (and height) of the body, for Dimension > 1; its "
-                      "length is 1. With Geometry = axisymmetric its radius.",
-                      Double(1e-3, 1e3));
-    prm.add_parameter("Cells across",
-                      cells_across,
-                      "Number of cells across the body, for Dimension > 1.",
-                      Integer(1, 100000));
-    prm.add_parameter("Grading across",
-                      grading_across,
-                      "Size of the first cell across the body, at y = 0, over "
-                      "size of the last, in geometric progression; for "
-                      "Dimension > 1.",
-                      Double(1e-8, 1e8));
-    prm.leave_subsection();
+    SectionOfEntries entry(prm, "Mesh");
+    entry("Cells", cells, Integer(1, 10000000))
+      .means("Number of cells along the rod; the paper: 250.");
+    entry("Degree", degree, Integer(1, 30))
+      .means("Polynomial degree p of both fields; the paper: 1.");
+    entry("Refinements", refinements, Integer(0, 30))
+      .means("Global refinements of that mesh.");
+    entry("Grading", grading, Double(1e-8, 1e8))
+      .means("Size of the first cell over size of the last, in geometric "
+             "progression; 1 is uniform.");
+    entry("Mass matrix", mass_matrix, Selection("consistent|lumped|midpoint"))
+      .means("consistent; lumped (Gauss-Lobatto rule: diagonal); or midpoint "
+             "(one point to a cell), with which waves in an elastic rod of "
+             "equal linear cells have no dispersion if Time/Scheme = energy "
+             "conserving and Time/Step size = h sqrt(b).");
+    entry("Geometry", geometry, Selection(names_of(geometries())))
+      .means("What the mesh stands for, for Dimension = 2: " +
+             in_words(geometries(),
+                      [](const auto &kind) { return " (" + kind.text + ")"; }) +
+             ".");
+    entry("Width", width, Double(1e-3, 1e3))
+      .means("Width (and height) of the body, for Dimension > 1; its length is "
+             "1. With Geometry = axisymmetric its radius.");
+    entry("Cells across", cells_across, Integer(1, 100000))
+      .means("Number of cells across the body, for Dimension > 1.");
+    entry("Grading across", grading_across, Double(1e-8, 1e8))
+      .means("Size of the first cell across the body, at y = 0, over size of "
+             "the last, in geometric progression; for Dimension > 1.");
   }
 
 

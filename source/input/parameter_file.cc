@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace ThermoContact
@@ -104,11 +105,16 @@ namespace ThermoContact
                                entries);
         if (!is_constant_path(assignment.path))
           entry_of(assignment);
-        // The command line may override what a file sets, and itself.
+        // The command line may override what a file sets, and itself; so may a
+        // file what it includes.
+        const auto file_of = [](const std::string &place) {
+          return place.substr(0, place.rfind(", line "));
+        };
         const bool is_override = assignment.place == command_line_place;
         const auto [earlier, is_new] =
           places.emplace(assignment.path, assignment.place);
-        if (!is_new && !is_override)
+        if (!is_new && !is_override &&
+            file_of(earlier->second) == file_of(assignment.place))
           throw InputError(assignment.place + ": " + assignment.path +
                            " is set a second time, first at " +
                            earlier->second + "\n  remedy:  remove one of them");
@@ -145,6 +151,14 @@ namespace ThermoContact
           words.push_back(dealii::Utilities::trim(word));
         if (words.size() > 1)
           fault += did_you_mean(assignment.value, words);
+        std::string with_point = assignment.value;
+        std::replace(with_point.begin(), with_point.end(), ',', '.');
+        if (is_of_numbers(entry) && with_point != assignment.value &&
+            parse_number(with_point))
+          fault += "; did you mean " + with_point + "?";
+        if (is_of_numbers(entry) &&
+            assignment.value.find_first_of(":") != std::string::npos)
+          fault += "; ranges are for Study/Vary: 1e-3 .. 1 (7)";
         throw InputError(
           assignment.place + ": " + fault + "\n  allowed: " + allowed +
           "\n  meaning: " + entry.text + "\n  default: " + entry.default_value);
@@ -181,8 +195,18 @@ namespace ThermoContact
                  const std::vector<DeclaredEntry> &entries,
                  ParameterHandler                 &prm)
   {
-    const std::map<std::string, double> constants =
-      assign_constants(given, entries, prm);
+    const auto with_places = [&](const auto &action) {
+      try
+        {
+          action();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(complete_message(error.what(), given, prm));
+        }
+    };
+    std::map<std::string, double> constants;
+    with_places([&]() { constants = assign_constants(given, entries, prm); });
     Assigner                      assigner(entries, constants, prm);
     std::vector<std::string>      faults;
     const std::vector<Assignment> assignments =
@@ -210,7 +234,8 @@ namespace ThermoContact
     const auto assign_if = [&](const auto &is_one, const auto &value) {
       for (unsigned int i = 0; i < assignments.size(); ++i)
         if (const Assignment &assignment = assignments[i];
-            assigner.knows(assignment) && is_one(assignment))
+            assigner.knows(assignment) && is_one(assignment) &&
+            last_assignment(assignments, assignment.path) == &assignment)
           collect([&]() { assigner.assign(given[i], value(assignment)); });
     };
     const auto is_of_rod = [](const Assignment &assignment) {
@@ -218,9 +243,9 @@ namespace ThermoContact
     };
     if (!is_in_si(assignments))
       {
-        collect([&]() { refuse_units(assignments); });
         assign_if([](const Assignment &) { return true; },
                   [](const Assignment &assignment) {
+                    refuse_units({assignment});
                     return assignment.value;
                   });
         return throw_faults(faults);
@@ -233,12 +258,13 @@ namespace ThermoContact
     for (const Assignment &assignment : assignments)
       if (is_of_rod(assignment) && !assignment.is_section())
         set_entry({"", assignment.path, without_unit(assignment)}, rod_prm);
-    const SiScene scene(assignments, entries, rod);
+    std::optional<SiScene> scene;
+    with_places([&]() { scene.emplace(assignments, entries, rod, constants); });
     assign_if(
       [&](const Assignment &assignment) { return !is_of_rod(assignment); },
-      [&](const Assignment &assignment) { return scene.value(assignment); });
+      [&](const Assignment &assignment) { return scene->value(assignment); });
     throw_faults(faults);
-    for (const Assignment &assignment : scene.derived())
+    for (const Assignment &assignment : scene->derived())
       assigner.assign(assignment, assignment.value);
   }
 
@@ -264,12 +290,8 @@ namespace ThermoContact
       if (message.rfind(head, 0) != 0 ||
           (rest.rfind(shown, 0) != 0 && !parse_number(rest.substr(0, size))))
         return;
-      const auto last = std::find_if(assignments.rbegin(),
-                                     assignments.rend(),
-                                     [&](const Assignment &assignment) {
-                                       return assignment.path == entry.path;
-                                     });
-      if (last != assignments.rend())
+      if (const Assignment *const last =
+            last_assignment(assignments, entry.path))
         message = head + quote(last->value) + rest.substr(size);
     }
   } // namespace
@@ -287,7 +309,9 @@ namespace ThermoContact
     };
     std::string place;
     for (const Assignment &assignment : assignments)
-      if (is_about(assignment.path))
+      if (message.rfind(assignment.place + ": ", 0) == 0)
+        return message; // complete
+      else if (is_about(assignment.path))
         place = assignment.place + ": ";
     // a default value that something else makes wrong
     for (const Assignment &assignment : assignments)

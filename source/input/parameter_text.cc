@@ -5,11 +5,13 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <sstream>
 
 namespace ThermoContact
@@ -111,53 +113,173 @@ namespace ThermoContact
 
 
 
-    struct OpenSection
+    constexpr unsigned int max_depth = 10; // of sections, and of files
+
+
+
+    /** Collects the statements of a file and of those that it includes. */
+    class StatementReader
     {
-      std::string place;
-      std::string path; ///< "Section/"
+    public:
+      std::vector<Assignment> statements;
+
+      /** @throw InputError with all faults */
+      void
+      read(std::istream &input, const std::string &name)
+      {
+        read_file(input, name, "", 0);
+        throw_faults(faults);
+      }
+
+    private:
+      struct OpenSection
+      {
+        std::string place;
+        std::string path; ///< "Section/"
+      };
+
+      std::vector<std::string> faults;
+
+      /** @param section in which it begins: nothing, or "Section/" */
+      void
+      read_file(std::istream      &input,
+                const std::string &name,
+                const std::string &section,
+                const unsigned int n_files)
+      {
+        std::vector<OpenSection> open_sections{{"", section}};
+        std::string              line, physical_line;
+        unsigned int             n_lines = 0;
+        while (std::getline(input, physical_line))
+          {
+            ++n_lines;
+            const auto place = [&]() {
+              return quote(name) + ", line " + std::to_string(n_lines);
+            };
+            if (const std::string fault = find_unreadable(physical_line);
+                !fault.empty())
+              fail(place(),
+                   fault,
+                   "give a parameter file, as text in UTF-8 with the line ends "
+                   "of Unix or Windows");
+            if (n_lines == 1 && physical_line.rfind("\xEF\xBB\xBF", 0) == 0)
+              physical_line.erase(0, 3); // some editors mark UTF-8 so
+
+            line += physical_line.substr(0, physical_line.find('#'));
+            if (line.size() > max_statement_size)
+              fail(place(),
+                   "a statement of more than " +
+                     std::to_string(max_statement_size) + " characters, '" +
+                     quote(trim(line), 60) + "'",
+                   "give a parameter file (.prm)");
+            if (const std::string trimmed = trim(line);
+                !trimmed.empty() && trimmed.back() == '\\')
+              {
+                line = trimmed.substr(0, trimmed.size() - 1) + " ";
+                continue;
+              }
+            if (const std::string statement = trim(line); !statement.empty())
+              try
+                {
+                  read_statement(
+                    statement, place(), name, n_files, open_sections);
+                }
+              catch (const InputError &error)
+                {
+                  if (statements.empty())
+                    throw; // no parameter file at all
+                  faults.emplace_back(error.what());
+                }
+            line.clear();
+          }
+
+        if (!faults.empty())
+          return; // they are told at the end
+        if (!trim(line).empty())
+          fail(quote(name),
+               "the last line ends in '\\'",
+               "complete the line or remove the '\\'");
+        if (open_sections.size() > 1)
+          fail(open_sections.back().place,
+               "'end' is missing for subsection " +
+                 quote(open_sections.back().path.substr(
+                         0, open_sections.back().path.size() - 1),
+                       60),
+               "close each subsection with 'end'");
+      }
+
+
+
+      void
+      read_statement(const std::string        &statement,
+                     const std::string        &place,
+                     const std::string        &name,
+                     const unsigned int        n_files,
+                     std::vector<OpenSection> &open_sections)
+      {
+        const auto        blank = statement.find_first_of(" \t");
+        const std::string verb  = statement.substr(0, blank);
+        const std::string rest =
+          blank == std::string::npos ? "" : trim(statement.substr(blank));
+        const auto        equal_sign = rest.find('=');
+        const std::string entry      = equal_sign == std::string::npos ?
+                                         "" :
+                                         trim(rest.substr(0, equal_sign));
+        const std::string section    = open_sections.back().path;
+
+        if (verb == "subsection" && !rest.empty())
+          {
+            if (open_sections.size() > max_depth)
+              fail(place,
+                   "ten sections within each other",
+                   "close each subsection with 'end'");
+            open_sections.push_back({place, section + rest + "/"});
+            statements.push_back({place, open_sections.back().path, ""});
+          }
+        else if (verb == "end" && rest.empty())
+          {
+            if (open_sections.size() == 1)
+              fail(place, "'end' without 'subsection'", "remove the line");
+            open_sections.pop_back();
+          }
+        else if (verb == "include" && !rest.empty())
+          include(rest, place, name, section, n_files);
+        else if (verb == "set" && !entry.empty() && entry.back() != '/')
+          statements.push_back(
+            {place, section + entry, trim(rest.substr(equal_sign + 1))});
+        else
+          fail(place,
+               "cannot read '" + quote(statement, 60) + "'",
+               "a line is 'set Entry = value', 'subsection Name', 'end', "
+               "'include FILE', a comment after '#', or empty");
+      }
+
+
+
+      void
+      include(const std::string &file,
+              const std::string &place,
+              const std::string &name,
+              const std::string &section,
+              const unsigned int n_files)
+      {
+        if (n_files >= max_depth)
+          fail(place, "ten files that include each other", "remove the line");
+        const std::filesystem::path path =
+          std::filesystem::path(name).parent_path() / file;
+        std::string text;
+        try
+          {
+            text = read_text(path.string());
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(place + ": include " + error.what());
+          }
+        std::istringstream stream(text);
+        read_file(stream, path.string(), section, n_files + 1);
+      }
     };
-
-    /** Adds what one statement says. */
-    void
-    read_statement(const std::string        &statement,
-                   const std::string        &place,
-                   std::vector<OpenSection> &open_sections,
-                   std::vector<Assignment>  &statements)
-    {
-      const auto        blank = statement.find_first_of(" \t");
-      const std::string verb  = statement.substr(0, blank);
-      const std::string rest =
-        blank == std::string::npos ? "" : trim(statement.substr(blank));
-      const auto        equal_sign = rest.find('=');
-      const std::string entry =
-        equal_sign == std::string::npos ? "" : trim(rest.substr(0, equal_sign));
-      const std::string section =
-        open_sections.empty() ? "" : open_sections.back().path;
-
-      if (verb == "subsection" && !rest.empty())
-        {
-          if (open_sections.size() > 9)
-            fail(place,
-                 "ten sections within each other",
-                 "close each subsection with 'end'");
-          open_sections.push_back({place, section + rest + "/"});
-          statements.push_back({place, open_sections.back().path, ""});
-        }
-      else if (verb == "end" && rest.empty())
-        {
-          if (open_sections.empty())
-            fail(place, "'end' without 'subsection'", "remove the line");
-          open_sections.pop_back();
-        }
-      else if (verb == "set" && !entry.empty() && entry.back() != '/')
-        statements.push_back(
-          {place, section + entry, trim(rest.substr(equal_sign + 1))});
-      else
-        fail(place,
-             "cannot read '" + quote(statement, 60) + "'",
-             "a line is 'set Entry = value', 'subsection Name', 'end', a "
-             "comment after '#', or empty");
-    }
   } // namespace
 
 
@@ -210,15 +332,20 @@ namespace ThermoContact
   std::string
   read_text(const std::string &file_name)
   {
-    const std::string place = quote(file_name);
-    std::error_code   not_found; // the stream says why
+    const bool        is_standard_input = file_name == "-";
+    const std::string place =
+      is_standard_input ? "standard input" : quote(file_name);
+    std::error_code not_found; // the stream says why
     if (std::filesystem::is_directory(file_name, not_found))
       fail(place, "is a directory", "give a parameter file (.prm)");
-    std::ifstream input(file_name, std::ios::binary);
+    std::ifstream file;
+    if (!is_standard_input)
+      file.open(file_name, std::ios::binary);
+    std::istream &input = is_standard_input ? std::cin : file;
     if (!input)
       fail(place,
            std::string("cannot be opened: ") + std::strerror(errno),
-           "check the path of the parameter file");
+           "check its path");
 
     std::string             text;
     std::array<char, 65536> buffer;
@@ -244,67 +371,34 @@ namespace ThermoContact
   std::vector<Assignment>
   read_assignments(std::istream &input, const std::string &name)
   {
-    std::vector<Assignment>  statements;
-    std::vector<OpenSection> open_sections;
-    std::vector<std::string> faults;
-    std::string              line, physical_line;
-    unsigned int             n_lines = 0;
+    StatementReader reader;
+    reader.read(input, name);
+    return reader.statements;
+  }
 
-    while (std::getline(input, physical_line))
-      {
-        ++n_lines;
-        const auto place = [&]() {
-          return quote(name) + ", line " + std::to_string(n_lines);
-        };
-        if (const std::string fault = find_unreadable(physical_line);
-            !fault.empty())
-          fail(place(),
-               fault,
-               "give a parameter file, as text in UTF-8 with the line ends of "
-               "Unix or Windows");
-        if (n_lines == 1 && physical_line.rfind("\xEF\xBB\xBF", 0) == 0)
-          physical_line.erase(0, 3); // some editors mark UTF-8 so
 
-        line += physical_line.substr(0, physical_line.find('#'));
-        if (line.size() > max_statement_size)
-          fail(place(),
-               "a statement of more than " +
-                 std::to_string(max_statement_size) + " characters, '" +
-                 quote(trim(line), 60) + "'",
-               "give a parameter file (.prm)");
-        if (const std::string trimmed = trim(line);
-            !trimmed.empty() && trimmed.back() == '\\')
-          {
-            line = trimmed.substr(0, trimmed.size() - 1) + " ";
-            continue;
-          }
-        if (const std::string statement = trim(line); !statement.empty())
-          try
-            {
-              read_statement(statement, place(), open_sections, statements);
-            }
-          catch (const InputError &error)
-            {
-              if (statements.empty())
-                throw; // no parameter file at all
-              faults.emplace_back(error.what());
-            }
-        line.clear();
-      }
 
-    throw_faults(faults);
-    if (!trim(line).empty())
-      fail(quote(name),
-           "the last line ends in '\\'",
-           "complete the line or remove the '\\'");
-    if (const std::string section =
-          open_sections.empty() ? "" : open_sections.back().path;
-        !section.empty())
-      fail(open_sections.back().place,
-           "'end' is missing for subsection " +
-             quote(section.substr(0, section.size() - 1), 60),
-           "close each subsection with 'end'");
-    return statements;
+  std::vector<Assignment>
+  read_parameter_file(const std::string &file_name)
+  {
+    const std::string  text = read_text(file_name);
+    std::istringstream stream(text);
+    return read_assignments(stream,
+                            file_name == "-" ? "standard input" : file_name);
+  }
+
+
+
+  const Assignment *
+  last_assignment(const std::vector<Assignment> &assignments,
+                  const std::string             &path)
+  {
+    const auto last = std::find_if(assignments.rbegin(),
+                                   assignments.rend(),
+                                   [&](const Assignment &assignment) {
+                                     return assignment.path == path;
+                                   });
+    return last == assignments.rend() ? nullptr : &*last;
   }
 
 

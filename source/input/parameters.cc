@@ -2,8 +2,8 @@
 
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/constants.h>
-#include <thermocontact/input/number_or_word.h>
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/input/section_of_entries.h>
 #include <thermocontact/input/words_of_kinds.h>
 
 #include <deal.II/base/patterns.h>
@@ -35,37 +35,26 @@ namespace ThermoContact
   void
   ModelParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.enter_subsection("Model");
-    prm.add_parameter("Fields",
-                      fields,
-                      "The fields that the scene has; the other one is absent "
-                      "from the unknowns, the matrices and the files.",
-                      Selection("temperature and displacement|temperature|"
-                                "displacement"));
-    prm.add_parameter("Inertia",
-                      inertia,
-                      "Inertia coefficient b >= 0 of the momentum equation; 0 "
-                      "is quasi-static.",
-                      coefficient);
-    prm.add_parameter("Viscosity",
-                      viscosity,
-                      "Kelvin-Voigt viscosity zeta >= 0.",
-                      coefficient);
-    prm.add_parameter("Coupling",
-                      coupling,
-                      "Thermoelastic coupling a: thermal stress -a theta and "
-                      "heating -a div u_t.",
-                      signed_coefficient);
-    prm.add_parameter("Thermoelastic heating",
-                      heating,
-                      "The term -a div u_t of the heat equation; false: motion "
-                      "does not heat the body.");
-    prm.add_parameter("Poisson ratio",
-                      poisson_ratio,
-                      "Poisson ratio nu, for Dimension > 1; the P-wave modulus "
-                      "is one for every nu.",
-                      Double(-1., 0.5));
-    prm.leave_subsection();
+    SectionOfEntries entry(prm, "Model");
+    entry("Fields",
+          fields,
+          Selection("temperature and displacement|temperature|displacement"))
+      .means("The fields that the scene has; the other one is absent from the "
+             "unknowns, the matrices and the files.");
+    entry("Inertia", inertia, coefficient)
+      .means("Inertia coefficient b >= 0 of the momentum equation; 0 is "
+             "quasi-static.");
+    entry("Viscosity", viscosity, coefficient)
+      .means("Kelvin-Voigt viscosity zeta >= 0.");
+    entry("Coupling", coupling, signed_coefficient)
+      .means("Thermoelastic coupling a: thermal stress -a theta and heating -a "
+             "div u_t.");
+    entry("Thermoelastic heating", heating)
+      .means("The term -a div u_t of the heat equation; false: motion does not "
+             "heat the body.");
+    entry("Poisson ratio", poisson_ratio, Double(-1., 0.5))
+      .means("Poisson ratio nu, for Dimension > 1; the P-wave modulus is one "
+             "for every nu.");
   }
 
 
@@ -73,72 +62,46 @@ namespace ThermoContact
   void
   BoundaryParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.enter_subsection("Boundary");
-    add_number_or_expression(
-      prm,
-      "Fixed end temperature",
-      fixed_end_temperature,
-      "t",
-      "Temperature theta_A of the fixed end x = 0; an expression in t, e.g. "
-      "10*sin(2*pi*t).",
-      [this](const double number, const std::string &expression) {
-        fixed_end_temperature = number;
-        fixed_end_expression  = expression;
-      },
-      true);
-    prm.add_parameter("Fixed end displacement",
-                      fixed_end_displacement,
-                      "Displacement u_A of the fixed end x = 0 along the axis, "
-                      "a base that moves: an expression in t, zero at t = 0, "
-                      "e.g. 0.1*sin(2*pi*t).");
-    add_number_or_expression(
-      prm,
-      "Heat exchange",
-      heat_exchange,
-      "gap, pressure",
-      "Heat exchange coefficient k >= 0 of the contact end: -d theta/dn = k "
-      "(theta - theta_obs); an expression in the local gap >= 0 and pressure >= "
-      "0, e.g. if(pressure > 0, 10 + 5*pressure, 0.1/(0.1 + gap)).",
-      [this](const double number, const std::string &expression) {
-        heat_exchange       = number;
-        exchange_expression = expression;
-      });
-    add_number_or_expression(
-      prm,
-      "Obstacle temperature",
-      obstacle_temperature,
-      "y, z, t",
-      "Temperature theta_obs of the obstacle; an expression in t, and in y, z "
-      "for Dimension > 1, e.g. 5*sin(2*pi*t), if the heat exchange is a number.",
-      [this](const double number, const std::string &expression) {
-        obstacle_temperature = number;
-        obstacle_expression  = expression;
-      },
-      true);
-    prm.add_parameter("Lateral heat exchange",
-                      lateral_heat_exchange,
-                      "Heat m (theta - theta_inf) that the rod loses to its "
-                      "surroundings per volume, m >= 0; for Dimension > 1 "
-                      "through its lateral faces: -d theta/dn = m A/P (theta - "
-                      "theta_inf), A/P the area of the cross-section over its "
-                      "perimeter.",
-                      coefficient);
-    prm.add_parameter("Ambient temperature",
-                      ambient_temperature,
-                      "Temperature theta_inf of the surroundings.",
-                      any_number);
-    prm.add_parameter("Lateral support",
-                      lateral_support,
-                      "Lateral faces, for Dimension > 1: rollers (no normal "
-                      "displacement) or free.",
-                      Selection("rollers|free"));
-    prm.add_parameter("Fixed end support",
-                      fixed_end_support,
-                      "The fixed end x = 0, for Dimension > 1: clamped (no "
-                      "displacement) or sliding (no axial displacement, no "
-                      "shear stress).",
-                      Selection("clamped|sliding"));
-    prm.leave_subsection();
+    SectionOfEntries entry(prm, "Boundary");
+    entry("Fixed end temperature",
+          fixed_end_temperature,
+          fixed_end_expression,
+          NumberOrText::expression("t", true))
+      .means("Temperature theta_A of the fixed end x = 0; an expression in t, "
+             "e.g. 10*sin(2*pi*t).");
+    entry("Fixed end displacement", fixed_end_displacement)
+      .means("Displacement u_A of the fixed end x = 0 along the axis, a base "
+             "that moves: an expression in t, zero at t = 0, e.g. "
+             "0.1*sin(2*pi*t).");
+    entry("Heat exchange",
+          heat_exchange,
+          exchange_expression,
+          NumberOrText::expression("gap, pressure", false))
+      .means("Heat exchange coefficient k >= 0 of the contact end: -d theta/dn "
+             "= k (theta - theta_obs); an expression in the local gap >= 0 and "
+             "pressure >= 0, e.g. if(pressure > 0, 10 + 5*pressure, 0.1/(0.1 + "
+             "gap)).");
+    entry("Obstacle temperature",
+          obstacle_temperature,
+          obstacle_expression,
+          NumberOrText::expression("y, z, t", true))
+      .means("Temperature theta_obs of the obstacle; an expression in t, and "
+             "in y, z for Dimension > 1, e.g. 5*sin(2*pi*t), if the heat "
+             "exchange is a number.");
+    entry("Lateral heat exchange", lateral_heat_exchange, coefficient)
+      .means("Heat m (theta - theta_inf) that the rod loses to its "
+             "surroundings per volume, m >= 0; for Dimension > 1 through its "
+             "lateral faces: -d theta/dn = m A/P (theta - theta_inf), A/P the "
+             "area of the cross-section over its perimeter.");
+    entry("Ambient temperature", ambient_temperature, any_number)
+      .means("Temperature theta_inf of the surroundings.");
+    entry("Lateral support", lateral_support, Selection("rollers|free"))
+      .means("Lateral faces, for Dimension > 1: rollers (no normal "
+             "displacement) or free.");
+    entry("Fixed end support", fixed_end_support, Selection("clamped|sliding"))
+      .means("The fixed end x = 0, for Dimension > 1: clamped (no "
+             "displacement) or sliding (no axial displacement, no shear "
+             "stress).");
   }
 
 
@@ -149,21 +112,16 @@ namespace ThermoContact
     const std::string variables =
       " Expression in x (y, z); pi is known, and theta_A where there is a "
       "temperature.";
-    prm.enter_subsection("Initial values");
-    prm.add_parameter("Temperature",
-                      temperature,
-                      "Temperature theta_0." + variables);
-    prm.add_parameter("Displacement",
-                      displacement,
-                      "Displacement u_0, zero at x = 0; components separated "
-                      "by ';', one alone is the axial one." +
-                        variables);
-    prm.add_parameter("Velocity",
-                      velocity,
-                      "Velocity u_1, zero at x = 0; components separated by "
-                      "';', one alone is the axial one." +
-                        variables);
-    prm.leave_subsection();
+    SectionOfEntries entry(prm, "Initial values");
+    entry("Temperature", temperature).means("Temperature theta_0." + variables);
+    entry("Displacement", displacement)
+      .means("Displacement u_0, zero at x = 0; components separated by ';', "
+             "one alone is the axial one." +
+             variables);
+    entry("Velocity", velocity)
+      .means("Velocity u_1, zero at x = 0; components separated by ';', one "
+             "alone is the axial one." +
+             variables);
   }
 
 
@@ -174,26 +132,21 @@ namespace ThermoContact
     const std::string variables =
       " Expression in x (y, z), t; pi is known, and theta_A where there is a "
       "temperature.";
-    prm.enter_subsection("Sources");
-    prm.add_parameter("Heat source",
-                      heat_source,
-                      "Heat source q per volume." + variables);
-    prm.add_parameter("Body force",
-                      body_force,
-                      "Body force f per volume; components separated by ';', "
-                      "one alone is the axial one." +
-                        variables);
-    prm.add_parameter("End traction",
-                      end_traction,
-                      "Traction t on the contact end, positive outward: the "
-                      "end stress is -pressure + t." +
-                        variables);
-    prm.add_parameter("End heat flux",
-                      end_heat_flux,
-                      "Heat flux h into the contact end: -d theta/dn = "
-                      "k (theta - theta_obs) - h." +
-                        variables);
-    prm.leave_subsection();
+    SectionOfEntries entry(prm, "Sources");
+    entry("Heat source", heat_source)
+      .means("Heat source q per volume." + variables);
+    entry("Body force", body_force)
+      .means("Body force f per volume; components separated by ';', one alone "
+             "is the axial one." +
+             variables);
+    entry("End traction", end_traction)
+      .means("Traction t on the contact end, positive outward: the end stress "
+             "is -pressure + t." +
+             variables);
+    entry("End heat flux", end_heat_flux)
+      .means("Heat flux h into the contact end: -d theta/dn = k (theta - "
+             "theta_obs) - h." +
+             variables);
   }
 
 
@@ -201,72 +154,43 @@ namespace ThermoContact
   void
   TimeParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.enter_subsection("Time");
-    prm.add_parameter("Scheme",
-                      scheme,
-                      "Time integrator: " +
-                        in_words(schemes(), describe_scheme) + ".",
-                      Selection(names_of(schemes())));
-    prm.add_parameter(
-      "Start",
-      start,
-      "First step: paper (the end of the step is u_0 + dt u_1, "
-      "then the heat equation alone), consistent (a step like "
-      "all others), automatic (paper for " +
-        find_scheme([](const Scheme &s) { return s.is_of_paper; })->name + ").",
-      Selection("automatic|paper|consistent"));
-    prm.add_parameter("End time", end_time, "End time T >= 0.", duration);
-    add_number_or_word(
-      prm,
-      "Step size",
-      "automatic",
-      "Time step dt > 0, the same for all steps but those that end at T, at "
-      "a contact event or at an output time; automatic: from the error "
-      "estimate of the scheme and the tolerance. The paper: 0.001.",
-      [this](const double *dt) {
-        step_size = dt ? std::optional<double>(*dt) : std::nullopt;
-      });
-    prm.add_parameter("Tolerance",
-                      tolerance,
-                      "Tolerance of automatic steps: error per step, relative "
-                      "to the running maximum of each field.",
-                      Double(1e-13, 0.1));
-    add_number_or_word(prm,
-                       "First step size",
-                       "automatic",
-                       "First of the automatic steps.",
-                       [this](const double *dt) {
-                         first_step_size =
-                           dt ? std::optional<double>(*dt) : std::nullopt;
-                       });
-    prm.add_parameter("Minimum step size",
-                      minimum_step_size,
-                      "An automatic step that would have to be smaller stops "
-                      "the run with an error; steps to contact events, output "
-                      "times and T may be smaller.",
-                      duration);
-    add_number_or_word(prm,
-                       "Maximum step size",
-                       "infinity",
-                       "Largest automatic step.",
-                       [this](const double *dt) {
-                         maximum_step_size =
-                           dt ? *dt : std::numeric_limits<double>::infinity();
-                       });
-    prm.add_parameter("Locate contact events",
-                      locate_contact_events,
-                      "Steps end where contact begins or ends, which keeps the "
-                      "order of the scheme; automatic: with automatic steps.",
-                      Selection("automatic|true|false"));
-    prm.add_parameter(
-      "Break points",
-      break_points,
-      "Times, separated by ';', at which steps end, for loads "
-      "that jump or bend there. Automatic steps find those "
-      "of expressions in t by themselves. Times after T have no "
-      "effect.",
-      List(duration, 0, 100000, ";"));
-    prm.leave_subsection();
+    SectionOfEntries entry(prm, "Time");
+    entry("Scheme", scheme, Selection(names_of(schemes())))
+      .means("Time integrator: " + in_words(schemes(), describe_scheme) + ".");
+    entry("Start", start, Selection("automatic|paper|consistent"))
+      .means("First step: paper (the end of the step is u_0 + dt u_1, then the "
+             "heat equation alone), consistent (a step like all others), "
+             "automatic (paper for " +
+             find_scheme([](const Scheme &s) { return s.is_of_paper; })->name +
+             ").");
+    entry("End time", end_time, duration).means("End time T >= 0.");
+    entry("Step size", step_size, NumberOrText::word("automatic"))
+      .means("Time step dt > 0, the same for all steps but those that end at "
+             "T, at a contact event or at an output time; automatic: from the "
+             "error estimate of the scheme and the tolerance. The paper: "
+             "0.001.");
+    entry("Tolerance", tolerance, Double(1e-13, 0.1))
+      .means("Tolerance of automatic steps: error per step, relative to the "
+             "running maximum of each field.");
+    entry("First step size", first_step_size, NumberOrText::word("automatic"))
+      .means("First of the automatic steps.");
+    entry("Minimum step size", minimum_step_size, duration)
+      .means("An automatic step that would have to be smaller stops the run "
+             "with an error; steps to contact events, output times and T may "
+             "be smaller.");
+    entry("Maximum step size",
+          maximum_step_size,
+          NumberOrText::word("infinity"))
+      .means("Largest automatic step.");
+    entry("Locate contact events",
+          locate_contact_events,
+          Selection("automatic|true|false"))
+      .means("Steps end where contact begins or ends, which keeps the order of "
+             "the scheme; automatic: with automatic steps.");
+    entry("Break points", break_points, List(duration, 0, 100000, ";"))
+      .means("Times, separated by ';', at which steps end, for loads that jump "
+             "or bend there. Automatic steps find those of expressions in t by "
+             "themselves. Times after T have no effect.");
   }
 
 
@@ -274,45 +198,28 @@ namespace ThermoContact
   void
   SolverParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.enter_subsection("Solver");
-    prm.add_parameter("Step solver",
-                      step_solver,
-                      "monolithic: one coupled solve with exact contact; fixed "
-                      "point: the iteration (3.3)-(3.4) of the paper, which "
-                      "converges for small steps only.",
-                      Selection("monolithic|fixed point"));
-    prm.add_parameter("Fixed point tolerance",
-                      fixed_point_tolerance,
-                      "Largest change of a displacement in the last iteration, "
-                      "relative to the largest displacement.",
-                      Double(1e-16, 1.));
-    prm.add_parameter("Fixed point iterations",
-                      fixed_point_iterations,
-                      "Iterations per step after which the run stops with an "
-                      "error.",
-                      Integer(1, 1000000));
-    prm.add_parameter(
-      "Linear solver",
-      linear_solver,
-      "direct: sparse factors of the stage matrix, one set for "
-      "each step size; iterative: Krylov and multigrid without "
-      "matrices, for large bodies in two and three dimensions; "
-      "automatic: blocks along the rod in one dimension and one "
-      "process, else what is faster for the number of "
-      "unknowns.",
-      Selection("automatic|direct|iterative"));
-    add_number_or_word(prm,
-                       "Linear tolerance",
-                       "automatic",
-                       "Residual at which the iterative solver stops, relative "
-                       "to the terms of the equations of a stage: at least "
-                       "1e-14 and below 0.01; automatic: 1e-9.",
-                       [this](const double *number) {
-                         linear_tolerance = number ?
-                                              std::optional<double>(*number) :
-                                              std::nullopt;
-                       });
-    prm.leave_subsection();
+    SectionOfEntries entry(prm, "Solver");
+    entry("Step solver", step_solver, Selection("monolithic|fixed point"))
+      .means("monolithic: one coupled solve with exact contact; fixed point: "
+             "the iteration (3.3)-(3.4) of the paper, which converges for "
+             "small steps only.");
+    entry("Fixed point tolerance", fixed_point_tolerance, Double(1e-16, 1.))
+      .means("Largest change of a displacement in the last iteration, relative "
+             "to the largest displacement.");
+    entry("Fixed point iterations", fixed_point_iterations, Integer(1, 1000000))
+      .means("Iterations per step after which the run stops with an error.");
+    entry("Linear solver",
+          linear_solver,
+          Selection("automatic|direct|iterative"))
+      .means("direct: sparse factors of the stage matrix, one set for each "
+             "step size; iterative: Krylov and multigrid without matrices, for "
+             "large bodies in two and three dimensions; automatic: blocks "
+             "along the rod in one dimension and one process, else what is "
+             "faster for the number of unknowns.");
+    entry("Linear tolerance", linear_tolerance, NumberOrText::word("automatic"))
+      .means("Residual at which the iterative solver stops, relative to the "
+             "terms of the equations of a stage: at least 1e-14 and below "
+             "0.01; automatic: 1e-9.");
   }
 
 
@@ -361,10 +268,10 @@ namespace ThermoContact
       name_of_constants,
       "",
       Anything(),
-      "A constant of any name that means nothing else: a number, "
-      "or an expression in other constants, e.g. omega = 2.1, P "
-      "= 2*pi/omega. Every expression and every number of the "
-      "file may name it, e.g. Time/End time = 40*P.");
+      "A constant of any name that means nothing else: a number, or an "
+      "expression in other constants, e.g. omega = 2.1, P = 2*pi/omega. Every "
+      "expression and every number of the file may name it, e.g. Time/End time "
+      "= 40*P.");
     prm.add_action(name_of_constants, [this](const std::string &values) {
       constants = constants_of(values);
       folder    = folder_of(values);

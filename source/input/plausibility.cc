@@ -5,7 +5,6 @@
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/unit_text.h>
 
-#include <algorithm>
 #include <limits>
 
 namespace ThermoContact
@@ -45,20 +44,12 @@ namespace ThermoContact
   implausible_numbers(const std::vector<Assignment> &assignments)
   {
     std::vector<std::string> doubts;
-    if (std::none_of(assignments.begin(),
-                     assignments.end(),
-                     [](const Assignment &assignment) {
-                       return assignment.path == "Rod/Length";
-                     }))
+    if (last_assignment(assignments, "Rod/Length") == nullptr)
       return doubts;
     for (const Range &range : ranges)
       {
-        const auto last = std::find_if(assignments.rbegin(),
-                                       assignments.rend(),
-                                       [&](const Assignment &assignment) {
-                                         return assignment.path == range.path;
-                                       });
-        if (last == assignments.rend())
+        const Assignment *const last = last_assignment(assignments, range.path);
+        if (last == nullptr)
           continue;
         const auto split = split_unit(last->value);
         const bool is_doubted =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/input/number_or_word.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/scales.h>
+#include <thermocontact/input/section_of_entries.h>
 #include <thermocontact/input/words_of_kinds.h>
 
 #include <deal.II/base/exceptions.h>
@@ -77,42 +77,38 @@ namespace ThermoContact
   void
   ScalesParameters::add_parameters(ParameterHandler &prm)
   {
-    const auto add = [&prm](const std::string     &name,
-                            const std::string     &text,
-                            std::optional<double> &member) {
-      add_number_or_word(
-        prm, name, "none", text, [&member](const double *value) {
-          member = value ? std::optional<double>(*value) : std::nullopt;
-        });
-    };
-    prm.enter_subsection("Scales");
-    add("Length", "Length of the rod, m.", length);
-    add("Time", "Time in which heat diffuses through the rod, s.", time);
-    add("Displacement",
-        "What displacement, gap and penetration are measured in, m; none: in "
-        "Length.",
-        displacement);
-    add("Stress", "What stress and pressure are measured in, Pa.", stress);
-    add("Area",
-        "Area of the cross-section, m^2: a force is a stress times it.",
-        area);
-    add("Temperature",
-        "What temperatures above the reference are measured in, K.",
-        temperature);
-    add("Reference temperature",
-        "Absolute temperature of the rod without stress, K, at which the "
-        "nondimensional one is 0.",
-        reference_temperature);
-    prm.add_parameter("Time unit",
-                      time_unit,
-                      "Unit of times in files and on the screen.",
-                      dealii::Patterns::Selection(names_of(time_units())));
-    prm.add_parameter(
-      "Temperature unit",
-      temperature_unit,
-      "Unit of temperatures there: kelvin, or C for degrees Celsius.",
-      dealii::Patterns::Selection(names_of(temperature_units())));
-    prm.leave_subsection();
+    const NumberOrText none = NumberOrText::word("none");
+    SectionOfEntries   entry(prm, "Scales");
+    entry("Length", length, none).means("Length of the rod, m.");
+    entry("Time", time, none)
+      .means("Time in which heat diffuses through the "
+             "rod, s.");
+    entry("Displacement", displacement, none)
+      .means("What displacement, gap "
+             "and penetration are "
+             "measured in, m; none: in "
+             "Length.");
+    entry("Stress", stress, none)
+      .means("What stress and pressure are measured "
+             "in, Pa.");
+    entry("Area", area, none)
+      .means("Area of the cross-section, m^2: a force "
+             "is a stress times it.");
+    entry("Temperature", temperature, none)
+      .means("What temperatures above the "
+             "reference are measured in, "
+             "K.");
+    entry("Reference temperature", reference_temperature, none)
+      .means("Absolute temperature of the rod without stress, K, at which the "
+             "nondimensional one is 0.");
+    entry("Time unit",
+          time_unit,
+          dealii::Patterns::Selection(names_of(time_units())))
+      .means("Unit of times in files and on the screen.");
+    entry("Temperature unit",
+          temperature_unit,
+          dealii::Patterns::Selection(names_of(temperature_units())))
+      .means("Unit of temperatures there: kelvin, or C for degrees Celsius.");
   }
 
 

@@ -5,6 +5,7 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/contact/contact_law.h>
 #include <thermocontact/input/expression.h>
+#include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/scales.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/unit_text.h>
@@ -15,9 +16,8 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -213,16 +213,28 @@ namespace ThermoContact
   void
   refuse_units(const std::vector<Assignment> &assignments)
   {
+    // what is behind a number may be a name, whose '*' is missing
+    const auto is_unit = [](const std::string &text) {
+      try
+        {
+          return convert_unit(1., text, "1") || true;
+        }
+      catch (const std::invalid_argument &)
+        {
+          return false;
+        }
+    };
     for (const Assignment &assignment : assignments)
       {
         const auto split = split_unit(assignment.value);
         if (!find_kind(quantities, assignment.path).empty() && split &&
-            !split->unit.empty())
+            !split->unit.empty() && is_unit(split->unit))
           refuse_value(assignment,
-                       "the file has no section Rod, from which the scales of "
-                       "a scene in SI units follow",
+                       "a unit, and the file has no section Rod, from which "
+                       "the scales of a scene in SI units follow",
                        "a nondimensional number",
-                       "the number without a unit, or section Rod");
+                       "the number without a unit, '*' before a name, or "
+                       "section Rod");
         if (assignment.path == "Contact/Stiffness" &&
             assignment.value != "none")
           refuse_value(assignment,
@@ -234,12 +246,14 @@ namespace ThermoContact
 
 
 
-  SiScene::SiScene(const std::vector<Assignment>    &assignments,
-                   const std::vector<DeclaredEntry> &entries,
-                   const RodParameters              &rod)
+  SiScene::SiScene(const std::vector<Assignment>       &assignments,
+                   const std::vector<DeclaredEntry>    &entries,
+                   const RodParameters                 &rod,
+                   const std::map<std::string, double> &constants)
     : assignments(assignments)
     , entries(entries)
     , rod(rod)
+    , constants(constants)
     , dim(parse_number(given("Dimension").value_or("1")).value_or(1.))
     , has_temperature(given("Model/Fields").value_or("") != "displacement")
     , has_displacement(given("Model/Fields").value_or("") != "temperature")
@@ -459,111 +473,54 @@ namespace ThermoContact
     else if (number)
       return significant((*number - conversion.offset) / conversion.factor,
                          all_digits);
-    check_expression(assignment, text);
-    const std::string expression = "(" + in_scene_variables(text) + ")",
-                      shifted    = conversion.offset == 0. ?
-                                     expression :
-                                     "(" + expression + " - " +
-                                    significant(conversion.offset, all_digits) +
-                                    ")";
-    return shifted + "/" + significant(conversion.factor, all_digits);
+    const std::string section = section_of(assignment.path);
+    if (section != "Boundary" && section != "Contact" &&
+        section != "Initial values" && section != "Sources")
+      return text; // no expression, and refused as what it is
+    const std::string offset =
+      conversion.offset == 0. ?
+        "" :
+        " - " + significant(conversion.offset, all_digits);
+    return "((" + in_scene_variables(assignment, text) + ")" + offset + ")/" +
+           significant(conversion.factor, all_digits);
   }
 
 
 
-  void
-  SiScene::check_expression(const Assignment  &assignment,
-                            const std::string &text) const
+  std::string
+  SiScene::in_scene_variables(const Assignment  &assignment,
+                              const std::string &text) const
   {
-    const std::string section = section_of(assignment.path);
-    if (section != "Boundary" && section != "Contact" &&
-        section != "Initial values" && section != "Sources")
-      return; // no expression
+    const bool      is_exchange = assignment.path == "Boundary/Heat exchange";
     ExpressionNames names;
-    names.variables = {"x", "y", "z", "t"};
-    names.example   = "1e-4 + 1e-5*sin(t)";
-    if (assignment.path == "Boundary/Heat exchange")
-      {
-        names.variables = {"gap", "pressure"};
-        names.example   = "if(pressure > 0, 500 + 1e-3*pressure, 5)";
-      }
-    names.constants["theta_A"] = 1.;
-    for (const Assignment &other : assignments)
-      if (section_of(other.path) == "Constants" && !other.is_section())
-        names.constants[other.path.substr(other.path.find('/') + 1)] = 1.;
+    names.constants = constants;
+    names.folder    = folder_of_tables(assignments);
+    names.has_units = true;
+    names.example   = is_exchange ? "if(pressure > 0, 500 + 1e-3*pressure, 5)" :
+                                    "1e-4 + 1e-5*sin(t)";
+    std::vector<std::string> others;
+    for (const Quantity &variable : variables)
+      if (is_exchange == (std::strcmp(variable.path, "gap") == 0 ||
+                          std::strcmp(variable.path, "pressure") == 0))
+        {
+          const auto        found = conversions.find(variable.kind);
+          const Conversion &unit =
+            found == conversions.end() ? Conversion() : found->second;
+          names.variables.emplace_back(variable.path);
+          others.push_back(
+            "(" + significant(unit.factor, all_digits) + "*" + variable.path +
+            (unit.offset == 0. ? "" :
+                                 "+" + significant(unit.offset, all_digits)) +
+            ")");
+        }
     try
       {
-        Expression(assignment.path, text, names);
+        return rename_variables(assignment.path, text, names, others);
       }
     catch (const InputError &error)
       {
         throw InputError(assignment.place + ": " + error.what());
       }
-  }
-
-
-
-  namespace
-  {
-    /** Where the last argument of the function at @p begin begins. */
-    std::size_t
-    last_argument(const std::string &expression, const std::size_t begin)
-    {
-      std::size_t last  = begin;
-      int         depth = 0;
-      for (std::size_t i = begin; i < expression.size(); ++i)
-        {
-          depth += expression[i] == '(' ? 1 : 0;
-          if (expression[i] == ')' && --depth == 0)
-            break;
-          if (expression[i] == ',' && depth == 1)
-            last = i + 1;
-        }
-      return last;
-    }
-  } // namespace
-
-
-
-  std::string
-  SiScene::in_scene_variables(const std::string &expression) const
-  {
-    std::string result;
-    const auto  is_of_name = [](const char letter) {
-      return letter == '_' ||
-             std::isalnum(static_cast<unsigned char>(letter)) != 0;
-    };
-    for (std::size_t i = 0; i < expression.size();)
-      {
-        const char *const begin = expression.data() + i,
-                          *end  = expression.data() + expression.size();
-        double number;
-        if (const auto read = std::from_chars(begin, end, number);
-            *begin != '-' &&
-            std::isalpha(static_cast<unsigned char>(*begin)) == 0 &&
-            read.ec == std::errc())
-          end = read.ptr; // its e is no name
-        else
-          end = std::max(begin + 1, std::find_if_not(begin, end, is_of_name));
-        std::string word(begin, end);
-        // names of a file and a column are no variables
-        if (word == "table" || word == "smooth")
-          for (const auto argument = last_argument(expression, i);
-               i + word.size() < argument;)
-            word += expression[i + word.size()];
-        result += word;
-        i += word.size();
-        const auto found = conversions.find(find_kind(variables, word));
-        if (word.empty() || found == conversions.end() || found->first.empty())
-          continue;
-        const auto &[factor, offset, unit] = found->second;
-        result.replace(
-          result.size() - word.size(),
-          word.size(),
-          "(" + significant(factor, all_digits) + "*" + word +
-            (offset == 0. ? "" : "+" + significant(offset, all_digits)) + ")");
-      }
-    return result;
   }
 
 

@@ -74,38 +74,39 @@ namespace ThermoContact
 
 
 
-    bool
-    is_near(const unsigned int distance, const std::string &name)
-    {
-      return distance <= name.size() / 3;
-    }
-
-
-
     /**
-     * The known path that @p path most likely means: nearest in letters, where
-     * the right entry name in a wrong section counts as near. Nothing if none
-     * is near.
+     * The one of @p known that @p name most likely means, or nothing if none is
+     * near: one letter of three may be wrong.
+     *
+     * @param distance between names
      */
+    template <typename Distance>
     std::string
-    suggest_path(const std::string                &path,
-                 const std::vector<DeclaredEntry> &entries)
+    nearest(const std::string              &name,
+            const std::vector<std::string> &known,
+            const Distance                 &distance)
     {
-      if (path.size() > 100)
-        return ""; // no typo, and the distance takes long
-      const auto distance = [&path](const DeclaredEntry &entry) {
-        return std::min(edit_distance(path, entry.path),
-                        1 + edit_distance(name_of(path), name_of(entry.path)));
-      };
-      const auto nearest =
-        std::min_element(entries.begin(),
-                         entries.end(),
-                         [&](const DeclaredEntry &a, const DeclaredEntry &b) {
-                           return distance(a) < distance(b);
-                         });
-      return is_near(distance(*nearest), path) ? nearest->path : "";
+      std::string  result;
+      unsigned int least = (name.size() + 1) / 3 + 1;
+      if (name.size() <= 100) // no typo, and the distance takes long
+        for (const std::string &other : known)
+          if (const unsigned int d = distance(name, other); d < least)
+            {
+              least  = d;
+              result = other;
+            }
+      return result;
     }
 
+
+
+    /** The right name of an entry in a wrong section counts as near. */
+    unsigned int
+    distance_of_paths(const std::string &a, const std::string &b)
+    {
+      return std::min(edit_distance(a, b),
+                      1 + edit_distance(name_of(a), name_of(b)));
+    }
   } // namespace
 
 
@@ -113,18 +114,8 @@ namespace ThermoContact
   std::string
   did_you_mean(const std::string &name, const std::vector<std::string> &known)
   {
-    if (name.size() > 100 || known.empty())
-      return ""; // no typo, and the distance takes long
-    const auto nearest =
-      std::min_element(known.begin(),
-                       known.end(),
-                       [&](const std::string &a, const std::string &b) {
-                         return edit_distance(name, a) < edit_distance(name, b);
-                       });
-    // one letter of two may be wrong
-    return edit_distance(name, *nearest) <= (name.size() + 1) / 3 ?
-             "; did you mean " + *nearest + "?" :
-             "";
+    const std::string near = nearest(name, known, edit_distance);
+    return near.empty() ? "" : "; did you mean " + near + "?";
   }
 
 
@@ -147,12 +138,12 @@ namespace ThermoContact
       return;
     const auto  sections = declared_sections(entries);
     std::string remedy, all;
+    if (const std::string near = nearest(section, sections, edit_distance);
+        !near.empty())
+      remedy = "did you mean " + near + "? ";
     for (const std::string &known : sections)
       {
         all += (all.empty() ? "" : ", ") + known;
-        if (section.size() <= 100 &&
-            is_near(edit_distance(section, known), known))
-          remedy = "did you mean " + known + "? ";
         if (section.rfind(known + "/", 0) == 0)
           remedy = "close section " + known + " with 'end' first; ";
       }
@@ -166,9 +157,12 @@ namespace ThermoContact
   refuse_entry(const Assignment                 &assignment,
                const std::vector<DeclaredEntry> &entries)
   {
-    const std::string section = section_of(assignment.path);
-    const std::string all     = list_entries(section, entries);
-    const std::string near    = suggest_path(assignment.path, entries);
+    const std::string        section = section_of(assignment.path);
+    const std::string        all     = list_entries(section, entries);
+    std::vector<std::string> paths;
+    for (const DeclaredEntry &entry : entries)
+      paths.push_back(entry.path);
+    const std::string near = nearest(assignment.path, paths, distance_of_paths);
     if (near.empty())
       check_section(assignment.place, section, entries);
     const std::string fault =

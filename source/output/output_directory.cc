@@ -4,9 +4,9 @@
 #include <thermocontact/base/collective_errors.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/version.h>
+#include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/si_scene.h>
-#include <thermocontact/input/table.h>
 #include <thermocontact/output/output_directory.h>
 
 #include <fcntl.h>

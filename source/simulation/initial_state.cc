@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
+#include <thermocontact/input/quantity_units.h>
 #include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/space/h1_projection.h>
@@ -61,15 +62,15 @@ namespace ThermoContact
       const double theta_A = body.scene.heat.fixed_end_temperature;
       const double mismatch =
         largest_constrained(Field::temperature, state.temperature, theta_A);
-      std::ostringstream message;
+      const QuantityUnits units(body.scene.parameters);
       if (mismatch > Tolerances::rounding_of_data *
                        std::max(std::abs(theta_A), largest(state.temperature)))
-        {
-          message << "Initial values/Temperature differs by " << mismatch
-                  << " from theta_A = " << theta_A
-                  << " at the fixed end: a corner layer starts there";
-          warnings.push_back(message.str());
-        }
+        warnings.push_back(
+          text("Initial values/Temperature differs by ",
+               units.text("temperature difference", mismatch),
+               " from theta_A = ",
+               units.text("temperature", theta_A),
+               " at the fixed end: a corner layer starts there"));
     }
 
 
@@ -131,15 +132,16 @@ namespace ThermoContact
 
     /** Nor must a rigid obstacle behind the end. */
     void
-    check_rear_penetration(const double displacement,
-                           const double reached,
-                           const double rear_gap)
+    check_rear_penetration(const QuantityUnits &units,
+                           const double         displacement,
+                           const double         reached,
+                           const double         rear_gap)
     {
       if (displacement < -rear_gap)
         throw InputError(text("Contact/Rear gap = ",
                               rear_gap,
                               ": the initial displacement ",
-                              displacement,
+                              units.text("length", displacement),
                               " of the end penetrates the rigid stop\n  "
                               "remedy:  a larger rear gap, or another Initial "
                               "values/Displacement"));
@@ -189,10 +191,12 @@ namespace ThermoContact
       body.contact_end().get_values(Field::displacement,
                                     state.velocity,
                                     velocity);
-      const bool is_prescribed =
+      const QuantityUnits units(scene.parameters);
+      const bool          is_prescribed =
         scene.has_prescribed_start && scene.parameters.time.end_time > 0.;
       for (unsigned int i = 0; i < displacement.size(); ++i)
-        check_rear_penetration(displacement[i],
+        check_rear_penetration(units,
+                               displacement[i],
                                displacement[i] +
                                  (is_prescribed ? first_step_size : 0.) *
                                    velocity[i],
@@ -207,10 +211,12 @@ namespace ThermoContact
       message << "Contact/Gap = " << words_of_gap(scene) << ": ";
       if (penetration[deepest] > 0.)
         {
-          message << "the initial displacement " << displacement[deepest]
+          message << "the initial displacement "
+                  << units.text("length", displacement[deepest])
                   << " of the end";
           if (!scene.contact.has_uniform_gap())
-            message << ", where the gap is " << state.gap[deepest] << ',';
+            message << ", where the gap is "
+                    << units.text("length", state.gap[deepest]) << ',';
           message << " penetrates the rigid obstacle\n  remedy:  a "
                      "larger gap, another Initial values/Displacement, or "
                      "Contact/Condition = normal compliance";
@@ -254,16 +260,25 @@ namespace ThermoContact
       body.contact_end().get_values(Field::displacement,
                                     state.displacement,
                                     displacement);
-      std::ostringstream message;
-      message << "Contact/Gap = " << words_of_gap(body.scene) << ": "
-              << (gap < 0. ?
-                    "negative, the undeformed body overlaps the obstacle "
-                    "(preload)" :
-                    "the body is in contact at the start")
-              << ", end displacement "
-              << *std::max_element(displacement.begin(), displacement.end())
-              << ", initial pressure " << pressure;
-      warnings.push_back(message.str());
+      const QuantityUnits units(body.scene.parameters);
+      const Scene        &scene = body.scene;
+      const std::string   given =
+        scene.contact.has_uniform_gap() ?
+            units.text_for_entry("length", scene.contact.gap) :
+          units.is_si() ? "" :
+                          words_of_gap(scene);
+      warnings.push_back(text(
+        "Contact/Gap",
+        given.empty() ? "" : " = " + given,
+        ": ",
+        gap < 0. ? "negative, the undeformed body overlaps the obstacle "
+                   "(preload)" :
+                   "the body is in contact at the start",
+        ", end displacement ",
+        units.text("length",
+                   *std::max_element(displacement.begin(), displacement.end())),
+        ", initial pressure ",
+        units.text("stress", pressure)));
     }
   } // namespace
 

@@ -24,6 +24,24 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /** What a message of a failure says about the loads of its step. */
+    template <int dim>
+    std::string
+    words_of_loads(const Body<dim> &body, const double from, const double to)
+    {
+      // what jumps does so within some rounding
+      const double      end_time = body.scene.parameters.time.end_time;
+      const double      slack    = 1e-9 * std::max(to, 1e-3 * end_time);
+      const std::string loads =
+        loads_that_change(body.scene, body.data, from - slack, to + slack);
+      return loads.empty() ? "" : "\n  load:    " + loads + " changes then";
+    }
+  } // namespace
+
+
+
   template <int dim>
   Simulation<dim>::Simulation(const Parameters          &parameters,
                               const MPI_Comm             communicator,
@@ -404,7 +422,8 @@ namespace ThermoContact
         text("the loads jump at t = ",
              QuantityUnits(parameters()).text("time", result.state.time),
              ": ",
-             result.failure));
+             result.failure,
+             words_of_loads(body_, result.state.time, result.state.time)));
     if (has_jumped)
       tracker.jump(result.state, history_.events);
     return has_jumped;
@@ -429,14 +448,16 @@ namespace ThermoContact
                            const std::string &reason) const
   {
     const QuantityUnits units(parameters());
-    throw ComputationError(text("step ",
-                                record().step + 1,
-                                ", from t = ",
-                                units.text("time", state_.time),
-                                " to ",
-                                units.text("time", time_step.end),
-                                ": ",
-                                reason));
+    throw ComputationError(
+      text("step ",
+           record().step + 1,
+           ", from t = ",
+           units.text("time", state_.time),
+           " to ",
+           units.text("time", time_step.end),
+           ": ",
+           reason,
+           words_of_loads(body_, state_.time, time_step.end)));
   }
 
 

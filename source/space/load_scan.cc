@@ -187,7 +187,44 @@ namespace ThermoContact
         }
       history.add(together);
     }
+
+
+
+    /** How far its values are apart in a span of time. */
+    double
+    range_of(const Load &load, const double begin, const double end)
+    {
+      constexpr unsigned int n_times  = 64;
+      const TimeFunction    &function = load.at_places.front();
+      Interval               values(function.value(begin));
+      for (unsigned int i = 1; i <= n_times; ++i)
+        values =
+          hull(values, function.value(begin + (end - begin) * i / n_times));
+      return values.width();
+    }
   } // namespace
+
+
+
+  template <int dim>
+  std::string
+  loads_that_change(const Scene            &scene,
+                    const ProblemData<dim> &data,
+                    const double            from,
+                    const double            to)
+  {
+    // a step may begin behind a jump
+    const double before = std::max(from - 1e-3 * (to - from), 0.);
+    std::string  paths;
+    for (const Load &load : loads_in_time<dim>(scene, data))
+      {
+        const double in_step = range_of(load, before, to);
+        if (in_step > 0. &&
+            in_step > 0.5 * range_of(load, 0., scene.parameters.time.end_time))
+          paths += (paths.empty() ? "" : ", ") + load.expression().path();
+      }
+    return paths;
+  }
 
 
 
@@ -236,16 +273,18 @@ namespace ThermoContact
 
 
 
-  template LoadHistory
-  load_history(const Scene &,
-               const ProblemData<1> &,
-               std::vector<std::string> &);
-  template LoadHistory
-  load_history(const Scene &,
-               const ProblemData<2> &,
-               std::vector<std::string> &);
-  template LoadHistory
-  load_history(const Scene &,
-               const ProblemData<3> &,
-               std::vector<std::string> &);
+#define INSTANTIATE(dim)                                           \
+  template LoadHistory load_history(const Scene &,                 \
+                                    const ProblemData<dim> &,      \
+                                    std::vector<std::string> &);   \
+  template std::string loads_that_change(const Scene &,            \
+                                         const ProblemData<dim> &, \
+                                         const double,             \
+                                         const double)
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
 } // namespace ThermoContact

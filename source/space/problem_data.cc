@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/number_text.h>
 #include <thermocontact/space/problem_data.h>
 
 #include <deal.II/base/function.h>
@@ -103,14 +104,15 @@ namespace ThermoContact
     if (!scene.sources.has_varying_obstacle)
       return;
     const Expression &temperature = *scene.heat.obstacle_drive;
-    ExpressionNames   names =
-      scene.parameters.names(temperature.path(),
-                             scene.parameters.coordinates(true),
-                             "5*sin(2*pi*t)");
-    names.origin += names.unit * scene.heat.obstacle_temperature;
     obstacle_warming_ =
       std::make_unique<ExpressionFunction<dim>>(std::vector<Expression>{
-        Expression(temperature.path(), temperature.text(), names)});
+        Expression(temperature.path(),
+                   "(" + temperature.text() + ") - (" +
+                     significant(scene.heat.obstacle_temperature, all_digits) +
+                     ")",
+                   scene.parameters.names(temperature.path(),
+                                          scene.parameters.coordinates(true),
+                                          "5*sin(2*pi*t)"))});
   }
 
 

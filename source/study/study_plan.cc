@@ -81,6 +81,8 @@ namespace ThermoContact
       if (!first || !last ||
           !(first->unit.empty() || first->unit == last->unit))
         fail("no numbers at the ends of a range");
+      if (first->number == last->number)
+        fail("ends that are the same");
       if (n < 2 || n > StudyPlan::max_runs || !(word.empty() || is_log) ||
           !rest.empty())
         fail("no number of values from 2 on, or log behind it,");

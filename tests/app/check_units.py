@@ -217,6 +217,9 @@ def check_heads():
     # kinks of waves, and a tolerance of 1e-5
     for force, by_hand in zip(table["max_contact_force"], (418.152, 1982.88, 3512.57)):
         check("study, force", float(force), by_hand, 1e-3)
+    results("shaken-rod", "Study/Vary=Constants/frequency = 1700")
+    ends = Run("shaken-rod/run-0").tables["poincare.csv"]["displacement_end"]
+    check("shaken rod", ends[-1], -0.856131e-6, 3e-6)
     block = results("curved-stop")
     force, pressure = last(block, "contact_force") / 0.01, last(block, "max_pressure")
     check("block, pressure", pressure, math.sqrt(force * 2.1e11 / 0.91 / (math.pi * 0.1)), 0.05)

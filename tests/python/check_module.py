@@ -6,8 +6,13 @@ The module for Python. A quasi-static rod at rest has the force and the end of (
 with the defaults theta_A = 20, theta_obs = 0, k = 1, a = 0.017, the drop is c = 10, the
 free expansion G = a (theta_A - c/2), and p = (G - g)/(1 + epsilon). Tables, events,
 summary, snapshots and progress of that run; a study and its kept run; two ranks; a
-run without checkpoints;
-the two errors, with the message of the program; units of a rod in SI units.
+run without checkpoints; the two errors, with the message of the program; units of a rod
+in SI units; the same study as a DataFrame; pictures; periods.
+
+The fit: with fixed steps the rod at rest is linear in 1/(1 + epsilon), so that the force F
+of a run at epsilon = 0.5 with noise of a standard deviation s is fitted by
+F r with r = 1.5/(1 + epsilon): r = sum(data F)/sum(F F), the error of epsilon
+s/sqrt(sum(F F)) (1 + epsilon)^2/1.5; from the times when contact is closed.
 """
 import math
 import os
@@ -145,10 +150,83 @@ def check_units():
     check("no units", not thermocontact.run({"Time/End time": 0.01}).contact.units)
 
 
+def check_frame(folder):
+    """A study of two entries that go together: two runs; a base that beats, its periods."""
+    try:
+        import pandas  # noqa: F401
+    except ImportError as missing:
+        error = raised(thermocontact.Error, lambda: thermocontact.study(
+            {"Contact/Compliance": [0.5]}, entries={**SCENE, "Time/End time": 0.1}))
+        check("what is to be installed", "apt install python3-pandas" in str(error), missing)
+        return
+    frame = thermocontact.study(
+        {("Contact/Compliance", "Contact/Gap"): [(0.5, 0.1), (1, 0.05)]},
+        entries={**SCENE, "Time/End time": 5}, processes=1)
+    forces = [(0.017 * (20 - DROP / 2) - gap) / (1 + epsilon)
+              for epsilon, gap in ((0.5, 0.1), (1, 0.05))]
+    check("a study as a frame", frame.shape[0] == 2 and numpy.allclose(
+        frame["max_contact_force"], forces, rtol=1e-5), list(frame["max_contact_force"]))
+
+
+def check_periods(folder):
+    run = thermocontact.run({"Time/End time": 1, "Output/Period": 0.25},
+                            output=folder / "periods")
+    check("periods", numpy.allclose(run.poincare["time"], [0, 0.25, 0.5, 0.75, 1]),
+          run.poincare["time"])
+    try:
+        import matplotlib  # noqa: F401
+    except ImportError:
+        return
+    pictures = run.plot("contact", dpi=50)
+    check("a picture", [path.name for path in pictures] == ["contact.png"] and
+          pictures[0].stat().st_size > 1000, pictures)
+    error = raised(thermocontact.Error, lambda: run.plot("contakt"))
+    check("no such picture", "contakt" in str(error), error)
+
+
+def check_fit():
+    try:
+        import scipy  # noqa: F401
+    except ImportError as missing:
+        error = raised(thermocontact.Error, lambda: thermocontact.fit(
+            {"Contact/Compliance": 1}, {"contact_force": ([0, 1], [0, 1])}))
+        check("what is to be installed", "apt install python3-scipy" in str(error), missing)
+        return
+    scene = {**SCENE, "Contact/Gap": -0.1, "Time/End time": 1, "Time/Step size": 0.01,
+             "Output/Fields interval": 0}
+    contact = thermocontact.run(scene).contact
+    times, exact = contact["time"], contact["contact_force"]
+    times, exact = times[10:], exact[10:]
+    deviation = 0.01 * exact.max()
+    data = exact + deviation * numpy.random.default_rng(1).normal(size=len(times))
+    ratio = data @ exact / (exact @ exact)
+    compliance, slope = 1.5 / ratio - 1, 1.5 / ratio**2
+    error = slope * deviation / math.sqrt(exact @ exact)
+    chi_square = ((data - ratio * exact)**2).sum() / deviation**2
+    found = thermocontact.fit({"Contact/Compliance": 1},
+                              {"contact_force": (times, data, deviation)}, entries=scene)
+    check("a fit", math.isclose(found.values["Contact/Compliance"], compliance,
+                                rel_tol=1e-5), found)
+    check("its error", math.isclose(found.errors["Contact/Compliance"], error,
+                                    rel_tol=1e-3), error)
+    check("its chi^2", math.isclose(found.chi_square, chi_square, rel_tol=1e-5) and
+          found.degrees_of_freedom == len(times) - 1, chi_square)
+    # d F r/d log(epsilon) = -F r epsilon/(1 + epsilon)
+    check("its sensitivities", numpy.allclose(
+        found.sensitivities["Contact/Compliance"],
+        -exact * ratio * compliance / (1 + compliance), rtol=1e-3))
+    error = raised(thermocontact.Error, lambda: thermocontact.fit(
+        {"Contact/Compliance": 0}, {"contact_force": (times, data)}))
+    check("no guess", "positive first guesses" in str(error), error)
+
+
 with tempfile.TemporaryDirectory() as scratch:
     check_run(Path(scratch))
     check_study(Path(scratch))
     check_ranks(Path(scratch))
     check_errors(Path(scratch))
+    check_frame(Path(scratch))
+    check_periods(Path(scratch))
+check_fit()
 check_units()
 sys.exit(1 if n_failed else 0)

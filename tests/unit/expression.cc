@@ -14,9 +14,9 @@
 // 4. Derivatives, by hand: t^3 at 2: 8, 12, 12; if(t<1,sin(2*t),5) at 0.5:
 //    sin 1, 2 cos 1, -4 sin 1, at 3: 5, 0, 0; a^t with a = 3 at 0: 1, log 3,
 //    (log 3)^2.
-// 5. Units: 3 x + t with x in units of 2, t of 0.5, its value less 1 in units
-// of
-//    4, at x = 1, t = 3: (6 + 1.5 - 1)/4 = 1.625.
+// 5. In other variables, 2 x' for x and t'/2 for t: each name of a variable is
+//    another text, at x' = 1, t' = 3 of 3 x + t the value 6 + 1.5. Names of
+//    functions, files and columns stay, and the e of 1e3 is no name.
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/input/expression.h>
@@ -24,6 +24,7 @@
 #include <deal.II/base/function_parser.h>
 #include <deal.II/base/mu_parser_internal.h>
 
+#include <fstream>
 #include <iostream>
 
 #include "../tests.h"
@@ -237,16 +238,21 @@ namespace
 
 
   void
-  test_units()
+  test_other_variables()
   {
-    ExpressionNames of_scene = names;
-    of_scene.variable_units  = {2., 0.5};
-    of_scene.unit            = 4.;
-    of_scene.origin          = 1.;
+    const auto rename = [](const std::string &text) {
+      return rename_variables("Sources/Heat source",
+                              text,
+                              names,
+                              {"(2*x)", "(0.5*t)"});
+    };
     const double variables[] = {1., 3.};
-    deallog << "in units: "
-            << Expression("Sources/Heat source", "3*x + t", of_scene)
+    deallog << rename("3*x + t") << " = "
+            << Expression("Sources/Heat source", rename("3*x + t"), names)
                  .evaluate(variables)
+            << std::endl;
+    std::ofstream("x.csv") << "t, x\n0, 2\n1, 4\n";
+    deallog << rename("exp(-t)+1e3*x+table(x.csv, x, t-1)*max(x, t)")
             << std::endl;
   }
 } // namespace
@@ -271,5 +277,5 @@ main()
   test_derivatives("if(t<1,sin(2*t),5)", 0.5);
   test_derivatives("if(t<1,sin(2*t),5)", 3.);
   test_derivatives("x^t", 0.);
-  test_units();
+  test_other_variables();
 }

@@ -15,6 +15,7 @@
 #include <thermocontact/time/step_controller.h>
 
 #include <cmath>
+#include <fstream>
 #include <sstream>
 
 #include "../tests.h"
@@ -58,6 +59,9 @@ namespace
     read("subsection Model\n  sett Viscosity = 0.5\nend\n");
     read("set Title\n");
     read("include other.prm\n");
+    // in the section where it stands; what stands behind it holds
+    std::ofstream("part.prm") << "set Viscosity = 0.5\nset Coupling = 0.1\n";
+    read("subsection Model\n  include part.prm\n  set Viscosity = 2\nend\n");
     read("set Dimension = 2 \\");
     read("set Title = a\\b \\\n c\n");
     read("subsection Time\n  set Tolerances = 1e-5\nend\n");

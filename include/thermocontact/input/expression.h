@@ -12,9 +12,9 @@
 
 namespace ThermoContact
 {
-  class Table;
+  class MeasuredTable;
 
-  /** What the names in an expression mean, and in which units it is. */
+  /** What the names in an expression mean. */
   struct ExpressionNames
   {
     /**
@@ -30,13 +30,6 @@ namespace ThermoContact
     std::string folder = ""; ///< of the files of tables
 
     bool has_units = false; ///< tables may have units in their headers
-
-    /** Variables are multiplied by these before: none, or one for each. */
-    std::vector<double> variable_units = {};
-
-    /** Its value is that of the text, less @p origin, over @p unit. */
-    double unit   = 1.;
-    double origin = 0.;
   };
 
 
@@ -90,7 +83,10 @@ namespace ThermoContact
 
     /** Whether it names none. */
     bool
-    is_constant() const;
+    is_constant() const
+    {
+      return named.empty();
+    }
 
     /** The files of tables whose rows end before an argument that these values
      * of the variables give them. */
@@ -116,8 +112,15 @@ namespace ThermoContact
     {
       Operation    operation;
       double       number;      ///< of a constant
-      unsigned int operands[3]; ///< positions; of a variable its index
+      unsigned int operands[3]; ///< positions; at last an index of what it is
       unsigned int n_levels;
+    };
+
+    /** Where a variable is named. */
+    struct NamedVariable
+    {
+      unsigned int index;
+      std::size_t  position; ///< in the text
     };
 
     class Reader;
@@ -131,6 +134,12 @@ namespace ThermoContact
                     const unsigned int     n_components,
                     const ExpressionNames &names);
 
+    friend std::string
+    rename_variables(const std::string              &path,
+                     const std::string              &text,
+                     const ExpressionNames          &names,
+                     const std::vector<std::string> &others);
+
     Expression() = default;
 
     /** What stands between two positions of the text. */
@@ -140,14 +149,14 @@ namespace ThermoContact
                const std::size_t      begin,
                const std::size_t      end);
 
-    std::string              path_;
-    std::string              text_;
-    std::vector<std::string> variable_names;
-    std::vector<bool>        is_named;
-    std::vector<Part>        parts; ///< the whole at the end
+    std::string                path_;
+    std::string                text_;
+    std::vector<std::string>   variable_names;
+    std::vector<NamedVariable> named;
+    std::vector<Part>          parts; ///< the whole at the end
 
     /** Which copies of the expression share, since they only read it. */
-    std::vector<std::shared_ptr<const Table>> tables_;
+    std::vector<std::shared_ptr<const MeasuredTable>> tables_;
 
     /**
      * @param position of what is not finite, for messages
@@ -181,6 +190,18 @@ namespace ThermoContact
    */
   std::map<std::string, double>
   evaluate_constants(const std::map<std::string, std::string> &texts);
+
+  /**
+   * The expression with @p others for the names of its variables, for which its
+   * values are not looked at.
+   *
+   * @throw InputError as Expression, if it cannot be read
+   */
+  std::string
+  rename_variables(const std::string              &path,
+                   const std::string              &text,
+                   const ExpressionNames          &names,
+                   const std::vector<std::string> &others);
 
   /**
    * Components of a vector that @p text separates by ';'.

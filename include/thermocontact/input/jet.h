@@ -166,10 +166,16 @@ namespace ThermoContact
 
 
 
-  /** A function that grows, of an interval in which it is defined. */
-  template <typename Function>
-  Interval
-  increasing(const Interval &a, const Function &function)
+  /** A monotone function of a number, */
+  inline double
+  monotone(double (*function)(double), const double a)
+  {
+    return function(a);
+  }
+
+  /** or of an interval; everything where it is not defined at its ends. */
+  inline Interval
+  monotone(double (*function)(double), const Interval &a)
   {
     return widened(function(a.low), function(a.high));
   }
@@ -179,21 +185,10 @@ namespace ThermoContact
   inline Interval
   exp(const Interval &a)
   {
-    const Interval value =
-      increasing(a, [](const double x) { return std::exp(x); });
+    const Interval value = monotone(std::exp, a);
     // what is rounded to nothing is nothing
     return {a.high < -746. ? 0. : std::max(value.low, 0.),
             a.high < -746. ? 0. : value.high};
-  }
-
-
-
-  inline Interval
-  log(const Interval &a)
-  {
-    return a.low > 0. ?
-             increasing(a, [](const double x) { return std::log(x); }) :
-             Interval::everything();
   }
 
 
@@ -245,77 +240,12 @@ namespace ThermoContact
 
 
   inline Interval
-  tanh(const Interval &a)
-  {
-    return increasing(a, [](const double x) { return std::tanh(x); });
-  }
-
-  inline Interval
-  sinh(const Interval &a)
-  {
-    return increasing(a, [](const double x) { return std::sinh(x); });
-  }
-
-  inline Interval
   cosh(const Interval &a)
   {
+    const double   low = std::min(std::abs(a.low), std::abs(a.high));
     const Interval value =
-      increasing(Interval(a.contains(0.) ?
-                            0. :
-                            std::min(std::abs(a.low), std::abs(a.high)),
-                          a.magnitude()),
-                 [](const double x) { return std::cosh(x); });
+      monotone(std::cosh, Interval(a.contains(0.) ? 0. : low, a.magnitude()));
     return {std::max(value.low, 1.), value.high};
-  }
-
-  inline Interval
-  atan(const Interval &a)
-  {
-    return increasing(a, [](const double x) { return std::atan(x); });
-  }
-
-  inline Interval
-  asin(const Interval &a)
-  {
-    return increasing(a, [](const double x) { return std::asin(x); });
-  }
-
-  inline Interval
-  acos(const Interval &a)
-  {
-    return widened(std::acos(a.high), std::acos(a.low));
-  }
-
-  inline Interval
-  asinh(const Interval &a)
-  {
-    return increasing(a, [](const double x) { return std::asinh(x); });
-  }
-
-  inline Interval
-  acosh(const Interval &a)
-  {
-    return increasing(a, [](const double x) { return std::acosh(x); });
-  }
-
-  inline Interval
-  atanh(const Interval &a)
-  {
-    return increasing(a, [](const double x) { return std::atanh(x); });
-  }
-
-  inline Interval
-  erf(const Interval &a)
-  {
-    return increasing(a, [](const double x) { return std::erf(x); });
-  }
-
-
-
-  inline Interval
-  erfc(const Interval &a)
-  {
-    return widened(std::erfc(a.high), std::erfc(a.low));
   }
 
 
@@ -423,6 +353,35 @@ namespace ThermoContact
   {
     return {f, f1 * a.first, f2 * square(a.first) + f1 * a.second};
   }
+
+  /** The derivative of a power where it is one; at zero it may be infinite. */
+  inline double
+  slope_of_power(const double a, const double factor, const double exponent)
+  {
+    const double slope = factor == 0. ? 0. : factor * std::pow(a, exponent);
+    return std::isfinite(slope) ? slope : 0.;
+  }
+
+  inline Interval
+  slope_of_power(const Interval &a, const double factor, const double exponent)
+  {
+    return factor == 0. ? Interval(0.) : factor * pow(a, exponent);
+  }
+
+  template <typename Number>
+  Jet<Number>
+  constant_power(const Jet<Number> &a, const double exponent)
+  {
+    using std::pow;
+    return chain(a,
+                 Number(pow(a.value, exponent)),
+                 slope_of_power(a.value, exponent, exponent - 1.),
+                 slope_of_power(a.value,
+                                exponent * (exponent - 1.),
+                                exponent - 2.));
+  }
+
+
 
   template <typename Number>
   Jet<Number>

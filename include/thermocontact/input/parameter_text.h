@@ -27,6 +27,14 @@ namespace ThermoContact
     {
       return !path.empty() && path.back() == '/';
     }
+
+    /** For other ranks. */
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &place &path &value;
+    }
   };
 
 
@@ -44,7 +52,7 @@ namespace ThermoContact
   is_plain_text(const std::string &text);
 
   /**
-   * The text of a file, or of a pipe.
+   * The text of a file or of a pipe, "-" for the standard input.
    *
    * @throw InputError if it cannot be opened or read, is a directory, empty, or
    *   larger than any parameter file
@@ -54,8 +62,9 @@ namespace ThermoContact
 
   /**
    * Reads the statements of a parameter file in deal.II's format: `set`,
-   * `subsection`, `end`, comments from '#', lines continued by '\'. Lines end
-   * as on Unix or on Windows.
+   * `subsection`, `end`, `include FILE` (beside the file that says so, in the
+   * section where it stands), comments from '#', lines continued by '\'. Lines
+   * end as on Unix or on Windows.
    *
    * @param name what messages call the input
    * @throw InputError naming line and remedy on any other statement, on
@@ -63,6 +72,15 @@ namespace ThermoContact
    */
   std::vector<Assignment>
   read_assignments(std::istream &input, const std::string &name);
+
+  /** The same of a file, "-" for the standard input. */
+  std::vector<Assignment>
+  read_parameter_file(const std::string &file_name);
+
+  /** The last assignment to an entry, the one that holds, or null. */
+  const Assignment *
+  last_assignment(const std::vector<Assignment> &assignments,
+                  const std::string             &path);
 
   /** @throw InputError with all of them, if there are any */
   void

@@ -7,6 +7,7 @@
 #include <thermocontact/input/parameter_text.h>
 #include <thermocontact/input/quantity_units.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,12 +47,14 @@ namespace ThermoContact
      * @param assignments of the whole file, the last one of a path
      * @param entries all that there are
      * @param rod the section Rod of @p assignments
+     * @param constants values of section Constants
      * @throw InputError if an entry that the scales follow from is not given,
      *   or another one that has no default in SI units
      */
-    SiScene(const std::vector<Assignment>    &assignments,
-            const std::vector<DeclaredEntry> &entries,
-            const RodParameters              &rod);
+    SiScene(const std::vector<Assignment>       &assignments,
+            const std::vector<DeclaredEntry>    &entries,
+            const RodParameters                 &rod,
+            const std::map<std::string, double> &constants);
 
     /**
      * The value of one of the entries in the scene.
@@ -67,13 +70,14 @@ namespace ThermoContact
     derived() const;
 
   private:
-    const std::vector<Assignment>    &assignments;
-    const std::vector<DeclaredEntry> &entries;
-    const RodParameters              &rod;
-    const unsigned int                dim;
-    const bool                        has_temperature, has_displacement;
-    ScalesParameters                  scales;
-    ConversionsByKind                 conversions; ///< to SI base units
+    const std::vector<Assignment>       &assignments;
+    const std::vector<DeclaredEntry>    &entries;
+    const RodParameters                 &rod;
+    const std::map<std::string, double> &constants;
+    const unsigned int                   dim;
+    const bool                           has_temperature, has_displacement;
+    ScalesParameters                     scales;
+    ConversionsByKind                    conversions; ///< to SI base units
 
     /** The last assignment of an entry, or null. */
     const Assignment *
@@ -106,14 +110,14 @@ namespace ThermoContact
     std::string
     scaled(const Assignment &assignment, const std::string &text) const;
 
-    /** @throw InputError where the expression is written, if it is none */
-    void
-    check_expression(const Assignment  &assignment,
-                     const std::string &text) const;
-
-    /** An expression in the variables of the scene. */
+    /**
+     * An expression in the variables of the scene.
+     *
+     * @throw InputError where it is written, if it is none
+     */
     std::string
-    in_scene_variables(const std::string &expression) const;
+    in_scene_variables(const Assignment  &assignment,
+                       const std::string &text) const;
 
     /** Exponent m of the contact law. */
     double

@@ -24,6 +24,20 @@ namespace ThermoContact
   load_history(const Scene              &scene,
                const ProblemData<dim>   &data,
                std::vector<std::string> &warnings);
+
+
+
+  /**
+   * The entries of loads that change in a step by more than half of what they
+   * do in the whole run, separated by commas: for the message of a step that
+   * fails.
+   */
+  template <int dim>
+  std::string
+  loads_that_change(const Scene            &scene,
+                    const ProblemData<dim> &data,
+                    const double            from,
+                    const double            to);
 } // namespace ThermoContact
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_input_table_h
-#define thermocontact_input_table_h
+#ifndef thermocontact_input_measured_table_h
+#define thermocontact_input_measured_table_h
 
 #include <thermocontact/input/jet.h>
 #include <thermocontact/input/parameter_text.h>
@@ -16,7 +16,7 @@ namespace ThermoContact
    * the rows, or a monotone cubic, boost's pchip. Beyond the first and the last
    * row it has the value there.
    */
-  class Table
+  class MeasuredTable
   {
   public:
     /**
@@ -28,10 +28,10 @@ namespace ThermoContact
      *   column is not there, if numbers are missing or the first column does
      *   not grow
      */
-    Table(const std::string &file_name,
-          const std::string &column,
-          const bool         is_smooth,
-          const bool         has_units);
+    MeasuredTable(const std::string &file_name,
+                  const std::string &column,
+                  const bool         is_smooth,
+                  const bool         has_units);
 
     const std::string &
     file_name() const

@@ -2,8 +2,8 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
+#include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/parameter_text.h>
-#include <thermocontact/input/table.h>
 #include <thermocontact/input/unit_text.h>
 #include <thermocontact/input/unknown_names.h>
 
@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -40,22 +41,9 @@ namespace ThermoContact
     double
     in_base_units(const double number, const std::string &unit)
     {
-      for (const char *const base : {"s",
-                                     "m",
-                                     "K",
-                                     "N",
-                                     "Pa",
-                                     "1",
-                                     "kg",
-                                     "J",
-                                     "W",
-                                     "Hz",
-                                     "m/s",
-                                     "m/s^2",
-                                     "N/m",
-                                     "N/m^3",
-                                     "W/m^2",
-                                     "W/m^3"})
+      std::istringstream bases(
+        "s m K N Pa 1 kg J W Hz m/s m/s^2 N/m N/m^3 W/m^2 W/m^3");
+      for (std::string base; bases >> base;)
         if (const auto converted = convert_unit(number, unit, base))
           return *converted;
       throw std::invalid_argument(unit + " is no unit of a load");
@@ -79,10 +67,10 @@ namespace ThermoContact
 
 
 
-  Table::Table(const std::string &file_name,
-               const std::string &column,
-               const bool         is_smooth,
-               const bool         has_units)
+  MeasuredTable::MeasuredTable(const std::string &file_name,
+                               const std::string &column,
+                               const bool         is_smooth,
+                               const bool         has_units)
     : file_name_(file_name)
   {
     read(column, has_units);
@@ -113,21 +101,26 @@ namespace ThermoContact
   std::string
   folder_of_tables(const std::vector<Assignment> &assignments)
   {
+    // that of a file that is included begins with it
+    std::optional<std::string> folder;
     for (const Assignment &assignment : assignments)
       if (const auto file = assignment.place.rfind(", line ");
           file != std::string::npos)
         {
           const std::string name  = assignment.place.substr(0, file);
           const auto        slash = name.rfind('/');
-          return slash == std::string::npos ? "" : name.substr(0, slash);
+          const std::string own =
+            slash == std::string::npos ? "" : name.substr(0, slash);
+          if (!folder || own.size() < folder->size())
+            folder = own;
         }
-    return "";
+    return folder.value_or("");
   }
 
 
 
   void
-  Table::read(const std::string &column, const bool has_units)
+  MeasuredTable::read(const std::string &column, const bool has_units)
   {
     const auto fail = [&](const std::string &fault, const unsigned int line) {
       throw InputError(
@@ -204,7 +197,7 @@ namespace ThermoContact
 
 
   void
-  Table::set_slopes(const bool is_smooth)
+  MeasuredTable::set_slopes(const bool is_smooth)
   {
     if (!is_smooth)
       return;
@@ -222,7 +215,7 @@ namespace ThermoContact
 
 
   unsigned int
-  Table::row_before(const double argument) const
+  MeasuredTable::row_before(const double argument) const
   {
     const auto next =
       std::upper_bound(arguments.begin(), arguments.end() - 1, argument);
@@ -233,7 +226,8 @@ namespace ThermoContact
 
   template <typename Number>
   Jet<Number>
-  Table::between(const unsigned int i, const Jet<Number> &argument) const
+  MeasuredTable::between(const unsigned int i,
+                         const Jet<Number> &argument) const
   {
     const double h     = arguments[i + 1] - arguments[i];
     const double chord = (values[i + 1] - values[i]) / h;
@@ -252,7 +246,7 @@ namespace ThermoContact
 
 
   NumberJet
-  Table::evaluate(const NumberJet &argument) const
+  MeasuredTable::evaluate(const NumberJet &argument) const
   {
     if (argument.value < arguments.front())
       return NumberJet(values.front());
@@ -264,7 +258,7 @@ namespace ThermoContact
 
 
   double
-  Table::evaluate(const double argument) const
+  MeasuredTable::evaluate(const double argument) const
   {
     return evaluate(NumberJet(argument)).value;
   }
@@ -272,7 +266,7 @@ namespace ThermoContact
 
 
   IntervalJet
-  Table::evaluate(const IntervalJet &argument) const
+  MeasuredTable::evaluate(const IntervalJet &argument) const
   {
     const Interval &span = argument.value;
     IntervalJet     result;

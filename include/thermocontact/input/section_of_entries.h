@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_input_section_of_entries_h
+#define thermocontact_input_section_of_entries_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace ThermoContact
+{
+  /** What an entry may be if it is no number: a word, or an expression. */
+  class NumberOrText : public dealii::Patterns::PatternBase
+  {
+  public:
+    /** @p word, or a number that is not negative. */
+    static NumberOrText
+    word(const std::string &word);
+
+    /**
+     * A number, or an expression, whose text is not looked at.
+     *
+     * @param names that it may use, in words
+     * @param is_signed the number may be negative
+     */
+    static NumberOrText
+    expression(const std::string &names, const bool is_signed);
+
+    bool
+    match(const std::string &text) const override;
+
+    std::string
+    description(const OutputStyle style = Machine) const override;
+
+    std::unique_ptr<PatternBase>
+    clone() const override;
+
+    /** That stands for the default; empty: it may be an expression. */
+    const std::string &
+    default_word() const
+    {
+      return the_word;
+    }
+
+  private:
+    std::string              the_word;
+    std::string              names;
+    dealii::Patterns::Double number;
+
+    NumberOrText(const std::string              &word,
+                 const std::string              &names,
+                 const dealii::Patterns::Double &number);
+  };
+
+
+
+  /**
+   * Declares the entries of a section as long as it lives, and binds them to
+   * variables, whose values are the defaults:
+   * `entry("Gap", gap, pattern).means("...")`.
+   */
+  class SectionOfEntries
+  {
+  public:
+    SectionOfEntries(dealii::ParameterHandler &prm, const std::string &name);
+
+    ~SectionOfEntries();
+
+    SectionOfEntries(const SectionOfEntries &) = delete;
+
+    SectionOfEntries &
+    operator=(const SectionOfEntries &) = delete;
+
+    /** One that has all but its meaning. */
+    struct Entry
+    {
+      std::function<void(const std::string &)> means;
+    };
+
+    template <typename Value>
+    Entry
+    operator()(const std::string &name, Value &value)
+    {
+      return {[this, name, &value](const std::string &text) {
+        prm.add_parameter(name, value, text);
+      }};
+    }
+
+    template <typename Value, typename Pattern>
+    Entry
+    operator()(const std::string &name, Value &value, const Pattern &pattern)
+    {
+      return {[this, name, &value, &pattern](const std::string &text) {
+        prm.add_parameter(name, value, text, pattern);
+      }};
+    }
+
+    /** A number, or the word of @p pattern, the default, for none, */
+    Entry
+    operator()(const std::string     &name,
+               std::optional<double> &value,
+               const NumberOrText    &pattern);
+
+    /** or for an infinite one. */
+    Entry
+    operator()(const std::string  &name,
+               double             &value,
+               const NumberOrText &pattern);
+
+    /** A number, or else an expression. */
+    Entry
+    operator()(const std::string  &name,
+               double             &number,
+               std::string        &expression,
+               const NumberOrText &pattern);
+
+  private:
+    dealii::ParameterHandler &prm;
+
+    /** @param assign called with the number, or a null pointer for the word */
+    Entry
+    number_or_word(const std::string                         &name,
+                   const NumberOrText                        &pattern,
+                   const std::function<void(const double *)> &assign);
+  };
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/input/section_of_entries.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <limits>
+
+namespace ThermoContact
+{
+  using dealii::Patterns::Double;
+  using dealii::Utilities::string_to_double;
+
+
+
+  NumberOrText::NumberOrText(const std::string &word,
+                             const std::string &names,
+                             const Double      &number)
+    : the_word(word)
+    , names(names)
+    , number(number)
+  {}
+
+
+
+  NumberOrText
+  NumberOrText::word(const std::string &word)
+  {
+    return {word, "", Double(0., 1e15)};
+  }
+
+
+
+  NumberOrText
+  NumberOrText::expression(const std::string &names, const bool is_signed)
+  {
+    const double largest = std::numeric_limits<double>::max();
+    return {"",
+            names,
+            is_signed ? Double(-largest, largest) : Double(0., 1e15)};
+  }
+
+
+
+  bool
+  NumberOrText::match(const std::string &text) const
+  {
+    return number.match(text) ||
+           (the_word.empty() ? !(text.empty() || Double().match(text)) :
+                               text == the_word);
+  }
+
+
+
+  std::string
+  NumberOrText::description(const OutputStyle style) const
+  {
+    const std::string of_number = number.description(style);
+    return the_word.empty() ?
+             "[" + of_number + " or an expression in " + names + "]" :
+             "[" + the_word + " or " + of_number + "]";
+  }
+
+
+
+  std::unique_ptr<dealii::Patterns::PatternBase>
+  NumberOrText::clone() const
+  {
+    return std::unique_ptr<PatternBase>(new NumberOrText(*this));
+  }
+
+
+
+  SectionOfEntries::SectionOfEntries(dealii::ParameterHandler &prm,
+                                     const std::string        &name)
+    : prm(prm)
+  {
+    prm.enter_subsection(name);
+  }
+
+
+
+  SectionOfEntries::~SectionOfEntries()
+  {
+    prm.leave_subsection();
+  }
+
+
+
+  SectionOfEntries::Entry
+  SectionOfEntries::number_or_word(
+    const std::string                         &name,
+    const NumberOrText                        &pattern,
+    const std::function<void(const double *)> &assign)
+  {
+    return {[this, name, &pattern, assign](const std::string &text) {
+      const std::string word = pattern.default_word();
+      prm.declare_entry(name, word, pattern, text);
+      prm.add_action(name, [word, assign](const std::string &given) {
+        if (given == word)
+          return assign(nullptr);
+        const double number = string_to_double(given);
+        assign(&number);
+      });
+    }};
+  }
+
+
+
+  SectionOfEntries::Entry
+  SectionOfEntries::operator()(const std::string     &name,
+                               std::optional<double> &value,
+                               const NumberOrText    &pattern)
+  {
+    return number_or_word(name, pattern, [&value](const double *number) {
+      value = number ? std::optional<double>(*number) : std::nullopt;
+    });
+  }
+
+
+
+  SectionOfEntries::Entry
+  SectionOfEntries::operator()(const std::string  &name,
+                               double             &value,
+                               const NumberOrText &pattern)
+  {
+    return number_or_word(name, pattern, [&value](const double *number) {
+      value = number ? *number : std::numeric_limits<double>::infinity();
+    });
+  }
+
+
+
+  SectionOfEntries::Entry
+  SectionOfEntries::operator()(const std::string  &name,
+                               double             &number,
+                               std::string        &expression,
+                               const NumberOrText &pattern)
+  {
+    return {
+      [this, name, &number, &expression, &pattern](const std::string &text) {
+        prm.declare_entry(name,
+                          significant(number,
+                                      std::numeric_limits<double>::digits10),
+                          pattern,
+                          text);
+        prm.add_action(name, [&number, &expression](const std::string &given) {
+          const bool is_number = Double().match(given);
+          number               = is_number ? string_to_double(given) : 0.;
+          expression           = is_number ? "" : given;
+        });
+      }};
+  }
+} // namespace ThermoContact
