@@ -37,7 +37,7 @@ HEAD = """<!DOCTYPE html>
 <script type="text/x-mathjax-config">MathJax.Hub.Config({{
  extensions: ["tex2jax.js"], jax: ["input/TeX", "output/HTML-CSS"],
  TeX: {{extensions: ["AMSmath.js", "AMSsymbols.js"]}},
- "HTML-CSS": {{scale: 92, availableFonts: ["TeX"], webFont: "TeX", linebreaks: {{automatic: true}}}},
+ "HTML-CSS": {{scale: 92, availableFonts: ["TeX"], webFont: "TeX"}},
  tex2jax: {{inlineMath: [["\\\\(", "\\\\)"]], processClass: "math", ignoreClass: "page"}},
  messageStyle: "none", showMathMenu: false}});</script>
 <script src="mathjax/MathJax.js" defer></script>

@@ -87,9 +87,9 @@ namespace ThermoContact
                       massless_nodes,
                       "The mass of the contact nodes is moved to their "
                       "neighbours, for impacts without oscillations; "
-                      "automatic: where the viscosity is small against the "
-                      "mesh, on a rigid obstacle if Dimension > 1, and for the "
-                      "scheme energy conserving.",
+                      "automatic: where the viscosity does not damp the "
+                      "oscillation of one node, on a rigid obstacle if "
+                      "Dimension > 1, and for the scheme energy conserving.",
                       Selection("automatic|on|off"));
     prm.leave_subsection();
   }

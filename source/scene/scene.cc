@@ -206,9 +206,11 @@ namespace ThermoContact
 
     /**
      * Contact nodes have no mass, (M.36), where the viscosity does not damp the
-     * oscillations of one node on its obstacle, $\zeta/\sqrt b$ below the
-     * spacing of the nodes; on a rigid obstacle that several nodes meet one by
-     * one; and if the scheme needs it.
+     * oscillations of one node between its neighbour and its obstacle: a node
+     * of mass $bh$ on the springs $1/h$ and $1/\varepsilon$ with the damper
+     * $\zeta/h$, $\zeta^2<bh^2(1+h/\varepsilon)$; on a rigid obstacle, on which
+     * a node does not oscillate, without the second spring, and if several
+     * nodes meet it one by one; and if the scheme needs it.
      */
     bool
     resolve_massless_nodes(const Parameters &parameters,
@@ -228,10 +230,12 @@ namespace ThermoContact
         return false; // it acts on what has inertia
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
+      const double h = mesh.contact_spacing();
+      // of the mesh, and of an elastic obstacle beside it
+      const double stiffness = 1. + (law.is_rigid() ? 0. : h / law.tangent(1.));
       return scheme.needs_massless_contact ||
              (parameters.dimension > 1 && law.is_rigid()) ||
-             model.viscosity <
-               std::sqrt(model.inertia) * mesh.contact_spacing();
+             model.viscosity < std::sqrt(model.inertia * stiffness) * h;
     }
 
 
