@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/multiples.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/report/key_results.h>
 #include <thermocontact/report/progress.h>
@@ -50,14 +51,12 @@ namespace ThermoContact
   void
   Progress::report_tenth(const StepRecord &record)
   {
-    const double end_time = scene.parameters.time.end_time;
-    const auto   tenths   = [end_time](const double time) {
-      return static_cast<unsigned int>(10. * time / end_time + 1e-9);
-    };
-    if (tenths(record.time) == tenths(record.time - record.step_size))
+    const double tenth = 0.1 * scene.parameters.time.end_time;
+    const double n     = whole_intervals(tenth, record.time);
+    if (n == whole_intervals(tenth, record.time - record.step_size))
       return;
     std::string line = text("  ",
-                            align_right(text(10 * tenths(record.time)), 3),
+                            align_right(text(10. * n), 3),
                             " %   t = ",
                             align_left(units.text("time", record.time), 10));
     const auto  add  = [&](const char  *name,
@@ -101,9 +100,8 @@ namespace ThermoContact
       [this](const char *name, const char *kind, const double value) {
         return text("  ", name, ' ', align_left(units.text(kind, value), 12));
       };
-    const auto percent =
-      static_cast<unsigned int>(100. * record.time / end_time + 1e-9);
-    std::string line = text("  ", align_right(text(percent), 3), " %") +
+    const double percent = whole_intervals(0.01 * end_time, record.time);
+    std::string  line    = text("  ", align_right(text(percent), 3), " %") +
                        field(" t", "time", record.time) +
                        field("dt", "time", record.step_size);
     if (scene.contact.law->is_active())

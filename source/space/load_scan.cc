@@ -182,7 +182,8 @@ namespace ThermoContact
         {
           if (load.is_dirichlet)
             return;
-          // a rigid obstacle whose slope jumps within a step would throw its nodes
+          // a rigid obstacle whose slope jumps within a step would throw its
+          // nodes
           together.stretches.clear();
         }
       history.add(together);

@@ -125,7 +125,10 @@ namespace ThermoContact
     Multiples              of_space_time;
     Multiples              of_period;
 
-    /** Those that an earlier part of the run has left, too, for a later one. */
+    /**
+     * As in OutputProgress; also of tables that an earlier part of the run has
+     * left and that this one does not write.
+     */
     std::map<std::string, std::uint64_t> sizes;
 
     std::unique_ptr<ProbeOutput<dim>>     probe_output; ///< if asked for

@@ -20,8 +20,10 @@ namespace ThermoContact
   class RodSnapshot
   {
   public:
-    /** Whether a body has such files; a static one has no PointValues of its
-     * velocity at first. */
+    /**
+     * Whether a body has such files: not a static one, whose velocity at first
+     * is NaN in PointValues.
+     */
     static bool
     is_for(const Body<1> &body);
 
@@ -33,11 +35,10 @@ namespace ThermoContact
     file(const State &state, const unsigned int cycle);
 
   private:
-    const SceneFields &fields;
-    const std::vector<Place<1>>
-                   places; ///< points of cells, one after the other
-    PointValues<1> point_values;
-    std::string    cells; ///< points and cells
+    const SceneFields          &fields;
+    const std::vector<Place<1>> places; ///< points, cell by cell
+    PointValues<1>              point_values;
+    std::string                 cells; ///< points and cells
   };
 } // namespace ThermoContact
 

@@ -13,8 +13,8 @@ namespace ThermoContact
 {
   /**
    * The heat exchange $k$(gap, pressure) of a state at each contact node,
-   * (M.3): of two obstacles, that at which the gap is smaller. A pull counts as no
-   * pressure: a step that ends with one is not the last attempt at it.
+   * (M.3): of two obstacles, that at which the gap is smaller. A pull counts as
+   * no pressure: a step that ends with one is not the last attempt at it.
    */
   template <int dim>
   void
