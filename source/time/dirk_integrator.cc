@@ -179,14 +179,51 @@ namespace ThermoContact
                             const ContactMode mode,
                             StepResult       &result)
   {
-    choose_tableau(mode);
+    result.is_prescribed = false;
+    choose_stops(state, mode);
+    const bool can_close = mode == ContactMode::unilateral &&
+                           body.scene.contact.order == NodeOrder::viscous;
+    const bool has_several_nodes = body.contact_end().n_nodes() > 1;
+    tableau = can_close && has_several_nodes ? &in_order : &of_scheme;
+    solve_stages(state, time_step, mode, result);
+    if (result.failure.empty() && can_close && tableau != &in_order &&
+        closes_nodes(state))
+      {
+        tableau = &in_order;
+        solve_stages(state, time_step, mode, result);
+      }
+    if (!result.failure.empty())
+      return;
+    if (result.state.contact_pressure.size() != known.contact_pressure.size())
+      result.state = known; // the first one: gets its layout
+    else
+      result.state.swap(known);
+    result.state.known_penetration.clear();
+    find_closed_nodes(state, mode, result);
+    result.energy = body.energy.energy(result.state);
+    if (tableau->has_error_estimate())
+      estimate_error(time_step.size, mode, result);
+    result.numerical_dissipation =
+      tableau->n_stages() == 1 ?
+        body.energy.numerical_dissipation(state, result.state) :
+        old_energy - result.energy.sum() + result.work - result.dissipation -
+          result.contact_dissipation + result.algebraic;
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::solve_stages(const State      &state,
+                                    const TimeStep   &time_step,
+                                    const ContactMode mode,
+                                    StepResult       &result)
+  {
     const double tau = tableau->gamma() * time_step.size;
 
     start_sums(result);
-    result.n_iterations  = 0;
-    result.is_prescribed = false;
+    result.n_iterations = 0;
     start_drives(state, time_step);
-    choose_stops(state, mode);
     for (unsigned int i = 0; i < tableau->n_stages(); ++i)
       {
         StageRates &stage = stages[i];
@@ -210,20 +247,6 @@ namespace ThermoContact
         if (driven)
           result.work += weight * work_at_end(i);
       }
-    if (result.state.contact_pressure.size() != known.contact_pressure.size())
-      result.state = known; // the first one: gets its layout
-    else
-      result.state.swap(known);
-    result.state.known_penetration.clear();
-    find_closed_nodes(state, mode, result);
-    result.energy = body.energy.energy(result.state);
-    if (tableau->has_error_estimate())
-      estimate_error(time_step.size, mode, result);
-    result.numerical_dissipation =
-      tableau->n_stages() == 1 ?
-        body.energy.numerical_dissipation(state, result.state) :
-        old_energy - result.energy.sum() + result.work - result.dissipation -
-          result.contact_dissipation + result.algebraic;
   }
 
 
@@ -457,15 +480,15 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  DirkIntegrator<dim>::choose_tableau(const ContactMode mode)
+  bool
+  DirkIntegrator<dim>::closes_nodes(const State &state) const
   {
-    const SceneContact &contact = body.scene.contact;
-    tableau = mode == ContactMode::unilateral && contact.law->is_active() &&
-                  contact.order == NodeOrder::viscous &&
-                  body.contact_end().n_nodes() > 1 ?
-                &in_order :
-                &of_scheme;
+    for (unsigned int i = 0; i < tableau->n_stages(); ++i)
+      for (unsigned int node = 0; node < stages[i].pressure.size(); ++node)
+        if (state.contact_pressure[node] == 0. &&
+            stages[i].pressure[node] != 0.)
+          return true;
+    return false;
   }
 
 

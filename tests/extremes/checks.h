@@ -148,7 +148,8 @@ namespace ThermoContact
       std::vector<NodeLaw> laws;
       std::vector<double>  position;
       get_node_laws(simulation.body(), state, laws, position);
-      const double rear_gap = simulation.scene().contact.rear_gap.value_or(0.);
+      const SceneContact &contact = simulation.scene().contact;
+      const double rear_gap = contact.is_two_sided() ? contact.rear_gap : 0.;
       const TimeParameters &time = simulation.parameters().time;
       // one of several nodes may end an event of a rigid obstacle beyond it
       const double miss =

@@ -263,8 +263,7 @@ namespace ThermoContact
                                        std::abs(last.contact_force)));
     const double free_end = a * rest.mean;
     NodeLaw      law(*scene.contact.law);
-    if (scene.contact.rear_gap)
-      law.play = parameters.contact.gap + *scene.contact.rear_gap;
+    law.play = parameters.contact.gap + scene.contact.rear_gap;
     const double pressure =
       law.resolve(free_end - parameters.contact.gap, 1.).pressure;
     const double length =

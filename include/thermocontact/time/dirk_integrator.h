@@ -119,13 +119,24 @@ namespace ThermoContact
     can_change_at_once(const ContactMode mode) const;
 
     /**
-     * The stages of unilateral steps are in the order of time where several
-     * nodes are viscous and close one after another: else one that has closed
-     * would be open in a later stage that is earlier, and the step would end
-     * short of the obstacle.
+     * Through the stages of the present tableau; @p result gets their sums and
+     * the failure of one.
      */
     void
-    choose_tableau(const ContactMode mode);
+    solve_stages(const State      &state,
+                 const TimeStep   &time_step,
+                 const ContactMode mode,
+                 StepResult       &result);
+
+    /**
+     * True if nodes are in contact in a stage that were open before the step.
+     * Where they are viscous such a step, and any unilateral one of several
+     * nodes, which close one after another, is taken with stages in the order
+     * of time: else a node that has closed would be open in a later stage that
+     * is earlier, and the step would end short of the obstacle.
+     */
+    bool
+    closes_nodes(const State &state) const;
 
     /**
      * Closed nodes between two obstacles stay at the one where @p state has them:
