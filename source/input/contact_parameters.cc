@@ -54,8 +54,8 @@ namespace ThermoContact
              "negative.");
     entry("Massless nodes", massless_nodes, Selection("automatic|on|off"))
       .means("The mass of the contact nodes is moved to their neighbours, for "
-             "impacts without oscillations; automatic: where the viscosity is "
-             "small against the mesh, on a rigid obstacle if Dimension > 1, "
-             "and for the scheme energy conserving.");
+             "impacts without oscillations; automatic: where the viscosity does "
+             "not damp the oscillation of one node, on a rigid obstacle if "
+             "Dimension > 1, and for the scheme energy conserving.");
   }
 } // namespace ThermoContact

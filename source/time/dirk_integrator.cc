@@ -507,7 +507,8 @@ namespace ThermoContact
                                          StepResult       &result) const
   {
     result.closed_nodes.clear();
-    if (mode != ContactMode::unilateral ||
+    // velocity and pressure of a step of one stage are its differences
+    if (mode != ContactMode::unilateral || tableau->n_stages() == 1 ||
         body.scene.contact.order != NodeOrder::viscous)
       return;
     const std::vector<bool> is_closed = closed_at_end(mode);
