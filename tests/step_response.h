@@ -35,7 +35,7 @@ namespace ThermoContact
     double
     operator()(const double t) const
     {
-      return t > 0. ? spline(std::sqrt(t)) : 0.;
+      return t >= 0. ? spline(std::sqrt(t)) : 0.; // behind the step at 0
     }
 
   private:

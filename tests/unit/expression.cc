@@ -166,7 +166,7 @@ namespace
                                    "log(x+1)+ln(t+2)",
                                    "log2(x+1)*log10(t+2)",
                                    "sqrt(x*t)",
-                                   "pow(x,2.5)-pow(t,3)",
+                                   "pow(x,2.5)+pow(t,3)",
                                    "erfc(4*x)",
                                    "abs(x-t)*sign(x-0.5)",
                                    "rint(3*x)+int(3*t-1)",
