@@ -231,8 +231,10 @@ namespace ThermoContact
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
       const double h = mesh.contact_spacing();
-      // of the mesh, and of an elastic obstacle beside it
-      const double stiffness = 1. + (law.is_rigid() ? 0. : h / law.tangent(1.));
+      // of the mesh, and of an obstacle beside it that has one for all
+      // pressures
+      const bool   has_stiffness = law.is_linear() && !law.is_rigid();
+      const double stiffness = 1. + (has_stiffness ? h / law.tangent(1.) : 0.);
       return scheme.needs_massless_contact ||
              (parameters.dimension > 1 && law.is_rigid()) ||
              model.viscosity < std::sqrt(model.inertia * stiffness) * h;
