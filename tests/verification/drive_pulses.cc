@@ -156,8 +156,9 @@ namespace
     double
     response(const StepResponse &S, const double t) const
     {
+      constexpr double behind = 1e-12; // a jump are rows at it
       if (shape == Shape::rectangle)
-        return S(t - begin()) - S(t - end());
+        return S(t + behind - begin()) - S(t + behind - end());
       if (shape == Shape::trapezoid)
         {
           const auto one = [&](const double) { return 1. / ramp(); };
