@@ -28,8 +28,9 @@
 //    so that u_t(1) = 1/22 in all rows from 0.3 on, to 1e-9.
 // 6. At the initial state, and at a jump, u_t(1) of a body with b = zeta = 0 is
 //    no number; in all other rows it is.
-// 7. A scene as in 1, fixed steps: one factorisation for the stages and one for
-//    all that is completed without a stage, the initial state and 5 jumps.
+// 7. A scene as in 1, fixed steps: one factorisation for the stages, one for
+//    those of steps within which the node closes, and one for all that is
+//    completed without a stage, the initial state and 5 jumps.
 // 8. Three dimensions, all 25 nodes of an elastic obstacle at once, iterative
 //    solver, events located: the sets of all stages settle, so that no more
 //    steps are rejected than with the direct solver (18 instead of 2 if they do
