@@ -53,9 +53,10 @@ namespace ThermoContact
              "with the same law; none: no such obstacle. Its pressures are "
              "negative.");
     entry("Massless nodes", massless_nodes, Selection("automatic|on|off"))
-      .means("The mass of the contact nodes is moved to their neighbours, for "
-             "impacts without oscillations; automatic: where the viscosity does "
-             "not damp the oscillation of one node, on a rigid obstacle if "
-             "Dimension > 1, and for the scheme energy conserving.");
+      .means(
+        "The mass of the contact nodes is moved to their neighbours, for "
+        "impacts without oscillations; automatic: where the viscosity does "
+        "not damp the oscillation of one node, on a rigid obstacle if "
+        "Dimension > 1, and for the scheme energy conserving.");
   }
 } // namespace ThermoContact
