@@ -639,7 +639,8 @@ namespace ThermoContact
     const bool is_event = finding.kind == EventLocator::Finding::at_end;
     bool       changed =
       remove_pull(mode == ContactMode::closed ? finding.side : 0, result.state);
-    if (is_event && body.scene.contact.is_in_equilibrium())
+    if (is_event && body.scene.contact.is_in_equilibrium() &&
+        body.law().damping() == 0.) // else velocities carry pressure, too
       {
         changed = true;
         set_static_equilibrium(result.state);
