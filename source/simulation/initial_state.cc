@@ -137,11 +137,12 @@ namespace ThermoContact
                            const double         reached,
                            const double         rear_gap)
     {
+      const std::string initial = units.text("length", displacement);
       if (displacement < -rear_gap)
         throw InputError(text("Contact/Rear gap = ",
                               rear_gap,
                               ": the initial displacement ",
-                              units.text("length", displacement),
+                              initial,
                               " of the end penetrates the rigid stop\n  "
                               "remedy:  a larger rear gap, or another Initial "
                               "values/Displacement"));

@@ -203,10 +203,6 @@ SCENES = [
     ("Contact/Gap", PLANE + RIGID, "Contact/Gap=y-0.5", "Contact/Gap=abs(y-0.5)",
      ("Contact/Gap=y-0.5", "Contact/Condition=normal compliance")),
 
-    ("Contact/Rear gap", ("Contact/Condition=rigid",
-                          "Initial values/Displacement=-0.1*x"),
-     "Contact/Rear gap=0.05", "Contact/Rear gap=0.2"),
-
     # steps
     ("Time/Step size", ("Time/Scheme=backward euler",), "Time/Step size=automatic",
      "Time/Step size=0.01", "Time/Scheme=sdirk4"),
