@@ -75,6 +75,7 @@ namespace
     parameters.mesh.cells             = 4;
     parameters.mesh.cells_across      = 2;
     parameters.mesh.width             = 0.5;
+    parameters.contact.massless_nodes = "off";
     parameters.boundary.heat_exchange = 3.;
     parameters.model.poisson_ratio    = dim == 1 ? 0. : 0.3;
     return parameters;
