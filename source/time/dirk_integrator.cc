@@ -183,8 +183,7 @@ namespace ThermoContact
     choose_stops(state, mode);
     const bool can_close = mode == ContactMode::unilateral &&
                            body.scene.contact.order == NodeOrder::viscous;
-    const bool has_several_nodes = body.contact_end().n_nodes() > 1;
-    tableau = can_close && has_several_nodes ? &in_order : &of_scheme;
+    tableau = can_close && is_partial(state) ? &in_order : &of_scheme;
     solve_stages(state, time_step, mode, result);
     if (result.failure.empty() && can_close && tableau != &in_order &&
         closes_nodes(state))
@@ -475,6 +474,17 @@ namespace ThermoContact
     const SceneContact &contact = body.scene.contact;
     return contact.law->is_active() && !contact.has_mass() &&
            (mode == ContactMode::unilateral || contact.is_in_equilibrium());
+  }
+
+
+
+  template <int dim>
+  bool
+  DirkIntegrator<dim>::is_partial(const State &state) const
+  {
+    const auto &pressures = state.contact_pressure;
+    const auto  n_open = std::count(pressures.begin(), pressures.end(), 0.);
+    return n_open != 0 && n_open != std::ptrdiff_t(pressures.size());
   }
 
 

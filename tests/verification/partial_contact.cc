@@ -25,8 +25,9 @@
 //    preconditioners; u(1) and the impulse at T are those of the direct solver
 //    to ten tolerances. Measured: 17 and 15 in 100, 19 and 14.
 // 5. Without inertia, in steps of 0.002 against an obstacle with a shape, which
-//    the nodes meet one after another: two factorisations, one of the stage and
-//    one for the velocities after a node has closed, in however many steps.
+//    the nodes meet one after another: three factorisations, of the stages of
+//    sdirk4 and of sdirk3 and one for the velocities after a node has closed,
+//    in however many steps.
 
 #include <thermocontact/simulation/simulation.h>
 

@@ -128,10 +128,14 @@ namespace ThermoContact
                  const ContactMode mode,
                  StepResult       &result);
 
+    /** True if some nodes are in contact and some are not. */
+    bool
+    is_partial(const State &state) const;
+
     /**
      * True if nodes are in contact in a stage that were open before the step.
-     * Where they are viscous such a step, and any unilateral one of several
-     * nodes, which close one after another, is taken with stages in the order
+     * Where they are viscous such a step, and one from partial contact, whose
+     * nodes close and open one after another, is taken with stages in the order
      * of time: else a node that has closed would be open in a later stage that
      * is earlier, and the step would end short of the obstacle.
      */
