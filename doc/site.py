@@ -6,7 +6,7 @@ Writes the manual as a site into FOLDER: the pages that the section "Manual" of
 README.md lists, in its groups, and the classes by Doxygen. No page needs a
 network or a server: formulas are drawn by Debian's libjs-mathjax, and the
 search looks into an index of all sections, table rows and classes. Numbers of
-equations, (M.4), and entries, `Contact/Gap`, become links to their places. A
+equations, (M1.4), and entries, `Contact/Gap`, become links to their places. A
 page of doc/ that is in no group, and a link that leads to no page, are faults.
 """
 import base64

@@ -10,7 +10,7 @@ namespace ThermoContact
   namespace
   {
     /**
-     * An elastic obstacle with the factor $[1+cv]_+$, doc/model.md (M.82). What
+     * An elastic obstacle with the factor $[1+cv]_+$, doc/model.md (M4.2). What
      * the interface tells of pressures and penetrations is that of the elastic
      * law, at $v=0$.
      */

@@ -12,7 +12,7 @@ namespace ThermoContact
 {
   namespace
   {
-    /** An event is missed by that part of what an error may be, (M.32). */
+    /** An event is missed by that part of what an error may be, (C3.1). */
     constexpr double miss_of_event = 0.01;
 
 

@@ -10,7 +10,7 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Elastic obstacle, $s=\varepsilon p$, doc/model.md (M.4). */
+    /** Elastic obstacle, $s=\varepsilon p$, doc/model.md (M1.4). */
     class NormalCompliance : public ContactLaw
     {
     public:

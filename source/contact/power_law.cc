@@ -11,7 +11,7 @@ namespace ThermoContact
 {
   namespace
   {
-    /** $p=(s/\varepsilon)^m$ with $m>1$, doc/model.md (M.69). */
+    /** $p=(s/\varepsilon)^m$ with $m>1$, doc/model.md (M4.1). */
     class PowerLaw : public ContactLaw
     {
     public:

@@ -28,7 +28,7 @@ namespace ThermoContact
 
 
 
-    /** The scene, (M.44), in error-controlled steps to @p end_time. */
+    /** The scene, (M8.3), in error-controlled steps to @p end_time. */
     Parameters
     coarse_scene(const Scene &scene, const double end_time)
     {

@@ -74,7 +74,7 @@ namespace ThermoContact
 
     /**
      * Displacement that the end of a rod loses per unit pressure in a stage of
-     * length @p tau, $\chi(\tau)$ of doc/model.md (M.20), without coupling.
+     * length @p tau, $\chi(\tau)$ of doc/discretisation.md (D7.2), without coupling.
      */
     double
     rod_response(const Material &material, const double tau)

@@ -48,7 +48,7 @@ namespace ThermoContact
 
 
 
-    /** The body at rest with the profile of a drop $c$, (M.7). */
+    /** The body at rest with the profile of a drop $c$, (M2.1). */
     SteadyState
     state_of_drop(const Scene &scene, const double drop)
     {
@@ -72,7 +72,7 @@ namespace ThermoContact
 
 
 
-    /** $F(c)$ of (M.59): zero where the exchange keeps the profile. */
+    /** $F(c)$ of (M5.2): zero where the exchange keeps the profile. */
     double
     imbalance(const Scene &scene, const double drop)
     {
@@ -88,7 +88,7 @@ namespace ThermoContact
 
 
 
-    /** All zeros of (M.59), by sampling; jumps over zero among them. */
+    /** All zeros of (M5.2), by sampling; jumps over zero among them. */
     std::vector<SteadyState>
     states_of_varying_exchange(const Scene &scene)
     {

@@ -10,7 +10,7 @@ namespace ThermoContact
     /**
      * A round rod: the mesh is the half of a section along its axis, y the
      * radius. Areas and volumes are those of an angle of one, doc/model.md
-     * (M.47).
+     * (M7.1).
      */
     class RoundRod : public BodyGeometry
     {

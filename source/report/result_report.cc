@@ -91,7 +91,7 @@ namespace ThermoContact
 
 
 
-    /** The audit (M.22) of the whole run. */
+    /** The audit (D4.1) of the whole run. */
     std::string
     describe_energy(const StepRecord  &record,
                     const double       initial_energy,

@@ -205,7 +205,7 @@ namespace ThermoContact
 
 
     /**
-     * Contact nodes have no mass, (M.36), where the viscosity does not damp the
+     * Contact nodes have no mass, (C1.1), where the viscosity does not damp the
      * oscillations of one node between its neighbour and its obstacle: a node
      * of mass $bh$ on the springs $1/h$ and $1/\varepsilon$ with the damper
      * $\zeta/h$, $\zeta^2<bh^2(1+h/\varepsilon)$; on a rigid obstacle, on which

@@ -327,7 +327,7 @@ namespace ThermoContact
 
     /**
      * $\varphi(s)$ at a node with the pressure $p = \varphi(s)\,[1+c\,v]_+$,
-     * (M.82), into the local obstacle. At a hard obstacle s has few digits, and
+     * (M4.2), into the local obstacle. At a hard obstacle s has few digits, and
      * $p-\varphi(s)$ would have none: then it is $p/(1+c\,v)$. A node that goes
      * in without a pressure does not know of the obstacle yet, in a step that
      * is held open and misses the begin of contact by s: zero.

@@ -11,7 +11,7 @@ namespace ThermoContact
 {
   namespace
   {
-    /** $\theta_s$ of (M.7) in the first component. */
+    /** $\theta_s$ of (M2.1) in the first component. */
     template <int dim>
     class LinearProfile : public Function<dim>
     {
@@ -33,7 +33,7 @@ namespace ThermoContact
 
 
 
-    /** The equation (M.104), solved from a profile with the right fixed end. */
+    /** The equation (M5.7), solved from a profile with the right fixed end. */
     template <int dim>
     class RestEquation
     {

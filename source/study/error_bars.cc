@@ -105,7 +105,7 @@ namespace ThermoContact
 
 
 
-    /** (M.88) of what differences there are. */
+    /** (D9.3) of what differences there are. */
     template <int dim>
     KeyResults
     time_errors(const Simulation<dim> &simulation, Repeats<dim> &repeats)
@@ -169,7 +169,7 @@ namespace ThermoContact
 
 
 
-    /** (M.89) of what differences there are. */
+    /** (D9.4) of what differences there are. */
     template <int dim>
     KeyResults
     space_errors(const Simulation<dim> &simulation,

@@ -483,7 +483,7 @@ namespace ThermoContact
   DirkIntegrator<dim>::is_partial(const State &state) const
   {
     const auto &pressures = state.contact_pressure;
-    const auto  n_open = std::count(pressures.begin(), pressures.end(), 0.);
+    const auto  n_open    = std::count(pressures.begin(), pressures.end(), 0.);
     return n_open != 0 && n_open != std::ptrdiff_t(pressures.size());
   }
 

@@ -245,7 +245,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < laws.size(); ++i)
       is_open &= laws[i].is_open(free[i]);
     if (is_open)
-      return; // zero pressures solve (M.18)
+      return; // zero pressures solve (C2.4)
 
     std::copy(known.contact_pressure.begin(),
               known.contact_pressure.end(),

@@ -19,8 +19,8 @@ PEAKS = {"max_contact_force": "contact_force", "max_penetration": "penetration"}
 MOTION = ("Model/Fields=displacement", "Model/Viscosity=0", "Contact/Condition=rigid",
           "Initial values/Velocity=x", "Time/Scheme=energy conserving")
 
-# overrides; repeats in time with their weights by (M.88), in space from fine to coarse,
-# and the rate that is trusted at most, (M.89)
+# overrides; repeats in time with their weights by (D9.3), in space from fine to coarse,
+# and the rate that is trusted at most, (D9.4)
 CASES = [
     (("Time/Tolerance=1e-4", "Mesh/Degree=5"),
      [(("Time/Tolerance=1e-3",), 0.5), (("Time/Tolerance=1e-2",), 0.05)],
@@ -101,7 +101,7 @@ def exponent(overrides):
 
 
 def top(rows, power):
-    """(M.87): the largest value of the cubics of the steps in contact, f ~ s^power"""
+    """(D9.2): the largest value of the cubics of the steps in contact, f ~ s^power"""
     largest = max(row[1] for row in rows)
     for (t0, f0, s0, v0), (t1, f1, s1, v1) in zip(rows, rows[1:]):
         if s0 > 0 and s1 > 0 and v0 > 0 > v1:
@@ -116,7 +116,7 @@ def top(rows, power):
 
 
 def peak(rows, _):
-    """(M.87): the vertex of the parabola through the largest value and its neighbours"""
+    """(D9.2): the vertex of the parabola through the largest value and its neighbours"""
     i = max(range(len(rows)), key=lambda j: rows[j][1])
     if not 0 < i < len(rows) - 1:
         return rows[i][1]
@@ -132,7 +132,7 @@ def difference(a, b):
 
 
 def time_bars(summary, values, in_time, weights):
-    """(M.88)"""
+    """(D9.3)"""
     bars = {}
     for key in KEYS:
         time = [weight * difference(values[key], repeat[key])
@@ -144,7 +144,7 @@ def time_bars(summary, values, in_time, weights):
 
 
 def space_bars(values, in_space, time, smallest):
-    """(M.89)"""
+    """(D9.4)"""
     near, far = ({key: difference(values[key], repeat[key]) for key in KEYS}
                  for repeat in in_space)
     rates = {key: max(near[key] / far[key], smallest) if far[key] > near[key] else 1

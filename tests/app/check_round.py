@@ -5,7 +5,7 @@
 usage: check_round.py DIR
 
 Rows x, r and around the axis: C e(u) with the strain u_r/r around the axis, its
-limit u_r,r on it, and lambda and mu of (M.6). Far from the ends s_xx = t, no other
+limit u_r,r on it, and lambda and mu of (M1.6). Far from the ends s_xx = t, no other
 stress, and e_xx = t/E, E = 2 mu (1 + nu), e_rr = -nu e_xx. Probes: the polynomials
 of the snapshots. Snapshots are in single precision: bound 1e-4 of t. Then the
 stress is falsified, without the strain around the axis and as in a plane.

@@ -223,7 +223,7 @@ def check_messages():
                   "scene.prm")[2]
     check_message("end time", "Time/End time = 0.02: the checkpoint is at t = 0.002 min "
                   "(nondimensional: 0.04)", message)
-    # an impact with fixed steps creates energy, (M.9)
+    # an impact with fixed steps creates energy, (M2.3)
     create = ["Model/Fields=displacement", "Model/Viscosity=0", "Contact/Condition=rigid",
               "Contact/Massless nodes=off", "Initial values/Velocity=x", "Mesh/Cells=4",
               "Mesh/Degree=5", "Time/Scheme=sdirk2", "Time/Step size=0.1", "Time/End time=20",

@@ -3,9 +3,9 @@
 """Recomputes what a strip reports, from the displacements in its snapshots.
 
 Every step has a snapshot. Stress: all components from the gradients of displacement and
-velocity in each cell, with lambda and mu of (M.6). Probes and space-time file: the
-polynomials of the snapshots. contact.csv: values at the contact nodes, integrals (M.8),
-(M.23), (M.25) of backward Euler; with free sides and a traction alone, half of Clapeyron's work, and a
+velocity in each cell, with lambda and mu of (M1.6). Probes and space-time file: the
+polynomials of the snapshots. contact.csv: values at the contact nodes, integrals (M2.2),
+(D4.2), (D4.4) of backward Euler; with free sides and a traction alone, half of Clapeyron's work, and a
 state of uniaxial stress in the middle, exp(-4.2 x 4) away from the ends.
 Snapshots are in single precision: bound 2e-5 of the largest value, 1e-4 for stresses.
 Then each column is falsified, as in falsify.py; not noticed is the number of iterations
@@ -138,7 +138,7 @@ def pressures(strip, state):
        "contact.csv/contact_force", "contact.csv/stress_end", "contact.csv/in_contact",
        "contact.csv/contact_impulse")
 def check_end(strip):
-    """Means over the contact nodes, extremes, (M.4), the sum of force times step"""
+    """Means over the contact nodes, extremes, (M1.4), the sum of force times step"""
     c = strip.contact
     yield differences(c["displacement_end"], means(strip, "displacement"), SINGLE)
     velocity = numpy.array(means(strip, "velocity"))
@@ -226,7 +226,7 @@ def elastic_form(strip, state, name):
 
 
 def energy_and_rate(strip, state):
-    """(M.8), and the dissipation (M.23) per time"""
+    """(M2.2), and the dissipation (D4.2) per time"""
     v = state.fields["velocity"]
     p, weights = pressures(strip, state)
     energy = (strip.b * sum(state.integral(v[..., i], v[..., i]) for i in range(2)) /
@@ -251,7 +251,7 @@ def energy_and_rate(strip, state):
 @check("contact.csv/energy", "contact.csv/dissipation", "contact.csv/work",
        "contact.csv/numerical_dissipation", "contact.csv/algebraic")
 def check_energy(strip):
-    """Integrals of the snapshots; the audit (M.22), with what a solver leaves (M.65), which
+    """Integrals of the snapshots; the audit (D4.1), with what a solver leaves (D8.5), which
     is there if it iterates"""
     c, is_euler = strip.contact, strip.settings["Time/Scheme"] == "backward euler"
     if strip.sums is None:

@@ -196,7 +196,7 @@ def restitution(run):
 
 
 def state_of_rest(run):
-    """1 if the end has come to (M.10): its temperature but for 1e-3 of the outer
+    """1 if the end has come to (M3.1): its temperature but for 1e-3 of the outer
     difference, its displacement but for 1e-3 of itself or the gap; else none"""
     s = run.settings
     inner, outer, k = (s.number("Boundary/" + name) for name in (

@@ -165,7 +165,7 @@ def check_lateral(run):
 @column("energy", "work", "dissipation", "numerical_dissipation", "contact_dissipation",
         "algebraic")
 def check_audit(run):
-    """(M.22) in each row; what cannot fall; no work where nothing does any."""
+    """(D4.1) in each row; what cannot fall; no work where nothing does any."""
     c, scene = run.contact, scene_of(run)
     zero = 0 * c["time"]
     taken = c["contact_dissipation"] if "contact_dissipation" in c.names else zero
@@ -244,7 +244,7 @@ def check_probes(run):
 
 @column("energy", "dissipation", "temperature_mean")
 def check_snapshots(run):
-    """Mean temperature, energy (M.8), and of backward Euler the dissipation (M.23), by the
+    """Mean temperature, energy (M2.2), and of backward Euler the dissipation (D4.2), by the
     polynomials of a rod's snapshots."""
     c, scene, s = run.contact, scene_of(run), run.settings
     if not scene.is_rod or not run.snapshots():

@@ -77,6 +77,6 @@ class Snapshot:
 
 
 def stress_of(strain, nu):
-    """(M.6): lambda tr(e) I + 2 mu e"""
+    """(M1.6): lambda tr(e) I + 2 mu e"""
     trace = numpy.trace(strain, axis1=-2, axis2=-1)[..., None, None] * numpy.eye(2)
     return nu / (1 - nu) * trace + (1 - 2 * nu) / (1 - nu) * strain

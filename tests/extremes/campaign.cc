@@ -7,18 +7,18 @@
 // initial state and at the end of every step (checks.h):
 //
 //   finite         all columns of contact.csv.
-//   laws           pressures of damped obstacles are those of (M.82),
-//                  coefficients of the heat exchange those of (M.57), at
+//   laws           pressures of damped obstacles are those of (M4.2),
+//                  coefficients of the heat exchange those of (C5.2), at
 //                  penetrations and velocities that are known to rounding.
 //   contact        p >= 0, g - u_n + eps p >= 0, and = 0 where p > 0, at every
-//                  contact node: (M.4), (M.5), which stiffly accurate schemes
+//                  contact node: (M1.4), (M1.5), which stiffly accurate schemes
 //                  satisfy at the end of a step. 1e-12 of the largest term is
 //                  rounding, more where cells are flat; a miss of an event by s
 //                  is no violation, because the step that makes it ends with p
 //                  = s/eps.
 //   energy         without loads it changes by the physical dissipation alone
 //                  in a step of energy conserving (section 13), and does not
-//                  grow in one of backward Euler (M.22), nor in one of the
+//                  grow in one of backward Euler (D4.1), nor in one of the
 //                  other schemes in which no stage asked for the state of
 //                  contact: then the step is linear, and an A-stable scheme
 //                  does not increase the norm of a dissipative linear system
@@ -29,11 +29,11 @@
 //   audit          energy(0) + work = energy + dissipation + that of the
 //   obstacle
 //                  + numerical dissipation. Backward Euler computes each of
-//                  them by a formula of its own (M.22)-(M.25).
+//                  them by a formula of its own (D4.1)-(D4.4).
 //   events         begin and end take turns.
 //
 // And of whole runs (variations.h), those of the table one of the first two:
-//   scaling        (M.1)-(M.5) are positively homogeneous in initial values,
+//   scaling        (M1.1)-(M1.5) are positively homogeneous in initial values,
 //                  theta_A, theta_obs, g and loads, and the program has no
 //                  absolute threshold. The factors are the powers of two next
 //                  to 1e-100, 1e-8, 1e8, 1e100, which rounding cannot tell from
@@ -47,7 +47,7 @@
 //   period         of random scenes: Output/Period at whose multiples steps end
 //   anyway, or that is
 //                  longer than the run, changes nothing.
-//   steady state   (M.10), (M.103) to 1e-9, after T = 1e6 or 20 steps of 1e6;
+//   steady state   (M3.1), (M5.6) to 1e-9, after T = 1e6 or 20 steps of 1e6;
 //   after one
 //                  such step to what the tableau leaves of the slowest mode.
 //   warnings       a preload and a corner layer are announced.

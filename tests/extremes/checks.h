@@ -187,7 +187,7 @@ namespace ThermoContact
 
     /**
      * Without loads the energy must change by the physical dissipation alone:
-     * energy conserving; and must not grow: backward Euler by (M.22), the
+     * energy conserving; and must not grow: backward Euler by (D4.1), the
      * others, all of them A-stable, where the step is linear, that is, where no
      * stage asked whether the obstacle pushes, or what its law is. An event
      * that is missed by s changes the obstacle's energy by s^2/(2 eps): less
@@ -240,7 +240,7 @@ namespace ThermoContact
                         0.5 * std::pow(1e-12 * scales.gap, 2));
     }
 
-    /** The box scheme on an obstacle that is stiffer than its cells, (M.81). */
+    /** The box scheme on an obstacle that is stiffer than its cells, (C6.9). */
     static bool
     may_take_energy(const Scene &scene)
     {

@@ -77,13 +77,13 @@ namespace ThermoContact
 
 
   /**
-   * What the laws of a damped obstacle (M.82) and of a heat exchange that
-   * depends on the contact (M.57) leave to wish for in the present state, in
+   * What the laws of a damped obstacle (M4.2) and of a heat exchange that
+   * depends on the contact (C5.2) leave to wish for in the present state, in
    * units of what is allowed. Penetrations are known to 1e-12 of the
    * displacements, velocities to 1e-12 of the largest and to those over the
    * step, of bodies with inertia to 1e-9 of the largest at worst. Pressures are
    * the remainder of the forces at the end, u_x + zeta v_x - a theta and p,
-   * (M.2), where derivatives are those of the cells there, and known to 1e-12
+   * (M1.2), where derivatives are those of the cells there, and known to 1e-12
    * of the largest of them, or less if the cells are flat: a pressure that
    * vanishes, as between the sides of a coefficient that jumps with the
    * contact, comes out as their rounding.

@@ -27,7 +27,7 @@ namespace ThermoContact
     /** refused: the message contains this; warns: the warning does. */
     std::string message = "";
 
-    /** The last state is to be the steady one, (M.10). */
+    /** The last state is to be the steady one, (M3.1). */
     bool ends_steady = false;
 
     /** Accepted steps after which the checks have seen enough. */

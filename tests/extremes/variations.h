@@ -214,7 +214,7 @@ namespace ThermoContact
 
 
 
-  /** Temperatures of a rod at rest, (M.7), (M.103): its end and its mean. */
+  /** Temperatures of a rod at rest, (M2.1), (M5.6): its end and its mean. */
   struct TemperaturesAtRest
   {
     double end, mean;
@@ -242,7 +242,7 @@ namespace ThermoContact
 
 
   /**
-   * Distance of the last state from (M.10), with the heat exchange of its own
+   * Distance of the last state from (M3.1), with the heat exchange of its own
    * gap and pressure, relative to the largest values of the run and the
    * displacements that its largest temperature and velocity would cause.
    */

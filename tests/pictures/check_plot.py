@@ -28,7 +28,7 @@ except ImportError as error:
 
 
 def defect(t):
-    """E(0) + work + algebraic - E - dissipation - numerical dissipation, (M.22)."""
+    """E(0) + work + algebraic - E - dissipation - numerical dissipation, (D4.1)."""
     return (t["energy"][0] + t["work"] + t.get("algebraic", 0.) - t["energy"] -
             t["dissipation"] - t["numerical_dissipation"])
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """usage: check_module.py THERMOCONTACT SOURCE_DIRECTORY
 
-The module for Python. A quasi-static rod at rest has the force and the end of (M.10):
+The module for Python. A quasi-static rod at rest has the force and the end of (M3.1):
 with the defaults theta_A = 20, theta_obs = 0, k = 1, a = 0.017, the drop is c = 10, the
 free expansion G = a (theta_A - c/2), and p = (G - g)/(1 + epsilon). Tables, events,
 summary, snapshots and progress of that run; a study and its kept run; two ranks; a

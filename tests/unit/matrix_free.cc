@@ -7,12 +7,12 @@
 //    the diagonals of the square ones: each entry to 1e-13 of the largest one,
 //    since both are the same sums of at most 1e3 terms in another order, with
 //    rounding of 1e-16 each. Consistent and lumped mass, contact nodes without
-//    mass (M.36), plane strain, a round rod (M.47), a block; meshes refined
+//    mass (C1.1), plane strain, a round rod (M7.1), a block; meshes refined
 //    from coarser ones for multigrid, which are numbered otherwise than the
 //    same cells made at once, and graded ones. Products with several cells at
 //    a time, in double precision, agree with those cell by cell as well.
 // 2. The V-cycle B for the blocks A of a stage, M + tau (K + kB) and b M_u +
-//    tau (tau + zeta) S (M.50), without contact, with springs at every second
+//    tau (tau + zeta) S (D8.1), without contact, with springs at every second
 //    node of the end, softness epsilon = 1e-4, and with these nodes held. The
 //    same smoother before and after and exact coarsest factors make it
 //    symmetric, r_1' B r_2 = r_2' B r_1, here to 1e-10 of the root of

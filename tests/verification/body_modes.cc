@@ -13,7 +13,7 @@
 //      u = grad phi, phi = sum phi_j cos k_j xi cos ly exp(zt),
 //      a theta = -sum G(K_j) phi_j cos k_j xi cos ly exp(zt),
 //      G(K) = b z^2 + (1 + zeta z) K, K_j = k_j^2 + l^2,
-//    satisfy (M.1) and (M.2) if K_1, K_2 are the roots of (Chadwick 1960)
+//    satisfy (M1.1) and (M1.2) if K_1, K_2 are the roots of (Chadwick 1960)
 //      G(K) (z + K) + a^2 K z = 0,
 //    and have no flux, shear stress and displacement u_n at xi = 0. u_n = 0 and
 //    theta = 0 at xi = 1 (and with them no shear stress) leave
@@ -25,7 +25,7 @@
 // (1/2, 0) at 101 times up to t = 1, to 1e-6 of the amplitude, and the decay
 // and the frequency that these values have (least squares for x_{n+1} = s x_n -
 // q x_{n-1}), to 1e-6. Measured: 3e-8, 6e-8. With contact nodes without mass,
-// the default, the rule (M.36) leaves an error that falls with about the fifth
+// the default, the rule (C1.1) leaves an error that falls with about the fifth
 // power of the cell size for any degree, so that 1e-6 takes more cells.
 
 #include <thermocontact/base/number_text.h>

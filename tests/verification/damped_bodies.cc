@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Bodies at obstacles with p = ([s]_+/eps)^m [1 + c s_t]_+, doc/model.md
-// section 20.
+// section 4.
 //
 // 1. The audit of backward Euler with all its terms, of experiment 1 and of a
 //    strip before a curved obstacle, m = 1 and 3/2: to 1e-11 of the largest

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Obstacles with p = ([s]_+/eps)^m [1 + c s_t]_+, doc/model.md section 20.
+// Obstacles with p = ([s]_+/eps)^m [1 + c s_t]_+, doc/model.md section 4.
 //
 // tests/reference/damped-contact.csv, of tests/reference/damped_contact.py
 // (SciPy, 1e-12), m = 1, 3/2, 2, 3 with c = 0 and 1/10 (impact 0 and 1/2):

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// A fixed end that is heated or moved: what holds for every scene, doc/model.md
-// section 22.
+// A fixed end that is heated or moved: what holds for every scene,
+// doc/discretisation.md section 6.
 //
-// 1. The audit (M.22) of experiment 1, backward Euler, each line by its own
+// 1. The audit (D4.1) of experiment 1, backward Euler, each line by its own
 //    formula, to 1e-11 of the largest term: theta_A or u_A or both vary, with
 //    and without heating, a jump of theta_A, a kink of u_A, no inertia, a rigid
 //    obstacle, heat that is lost along the rod, the iteration of the paper and
@@ -44,7 +44,7 @@ namespace
 
 
 
-  /** Defect of (M.22) over its largest term. */
+  /** Defect of (D4.1) over its largest term. */
   template <int dim>
   double
   audit_defect(const Overrides &overrides)

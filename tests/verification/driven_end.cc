@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// A fixed end that is heated or moved as a function of time, doc/model.md
-// section 22.
+// A fixed end that is heated or moved as a function of time,
+// doc/discretisation.md section 6.
 //
 // 1. theta_A = sin(w t), w = 5, k = 2, from rest: after the transient,
 //    exp(-5.2 t), the profile is periodic,
@@ -18,7 +18,7 @@
 // 3. Orders at fixed steps of
 //      u = sin(3t) (1 + x^2/2), theta = cos(2t) (1 + x - x^2), a = 1/2 ,
 //    which is in the space of degree 2: u_A = sin(3t), theta_A = cos(2t), and
-//    sources and a traction that follow from (M.1) to (M.3); h = 0 for k = 1.
+//    sources and a traction that follow from (M1.1) to (M1.3); h = 0 for k = 1.
 //    The error of u(1), u_t(1), theta(1) and the numerical dissipation, which
 //    is what the balance of energy lacks, vanish with the order of the scheme,
 //    within 0.2 from steps of 1/80 to 1/160, in the largest values of 0 < t

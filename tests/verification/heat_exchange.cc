@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Heat exchange that depends on gap and pressure, doc/model.md section 17.
+// Heat exchange that depends on gap and pressure, doc/contact-in-time.md
+// section 5.
 //
 // 1. prm/examples/thermal-switch.prm: the states of rest are roots of the
 //    quadratic equations in the file, derived by hand there; forecast to 1e-12,
@@ -19,10 +20,10 @@
 //    So is the force of the rod, (u(1) - g)/eps: with g = 0.1 and u(1) up to
 //    0.13 it has the rounding of a number four times as large.
 //    So it does where the nodes of a strip close one after another at a rigid
-//    obstacle, (M.63): all columns to 1e-9.
+//    obstacle, (C4.2): all columns to 1e-9.
 // 4. The law at every row of a rod in contact and out of it: the flux is
 //    k(gap, p)(theta - theta_obs) to 1e-12 of the largest, every scheme.
-// 5. The audit (M.22), each line by its own formula, backward Euler, in 1-D and
+// 5. The audit (D4.1), each line by its own formula, backward Euler, in 1-D and
 //    2-D: to 1e-11 of the sum of its terms. With theta_A = theta_obs there is
 //    no work, and the energy never increases.
 // 6. A strip on rollers equals the rod, 1e-9 of the largest values.
@@ -30,7 +31,7 @@
 //    at t = 0.5 against sdirk4 with small steps, rates to 0.15.
 // 8. A body with mass whose exchange rises steeply with the pressure, thrown
 //    at the obstacle: the step ends next to the events miss them by a hundredth
-//    of the tolerance of max |u(1)| at most, (M.32), although the impulse alone
+//    of the tolerance of max |u(1)| at most, (C3.1), although the impulse alone
 //    would allow more.
 
 #include <thermocontact/forecast/steady_state.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Contact nodes without mass and viscosity at the start, doc/model.md (M.64),
-// with factors and with the iterative solver.
+// Contact nodes without mass and viscosity at the start, doc/contact-in-time.md
+// (C4.3), with factors and with the iterative solver.
 //
 // A strip, 8 x 8 cells of degree 2, free sides, pressed into an obstacle with a
 // shape, g = 2 (y - 0.1)^2 - 0.01, so that some of its 17 nodes are in contact

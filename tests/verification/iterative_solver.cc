@@ -7,7 +7,7 @@
 // largest value of their kind (displacements, velocities, pressures,
 // temperatures, energies), and the vectors and pressures at the end relative to
 // their largest entry, to 1e-8 for Linear tolerance = 1e-10. The tolerance
-// bounds residuals relative to the terms of their rows (M.53); an error is
+// bounds residuals relative to the terms of their rows (D8.4); an error is
 // larger by the condition of the matrix with unit diagonal, some 1e2 here.
 // Measured: at most 4.5e-9, for contact nodes without mass and viscosity.
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Heat that is lost along rods and through the sides of bodies, doc/model.md
-// section 21: decay, thin bodies, audits.
+// section 5: decay, thin bodies, audits.
 //
 // 1. Decay. With theta_A = theta_inf = 0 and k = 0 the slowest mode decays like
 //    exp(-lambda t), lambda = pi^2/4 + m in a rod. In a body it has the factor
@@ -18,7 +18,7 @@
 //    m W^2/8 across, are the rod but for O(W^2): all columns of a run with
 //    contact, extrapolated from the widths 0.002 and 0.001, to 1e-9 of their
 //    largest values, or of 0.1 (1e-10 measured).
-// 3. The audit (M.22), each line by its own formula, backward Euler, 1-D and
+// 3. The audit (D4.1), each line by its own formula, backward Euler, 1-D and
 //    2-D: to 1e-11 of the sum of its terms; no work, and the energy never
 //    increases, with surroundings of their own temperature. With a heat
 //    exchange that varies with the contact there is work, and the audit closes.

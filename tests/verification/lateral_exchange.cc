@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Heat that is lost along the rod, doc/model.md section 21: states of rest,
+// Heat that is lost along the rod, doc/model.md section 5: states of rest,
 // limits and solvers. Bodies and audits: lateral_bodies.cc.
 //
 // 1. prm/verification/lateral-loss.prm, derived there: at the end of the run

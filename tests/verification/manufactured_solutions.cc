@@ -20,7 +20,7 @@
 //   x: beta ((1 + (lambda + mu) r kappa) psi' - mu kappa^2 psi) cos,
 //   y: beta ((mu r - (lambda + mu) kappa) psi' - r kappa^2 psi) sin.
 // Viscosity turns the factor beta into delta = beta + zeta beta_t. With
-// grad theta = alpha (phi' cos, -kappa phi sin), doc/model.md (M.1)-(M.4) say
+// grad theta = alpha (phi' cos, -kappa phi sin), doc/model.md (M1.1)-(M1.4) say
 //   q   = (alpha_t phi - alpha (phi'' - kappa^2 phi)
 //          + a beta_t (psi' + r kappa psi)) cos,
 //   f_x = (b beta_tt psi - delta ((1 + (lambda + mu) r kappa) psi'

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// An obstacle that moves, Contact/Gap in t, doc/model.md section 25.
+// An obstacle that moves, Contact/Gap in t, doc/contact-in-time.md section 8.
 //
 // 1. u = x w(t), w = -(2 + sin 3t)/10, has the stress w + zeta w' everywhere,
 //    so that it solves the equations of a rod with the body force b x w'' whose

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Obstacles that move, doc/model.md section 25, before bodies with a shape,
-// with the energy conserving scheme, and in short pulses.
+// Obstacles that move, doc/contact-in-time.md section 8, before bodies with a
+// shape, with the energy conserving scheme, and in short pulses.
 //
 // 1. A clamped base that moves by u_A(t) before an obstacle at rest g(y, z) is,
 //    in the frame of the base, a base at rest before g - u_A with the body

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // An obstacle whose temperature is an expression in t (y, z), heat alone but
-// in 3; doc/model.md (M.68).
+// in 3; doc/model.md (M5.9).
 //
 // 1. theta_obs = sin(w t), w = 5, k = 2, theta_A = 0, from rest: after the
 //    transient, exp(-5.2 t), the profile is periodic,
@@ -13,7 +13,7 @@
 //    begins there: end and mean temperatures, energy and work to 1e-12 of the
 //    largest at t = 1 in the same steps, backward Euler; the heat fluxes into
 //    the obstacle differ by 2 k.
-// 3. The audit (M.22) of experiment 1 with theta_obs = 5 sin(7 t), backward
+// 3. The audit (D4.1) of experiment 1 with theta_obs = 5 sin(7 t), backward
 //    Euler, each line by its own formula: 1e-11 of the largest term.
 // 4. theta_obs = 20 y t in a strip of width 0.1 has the mean t: mean
 //    temperatures of the end and the body are those of a rod with theta_obs =

@@ -8,7 +8,7 @@
 //    relative for the energy, which starts at 128.7). The tables carry 12
 //    digits. First contact is late against an exact solution in time and space
 //    (0.1849692017564 and 0.1109600618893) by 1.211e-4 and 8.928e-4.
-// 2. Steady states of all five experiments in closed form, doc/model.md (M.10):
+// 2. Steady states of all five experiments in closed form, doc/model.md (M3.1):
 //      c = k/(k+1), G = a theta_A (1 - c/2), p = [G - g]_+/(1 + eps),
 //      u(1) = G - p, theta(1) = theta_A (1 - c),
 //      E = -(a theta_A)^2/2 (1 - c + c^2/3) + (1 + eps) p^2/2,

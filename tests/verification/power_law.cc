@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Obstacles with p = (s/eps)^m, doc/model.md section 19.
+// Obstacles with p = (s/eps)^m, doc/model.md section 4.
 //
 // 1. m = 1 is normal compliance: all columns of experiment 1 to T = 2, bit for
 //    bit.

@@ -10,10 +10,10 @@
 // 3. one-way-heating.prm, and experiment 1 with a = 0: the largest matrix has
 //    half the unknowns of the full model's, and all nodal values of 1000 steps
 //    through contact agree to 1e-11 of the largest value of the field with
-//    those that the whole stage matrix of doc/model.md (M.15) gives, solved
-//    here by one direct solver, and contact by (M.17) with its receptance.
-//    Nothing acts on the temperature, which is that of heat alone, and for
-//    a = 0 nothing acts on the displacement.
+//    those that the whole stage matrix of doc/discretisation.md (D2.2) gives,
+//    solved here by one direct solver, and contact by (C2.2) with its
+//    receptance. Nothing acts on the temperature, which is that of heat alone,
+//    and for a = 0 nothing acts on the displacement.
 
 #include <thermocontact/simulation/simulation.h>
 #include <thermocontact/space/direct_solver.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// What the mesh of a rod leaves out, (M.86), for displacements and temperatures
+// What the mesh of a rod leaves out, (D9.1), for displacements and temperatures
 // that are given; all by hand, with norms of one.
 //
 // 1. One cell of degree 3, u = 0.5 P_2 + 0.1 P_3 in xi = 2x - 1: P_3' = 5 P_2 +

@@ -6,11 +6,11 @@
 //
 // 1. Fixed point and monolithic agree to 1e-10 in every quantity of every step:
 //    tolerance 1e-14, T = 1, experiments 1 and 5, contact in both.
-// 2. Contraction factor of experiment 1 against doc/model.md (M.20),
+// 2. Contraction factor of experiment 1 against doc/discretisation.md (D7.2),
 //      rho = dt^(3/2) tanh(1/l) / (eps sqrt(b (dt + zeta))),
 //      l = sqrt(dt (dt + zeta)/b),
 //    which is exact for h -> 0: 1 % on the mesh of the paper. The critical
-//    step (M.21) is the root of dt^3 = b eps^2 (dt + zeta).
+//    step (D7.3) is the root of dt^3 = b eps^2 (dt + zeta).
 // 3. At dt = 0.02 < 0.02837 the iteration converges through contact; above, at
 //    dt = 0.03, it fails, with rho > 1 in its message.
 // 4. 2-D (8 x 2 cells, degree 2, nu = 0.3) and 3-D (4 x 2 x 2) strips with

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Two stops, Contact/Rear gap, for all bodies, doc/model.md section 24; on two
+// Two stops, Contact/Rear gap, for all bodies, doc/model.md section 4; on two
 // processes. Loads are strong enough for contact at both stops.
 //
 // 1. A strip and a block on rollers equal the rod, all columns to 1e-9 of their

@@ -33,9 +33,9 @@
 // 2. For h = 1/64 and dt down to 1/16384 the growth factor of each halving of
 //    dt is smaller than the one before, and the last one at most 1.05.
 //
-// Norms by the matrices of doc/model.md, section 4: M and M_u give ||.||^2,
-// K + kB gives ||._x||^2 + k (.)(1)^2, S gives ||._x||^2. The velocity of the
-// scheme is delta_u, and [U(1) - g]_+^2/eps = eps p^2.
+// Norms by the matrices of doc/discretisation.md, section 1: M and M_u give
+// ||.||^2, K + kB gives ||._x||^2 + k (.)(1)^2, S gives ||._x||^2. The velocity
+// of the scheme is delta_u, and [U(1) - g]_+^2/eps = eps p^2.
 
 #include <thermocontact/simulation/simulation.h>
 

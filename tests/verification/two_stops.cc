@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// A rod between two stops, Contact/Rear gap, doc/model.md section 24.
+// A rod between two stops, Contact/Rear gap, doc/model.md section 4.
 //
 // 1. The mirrored scene, u -> -u with a -> -a, the gaps exchanged and loads of
 //    the other sign, gives the mirrored result to the last bit: displacements,
@@ -29,7 +29,7 @@
 //    damped power law, and rigid: to 1e-11 of the largest term; energy never
 //    increases.
 // 6. At rest at the rear stop: a = 0.05, theta_A = -10, k = 1, so that G =
-//    -0.375 by (M.10), g_2 = 0.2, eps = 1/2: p = -(0.375 - 0.2)/1.5 = -7/60, to
+//    -0.375 by (M3.1), g_2 = 0.2, eps = 1/2: p = -(0.375 - 0.2)/1.5 = -7/60, to
 //    1e-6, as the forecast says.
 // 7. Midpoint rule, midpoint mass, a preload of 0.1 on eps = 0.1 at rest: steps
 //    of 1/2 take the end from stop to stop. The energy stays 0.1^2/0.2 = 0.05,

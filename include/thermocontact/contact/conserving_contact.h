@@ -14,11 +14,12 @@
 namespace ThermoContact
 {
   /**
-   * Contact of massless nodes in steps that conserve energy, doc/model.md
-   * section 13. At each time the nodes are in equilibrium: with $s$ their local
-   * positions without contact and $X$ their static receptance, the pressures
-   * $p(s)$ solve (M.18) for $W=X$, $x^{free}=s$. They are the gradient of a
-   * convex potential $V(s)$. No mesh, no communication.
+   * Contact of massless nodes in steps that conserve energy,
+   * doc/contact-in-time.md section 6. At each time the nodes are in
+   * equilibrium: with $s$ their local positions without contact and $X$ their
+   * static receptance, the pressures $p(s)$ solve (C2.4) for $W=X$,
+   * $x^{free}=s$. They are the gradient of a convex potential $V(s)$. No mesh,
+   * no communication.
    */
   class ConservingContact
   {
@@ -45,7 +46,7 @@ namespace ThermoContact
     /**
      * The pressures of a step that moves the nodes from $s^0$ to
      * $s^1=A-2B\bar p$ and does the work $V(s^1)-V(s^0)$ on them,
-     * $\bar p=\int_0^1 p(s^0+\xi(s^1-s^0))\,d\xi$, (M.40). There is one
+     * $\bar p=\int_0^1 p(s^0+\xi(s^1-s^0))\,d\xi$, (C6.4). There is one
      * solution: for a node that of its law alone (Mean); for several by
      * Newton's method.
      *

@@ -15,7 +15,7 @@ namespace ThermoContact
   /** What a stage supposes of the contact nodes. */
   enum class ContactMode
   {
-    unilateral, ///< the contact law itself, (M.18)
+    unilateral, ///< the contact law itself, (C2.4)
     open,       ///< $p=0$ whatever the gap
     closed      ///< in contact at all nodes, pressures of either sign
   };
@@ -40,11 +40,11 @@ namespace ThermoContact
    * between its penetration $s=u_n-g$ and its pressure $p$. No mesh, no matrix.
    *
    * In contact $s=s(p)$ with $s(0)=0$, else $p=0$ and $s\le0$, doc/model.md
-   * (M.4), (M.5). The relation is asked for as $s(p)$ since that exists for all
-   * obstacles: it is zero for a rigid one. Its resolvent is the local problem
-   * of one node, (M.17): the pressure that leaves the penetration $z-rp=s(p)$,
-   * or 0 if $z\le0$. Nondimensional; pressures are positive if they push the
-   * body back.
+   * (M1.4), (M1.5). The relation is asked for as $s(p)$ since that exists for
+   * all obstacles: it is zero for a rigid one. Its resolvent is the local
+   * problem of one node, (C2.2): the pressure that leaves the penetration
+   * $z-rp=s(p)$, or 0 if $z\le0$. Nondimensional; pressures are positive if
+   * they push the body back.
    */
   class ContactLaw : public InterfaceLaw
   {
@@ -75,7 +75,7 @@ namespace ThermoContact
     pressure(const double penetration) const = 0;
 
     /**
-     * $c\ge0$ of the factor $[1+cv]_+$ of the pressure, doc/model.md (M.82).
+     * $c\ge0$ of the factor $[1+cv]_+$ of the pressure, doc/model.md (M4.2).
      * Where it is positive, all else here is the elastic law at $v=0$.
      */
     virtual double
@@ -126,7 +126,7 @@ namespace ThermoContact
     mean_pressure(const double s_0, const double s_1) const;
 
     /**
-     * What a backward Euler step dissipates at the node, per area, (M.24): the
+     * What a backward Euler step dissipates at the node, per area, (D4.3): the
      * work of the pressure at its end less the energy that is stored. Not
      * negative.
      *
@@ -185,7 +185,7 @@ namespace ThermoContact
   const ContactLawKind &
   contact_law(const std::string &name);
 
-  /** The law with the factor of (M.82); itself without damping. */
+  /** The law with the factor of (M4.2); itself without damping. */
   std::unique_ptr<const ContactLaw>
   with_damping(std::unique_ptr<const ContactLaw> elastic, const double damping);
 

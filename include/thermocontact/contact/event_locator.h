@@ -136,8 +136,8 @@ namespace ThermoContact
 
   /**
    * Follows the state of contact and finds the instants where it changes,
-   * doc/model.md section 11, so that steps can end there: between them the
-   * solution is smooth and schemes keep their order. Knows neither mesh nor
+   * doc/contact-in-time.md section 3, so that steps can end there: between them
+   * the solution is smooth and schemes keep their order. Knows neither mesh nor
    * communication.
    *
    * A step is computed with the state of contact held (open or closed for all
@@ -284,7 +284,7 @@ namespace ThermoContact
 
     /**
      * Nodes with pressure, and those whose gap is as good as zero: not above
-     * what an event may be missed by, (M.32).
+     * what an event may be missed by, (C3.1).
      */
     std::vector<bool>
     closed_nodes(const ContactValues &values) const;
@@ -365,7 +365,7 @@ namespace ThermoContact
                        const double        to,
                        const double        size) const;
 
-    /** True if a margin s is as good as zero, (M.32). */
+    /** True if a margin s is as good as zero, (C3.1). */
     bool
     is_near(const double      s,
             const double      rate,

@@ -23,10 +23,10 @@ namespace ThermoContact
   /**
    * Contact and a heat exchange that depends on gap and pressure, at once:
    * pressures by the contact law and fluxes $q_i=k_i(\theta_i-\theta_{obs})$
-   * with $k_i=k(\mathrm{gap}_i,p_i)$, doc/model.md (M.57). For given $k$ the
-   * fluxes are linear in the pressures and what is left is an InterfaceProblem;
-   * so the unknowns are the $k_i$. Where $k$ jumps it takes all values between
-   * its limits, and there is always a solution for one node.
+   * with $k_i=k(\mathrm{gap}_i,p_i)$, doc/contact-in-time.md (C5.2). For given
+   * $k$ the fluxes are linear in the pressures and what is left is an
+   * InterfaceProblem; so the unknowns are the $k_i$. Where $k$ jumps it takes
+   * all values between its limits, and there is always a solution for one node.
    *
    * One node: from the given $k$ in the direction of the law to the first
    * change of sign, which is bracketed. Several: Newton's method, its steps

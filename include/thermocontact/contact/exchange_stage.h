@@ -14,9 +14,9 @@ namespace ThermoContact
 {
   /**
    * What the contact nodes have at the end of a stage without pressures and
-   * heat fluxes, and what they lose by them, doc/model.md (M.56): displacements
-   * by $Wp+Vq$, temperatures $\theta=\theta^{free}-Up-Hq$ beyond that of the
-   * obstacle. Column j of a matrix is for a unit load at node j.
+   * heat fluxes, and what they lose by them, doc/contact-in-time.md (C5.1):
+   * displacements by $Wp+Vq$, temperatures $\theta=\theta^{free}-Up-Hq$ beyond
+   * that of the obstacle. Column j of a matrix is for a unit load at node j.
    */
   struct EndResponse
   {
@@ -37,8 +37,8 @@ namespace ThermoContact
 
   /**
    * The contact nodes at the end of a stage for given coefficients $k_i$: what
-   * is linear or contact in doc/model.md (M.57), and what the law of the heat
-   * exchange would have them.
+   * is linear or contact in doc/contact-in-time.md (C5.2), and what the law of
+   * the heat exchange would have them.
    */
   class ExchangeStage
   {

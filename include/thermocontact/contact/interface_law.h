@@ -26,9 +26,9 @@ namespace ThermoContact
   /**
    * What a contact node meets: a monotone graph $p\in G(x)$ in the plane of one
    * number x of the node, its penetration or its velocity, and its pressure p.
-   * Known by its resolvent, doc/model.md (M.17): $p=P(z;r)$ is the pressure of
-   * a node alone, $p\in G(z-rp)$, which exists once for all $z$ and $r>0$
-   * (Minty 1962), however steep the graph is. No mesh, no communication.
+   * Known by its resolvent, doc/contact-in-time.md (C2.2): $p=P(z;r)$ is the
+   * pressure of a node alone, $p\in G(z-rp)$, which exists once for all $z$ and
+   * $r>0$ (Minty 1962), however steep the graph is. No mesh, no communication.
    */
   class InterfaceLaw
   {
@@ -99,9 +99,10 @@ namespace ThermoContact
 
   /**
    * A damped obstacle in a stage of length $\tau$, in the plane of velocity and
-   * pressure: $p=\varphi(s)[1+cv]_+$ at $s=\tilde s+\tau v$, doc/model.md
-   * (M.83). The velocity is the unknown, since a difference of penetrations has
-   * lost its digits in short stages. Held closed it goes on with
+   * pressure: $p=\varphi(s)[1+cv]_+$ at $s=\tilde s+\tau v$,
+   * doc/contact-in-time.md (C2.7). The velocity is the unknown, since a
+   * difference of penetrations has lost its digits in short stages. Held closed
+   * it goes on with
    * $-\varphi(-s)[1+cv_0]_+$, where $v_0$ leads to $s=0$.
    */
   class Damped : public InterfaceLaw
@@ -160,8 +161,8 @@ namespace ThermoContact
 
   /**
    * The mean of an elastic law over a step from $s_0$ to s, which does the work
-   * of its potential V: $p=(V(s)-V(s_0))/(s-s_0)$, doc/model.md (M.81), in
-   * front of the node and behind it.
+   * of its potential V: $p=(V(s)-V(s_0))/(s-s_0)$, doc/contact-in-time.md
+   * (C6.9), in front of the node and behind it.
    */
   class Mean : public InterfaceLaw
   {

@@ -13,7 +13,7 @@ namespace ThermoContact
 {
   /**
    * Contact of nodes that influence each other, whatever their laws,
-   * doc/model.md (M.18): $x=x^{free}-Wp$ with $p_i\in G_i(x_i)$. With
+   * doc/contact-in-time.md (C2.4): $x=x^{free}-Wp$ with $p_i\in G_i(x_i)$. With
    * $r_i=W_{ii}$, $R=\mathrm{diag}(r)$ and Minty's $z=x+Rp$ it is one equation,
    * @f[
    *   z + (W-R)\,P(z) = x^{free},

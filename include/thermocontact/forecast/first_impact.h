@@ -23,7 +23,7 @@ namespace ThermoContact
   /**
    * Estimates the first impact of a rod that its initial values throw against
    * the obstacle, or its temperatures move there, within the time of a few
-   * waves, by a Simulation on a few cells, doc/model.md (M.46).
+   * waves, by a Simulation on a few cells, doc/model.md (M8.4).
    *
    * @return nothing where that would not be honest: no inertia or no obstacle,
    *   a damped one or one behind, more than one dimension, sources, initial

@@ -14,7 +14,7 @@ namespace ThermoContact
 {
   /**
    * Names and values of the times that the terms of a scene act on,
-   * doc/model.md (M.43): only those that it has.
+   * doc/model.md (M8.1): only those that it has.
    */
   std::vector<std::pair<std::string, double>>
   time_scales(const Scene &scene);
@@ -23,10 +23,10 @@ namespace ThermoContact
 
   /**
    * The step size above which the iteration of the paper fails while the rod is
-   * in contact: $\rho(\Delta t)=1$ in (M.20).
+   * in contact: $\rho(\Delta t)=1$ in (D7.2).
    *
    * @return nothing if there is none between 1e-100 and 1e100: obstacles with
-   *   $\varepsilon\ge1$ yield more than the rod; and where (M.20) does not
+   *   $\varepsilon\ge1$ yield more than the rod; and where (D7.2) does not
    *   apply: no inertia, no elastic obstacle, a law that is not linear, more
    *   than one dimension
    */

@@ -11,7 +11,7 @@
 namespace ThermoContact
 {
   /**
-   * The end of a body at rest, doc/model.md (M.10), (M.59); NaN: no such field.
+   * The end of a body at rest, doc/model.md (M3.1), (M5.2); NaN: no such field.
    */
   struct SteadyState
   {
@@ -20,7 +20,7 @@ namespace ThermoContact
     double temperature_end  = 0.;
     bool   in_contact       = false;
 
-    /** Small disturbances do not grow without oscillating, (M.60). */
+    /** Small disturbances do not grow without oscillating, (M5.3). */
     bool is_stable = true;
   };
 
@@ -42,9 +42,9 @@ namespace ThermoContact
 
 
   /**
-   * The steady state (M.10) that a run tends to, which does not depend on the
+   * The steady state (M3.1) that a run tends to, which does not depend on the
    * initial values, or, with a heat exchange that depends on the contact, all
-   * of them, (M.59). None with sources, with free lateral faces, and for a body
+   * of them, (M5.2). None with sources, with free lateral faces, and for a body
    * that nothing damps.
    */
   SteadyForecast
@@ -60,9 +60,9 @@ namespace ThermoContact
 
 
   /**
-   * $G$ of (M.10), the free expansion of a steady temperature.
+   * $G$ of (M3.1), the free expansion of a steady temperature.
    *
-   * @param drop $c$ of (M.7)
+   * @param drop $c$ of (M2.1)
    */
   double
   free_expansion(const Scene &scene, const double drop);

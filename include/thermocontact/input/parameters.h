@@ -23,7 +23,7 @@ namespace ThermoContact
 {
   using dealii::ParameterHandler;
 
-  /** Section Model: coefficients of doc/model.md (M.1), (M.2), (M.6). */
+  /** Section Model: coefficients of doc/model.md (M1.1), (M1.2), (M1.6). */
   struct ModelParameters
   {
     std::string fields        = "temperature and displacement";
@@ -39,7 +39,7 @@ namespace ThermoContact
 
 
 
-  /** Section Boundary: doc/model.md (M.3). */
+  /** Section Boundary: doc/model.md (M1.3). */
   struct BoundaryParameters
   {
     double      fixed_end_temperature = 10.;  ///< $\theta_A$, a number,
@@ -60,7 +60,7 @@ namespace ThermoContact
 
 
 
-  /** Section Contact: doc/model.md (M.4), (M.5). */
+  /** Section Contact: doc/model.md (M1.4), (M1.5). */
   struct ContactParameters : ContactLawParameters
   {
     std::string           condition = contact_laws().front().name;

@@ -42,7 +42,7 @@ namespace ThermoContact
 
 
 
-  /** What loads do in time, doc/model.md section 18. */
+  /** What loads do in time, doc/contact-in-time.md section 7. */
   struct LoadHistory
   {
     std::vector<LoadBreak> breaks; ///< in order of time

@@ -17,8 +17,8 @@ namespace ThermoContact
 
 
   /**
-   * The temperature of a rod at rest, doc/model.md (M.7), or with a lateral
-   * heat exchange (M.103):
+   * The temperature of a rod at rest, doc/model.md (M2.1), or with a lateral
+   * heat exchange (M5.6):
    * @f[
    *   \theta'' = m\,(\theta-\theta_\infty) , \quad \theta(0)=\theta_A , \quad
    *   -(1-c)\,\theta'(1) = c\,(\theta(1)-\theta_{obs}) , \quad c=\frac k{1+k} .

@@ -33,7 +33,7 @@ namespace ThermoContact
   double
   restitution(const std::vector<ContactEvent> &events);
 
-  /** The energy that the audit (M.22) up to @p record started from. */
+  /** The energy that the audit (D4.1) up to @p record started from. */
   double
   starting_energy(const StepRecord &record);
 
@@ -95,7 +95,7 @@ namespace ThermoContact
 
   /**
    * The same, but with the largest force and penetration between step ends as
-   * far as the step ends tell, (M.87): what changes with the accuracy of a run
+   * far as the step ends tell, (D9.2): what changes with the accuracy of a run
    * without the luck of where steps end.
    */
   KeyResults

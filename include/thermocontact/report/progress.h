@@ -41,7 +41,7 @@ namespace ThermoContact
       return step_seconds_;
     }
 
-    /** What the audit (M.22) starts from: $\hat E$ of the initial state. */
+    /** What the audit (D4.1) starts from: $\hat E$ of the initial state. */
     double
     initial_energy() const
     {

@@ -11,7 +11,7 @@
 namespace ThermoContact
 {
   /**
-   * The factors of a linear system, doc/model.md (M.15), of a rod for
+   * The factors of a linear system, doc/discretisation.md (D2.2), of a rod for
    * @p n_fields unknowns at a node, whose rates vanish at node 0. Inner nodes
    * are eliminated cell by cell, once for all cells of a run; what remains is a
    * block-tridiagonal system of the vertices, which is eliminated from both

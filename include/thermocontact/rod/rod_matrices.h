@@ -55,9 +55,9 @@ namespace ThermoContact
 
 
   /**
-   * The field matrices of a rod, doc/model.md (M.11), (M.12), cell by cell.
-   * Neighbours with the same entries are one run, and those of a uniform rod
-   * are read once for all of its cells.
+   * The field matrices of a rod, doc/discretisation.md (D1.1), (D1.2), cell by
+   * cell. Neighbours with the same entries are one run, and those of a uniform
+   * rod are read once for all of its cells.
    *
    * Products read the values of nodes and know nothing of constraints. Arrays
    * of a product must not overlap. Vectors are arrays of n_nodes().

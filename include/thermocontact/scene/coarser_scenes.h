@@ -16,10 +16,10 @@ namespace ThermoContact
     Parameters  parameters;
     std::string words; ///< the entries that differ, "Section/Entry = value"
 
-    /** In time: of the difference in the error bar, (M.88). */
+    /** In time: of the difference in the error bar, (D9.3). */
     double weight = 1.;
 
-    /** In space: no error is trusted to fall faster from this mesh on, (M.89).
+    /** In space: no error is trusted to fall faster from this mesh on, (D9.4).
      */
     double smallest_rate = 0.;
   };

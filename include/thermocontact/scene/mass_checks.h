@@ -12,7 +12,7 @@ namespace ThermoContact
   /**
    * Refuses mass matrices that a scene cannot have: lumped ones on an axis, and
    * the midpoint rule anywhere but in an elastic rod of equal linear cells,
-   * doc/model.md (M.80).
+   * doc/contact-in-time.md (C6.8).
    *
    * @throw InputError with entry, value, what is allowed, remedy
    */

@@ -36,7 +36,7 @@ namespace ThermoContact
 
 
 
-  /** The coefficients that a scene has, doc/model.md (M.1), (M.2), (M.6). */
+  /** The coefficients that a scene has, doc/model.md (M1.1), (M1.2), (M1.6). */
   struct Material
   {
     double inertia;        ///< $b\ge0$
@@ -98,9 +98,9 @@ namespace ThermoContact
 
 
   /**
-   * Heat between the contact end and the obstacle, (M.3), between the lateral
-   * faces and the surroundings, (M.101), and the steady profile
-   * $\theta_s=\theta_A-c(\theta_A-\theta_{obs})x$ of one coefficient, (M.7).
+   * Heat between the contact end and the obstacle, (M1.3), between the lateral
+   * faces and the surroundings, (M5.5), and the steady profile
+   * $\theta_s=\theta_A-c(\theta_A-\theta_{obs})x$ of one coefficient, (M2.1).
    */
   struct SceneHeat
   {
@@ -125,7 +125,7 @@ namespace ThermoContact
      */
     double reference_coefficient;
 
-    double lateral_exchange;    ///< $m\ge0$, of the lateral faces, (M.101)
+    double lateral_exchange;    ///< $m\ge0$, of the lateral faces, (M5.5)
     double ambient_temperature; ///< $\theta_\infty$
 
     bool
@@ -213,14 +213,14 @@ namespace ThermoContact
      */
     double gap;
 
-    /** $g_2$ of an obstacle behind the end, (M.107); infinite: there is none.
+    /** $g_2$ of an obstacle behind the end, (M4.3); infinite: there is none.
      */
     double rear_gap = std::numeric_limits<double>::infinity();
 
     /** Of the contact nodes; meaningless without obstacle. */
     NodeOrder order;
 
-    /** The mass of the contact nodes is moved to others, (M.36). */
+    /** The mass of the contact nodes is moved to others, (C1.1). */
     bool has_massless_nodes;
 
     /** Steps end where contact begins or ends. */
@@ -351,7 +351,7 @@ namespace ThermoContact
     const SceneSources sources;
     const Scheme      &scheme;
 
-    /** The first step has the prescribed velocity of the paper, (M.26). */
+    /** The first step has the prescribed velocity of the paper, (D5.1). */
     const bool has_prescribed_start;
 
     const SceneContact contact;
@@ -364,7 +364,7 @@ namespace ThermoContact
 
     const bool has_lumped_mass;
 
-    /** One point to a cell for the mass of displacements, (M.80). */
+    /** One point to a cell for the mass of displacements, (C6.8). */
     const bool has_midpoint_mass;
 
     /** Stages are solved by the iteration of the paper. */
@@ -385,7 +385,7 @@ namespace ThermoContact
 
     /**
      * The viscosity leaves out the contact nodes, whose forces are elastic and
-     * thermal alone, (M.37).
+     * thermal alone, (C6.1).
      */
     bool
     has_elastic_contact_nodes() const

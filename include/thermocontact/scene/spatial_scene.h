@@ -31,7 +31,7 @@ namespace ThermoContact
     bool           has_elastic_contact_nodes;
     bool           has_matrices;
     double exchange_coefficient; ///< $k$ of the contact end, if constant
-    double lateral_exchange;     ///< $m$, (M.101)
+    double lateral_exchange;     ///< $m$, (M5.5)
     double gap;                  ///< $g$ of all nodes; 0 with a shape
     std::optional<Expression> gap_expression; ///< of a shape or a motion
 

@@ -113,7 +113,7 @@ namespace ThermoContact
      * Nodes in contact at the end of the step that was accepted last, or in the
      * state that was given or restored: those with pressure, those that closed
      * within the step, and those that lie on the obstacle to the accuracy of an
-     * event, (M.32).
+     * event, (C3.1).
      */
     std::vector<bool>
     closed_nodes(const StepResult &result) const;

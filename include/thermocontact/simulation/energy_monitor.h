@@ -12,7 +12,7 @@ namespace ThermoContact
 {
   /**
    * Monitors the energy of a run without loads, which physics never lets grow
-   * (M.9). A scheme may let it grow by what its errors explain: rounding for
+   * (M2.3). A scheme may let it grow by what its errors explain: rounding for
    * schemes that cannot create energy, the tolerance of each step with
    * error-controlled steps, a thousandth with fixed steps of the other schemes.
    * Arithmetic only.

@@ -9,7 +9,7 @@ namespace ThermoContact
 {
   /**
    * Measures the error estimate of a step relative to the solution so far,
-   * doc/model.md (M.30):
+   * doc/discretisation.md (D3.4):
    * @f[
    *   \left( \frac{\|e_\theta\|^2}{\max\|\hat\theta\|^2} +
    *   \frac{\|\nabla e_u\|^2 + b\|e_v\|^2 + \varepsilon e_p^2}

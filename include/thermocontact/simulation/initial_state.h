@@ -17,7 +17,8 @@ namespace ThermoContact
    * end at its temperature, contact nodes no further than the initial
    * values have them at a rigid obstacle, and the pressure of the contact law.
    * Without inertia it is completed, and contact nodes that are to be in
-   * equilibrium are put there, doc/model.md sections 12 and 13.
+   * equilibrium are put there, doc/discretisation.md section 5 and
+   * doc/contact-in-time.md section 6.
    *
    * @param reset of the body, lent
    * @param first_step_size of the paper's first step, if the scene has it

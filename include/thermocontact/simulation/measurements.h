@@ -53,17 +53,17 @@ namespace ThermoContact
     double       contact_impulse       = 0.; ///< $\sum\Delta t\,p$
     double       temperature_end       = 0.;
     double       heat_flux_end         = 0.; ///< $k(\theta-\theta_{obs})$
-    double       energy                = 0.; ///< $\hat E$, (M.8)
-    double       dissipation           = 0.; ///< sum of (M.23)
-    double       numerical_dissipation = 0.; ///< sum of (M.24)
+    double       energy                = 0.; ///< $\hat E$, (M2.2)
+    double       dissipation           = 0.; ///< sum of (D4.2)
+    double       numerical_dissipation = 0.; ///< sum of (D4.3)
     bool         in_contact            = false;
     unsigned int iterations            = 0;
-    double       work                  = 0.; ///< sum of (M.25)
+    double       work                  = 0.; ///< sum of (D4.4)
     double       temperature_mean      = 0.;
-    double       algebraic             = 0.; ///< sum of (M.65)
-    double       contact_dissipation   = 0.; ///< sum of (M.85)
+    double       algebraic             = 0.; ///< sum of (D8.5)
+    double       contact_dissipation   = 0.; ///< sum of (D4.7)
     double       lateral_heat_flux     = 0.; ///< to the surroundings
-    double       lateral_dissipation   = 0.; ///< sum of (M.105)
+    double       lateral_dissipation   = 0.; ///< sum of (D4.5)
     FaceRecord   face;                       ///< of a body in 2-D or 3-D
     EnergyTerms  energy_terms; ///< the terms of energy; not in the file
 

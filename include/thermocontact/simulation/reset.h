@@ -52,11 +52,12 @@ namespace ThermoContact
     explicit Reset(Body<dim> &body);
 
     /**
-     * Completes an initial state, doc/model.md sections 12 and 13: what is not
-     * inertial follows from what is given. A body without inertia gets with
-     * viscosity its velocity, (M.34), and without its displacement, (M.35), and
-     * no velocity; contact nodes without mass and viscosity go to their
-     * equilibrium, (M.38), with velocities that keep them there, (M.64).
+     * Completes an initial state, doc/discretisation.md section 5 and
+     * doc/contact-in-time.md section 6: what is not inertial follows from what
+     * is given. A body without inertia gets with viscosity its velocity,
+     * (D5.2), and without its displacement, (D5.3), and no velocity; contact
+     * nodes without mass and viscosity go to their equilibrium, (C6.2), with
+     * velocities that keep them there, (C4.3).
      *
      * @param state in: temperature and, with inertia or viscosity, displacement
      *   and pressure of the compliance law
@@ -77,18 +78,18 @@ namespace ThermoContact
 
     /**
      * The state behind a discontinuity of the loads at the end of a step,
-     * doc/model.md section 18: the fixed end takes its new temperature, with
-     * the heat for that, (M.116); what is static goes to its equilibrium with
-     * the new loads, with the contact law, and takes heat for it, (M.67); a
-     * body with viscosity and without inertia stays and gets the velocity, and
-     * at a rigid obstacle the pressures, of (M.34); all else stays. The loads
-     * do the work of the displacement that they cause, and what is too much for
-     * the new energy is numerical dissipation. Collective.
+     * doc/contact-in-time.md section 7: the fixed end takes its new
+     * temperature, with the heat for that, (C4.5); what is static goes to its
+     * equilibrium with the new loads, with the contact law, and takes heat for
+     * it, (C4.4); a body with viscosity and without inertia stays and gets the
+     * velocity, and at a rigid obstacle the pressures, of (D5.2); all else
+     * stays. The loads do the work of the displacement that they cause, and
+     * what is too much for the new energy is numerical dissipation. Collective.
      *
      * @param solver of the stages of the body
      * @param is_closed nodes that are in contact before it: only they may have
-     *   a pressure in (M.34), where all nodes stay where they are; not used for
-     *   (M.67), which finds its contact
+     *   a pressure in (D5.2), where all nodes stay where they are; not used for
+     *   (C4.4), which finds its contact
      * @param at the end of the step, with the times of the old and new loads
      * @param result in: a step that is accepted; out: with the state behind the
      *   discontinuity, at the same time, and its energy; work and numerical
@@ -109,7 +110,7 @@ namespace ThermoContact
      * Impact of all contact nodes on a rigid obstacle: they are put on it, and
      * an impulse through the mass matrix takes their velocity into it away, so
      * that the velocity jumps to the nearest one, in the norm of the kinetic
-     * energy, with which all of them stay there (M.33), those too that moved
+     * energy, with which all of them stay there (C4.1), those too that moved
      * away: contact changes at all nodes together. Nodes without mass need no
      * impulse.
      *
@@ -123,14 +124,14 @@ namespace ThermoContact
     /**
      * Pressures and velocities at the end of a step within which nodes without
      * mass closed at a rigid obstacle: those of the stages stand for the jump
-     * of the velocity there and have its impulse, (M.63).
+     * of the velocity there and have its impulse, (C4.2).
      */
     void
     settle_closed_nodes(StepResult &result);
 
     /**
      * The pressures become those with which nodes with mass that a rigid
-     * obstacle holds have its acceleration, (M.112): those of the last stage
+     * obstacle holds have its acceleration, (C8.3): those of the last stage
      * are of first order only. The heat exchange becomes that of them.
      *
      * @throw ComputationError if the mass matrix cannot be factorised
@@ -139,9 +140,9 @@ namespace ThermoContact
     set_pressures_of_acceleration(State &state);
 
     /**
-     * The pressures of a damped obstacle whose velocity has jumped, (M.82): a
+     * The pressures of a damped obstacle whose velocity has jumped, (M4.2): a
      * body with inertia goes on as it was, one without it gets the velocity of
-     * (M.34). Not of a body that is in equilibrium at all times: its pressures
+     * (D5.2). Not of a body that is in equilibrium at all times: its pressures
      * do not jump, the velocity does by which it follows.
      */
     void
@@ -210,7 +211,7 @@ namespace ThermoContact
     node_forces(const State &state, const Vector *velocity = nullptr) const;
 
     /**
-     * (M.34).
+     * (D5.2).
      *
      * @param is_closed at a rigid obstacle: nodes in contact; empty: those that
      *   do not lie before it
@@ -218,11 +219,11 @@ namespace ThermoContact
     void
     set_quasi_static_velocity(const std::vector<bool> &is_closed, State &state);
 
-    /** (M.35). */
+    /** (D5.3). */
     void
     set_static_displacement(State &state);
 
-    /** (M.38), (M.64). */
+    /** (C6.2), (C4.3). */
     void
     settle_static_nodes(State &state);
 
@@ -233,21 +234,21 @@ namespace ThermoContact
     /**
      * Velocities and pressures of contact nodes without mass, with viscosity,
      * at a rigid obstacle, that go with displacements, temperatures and the
-     * velocities of all other nodes, (M.63): no node in contact moves into the
+     * velocities of all other nodes, (C4.2): no node in contact moves into the
      * obstacle, and those with pressure rest.
      */
     void
     settle_viscous_nodes(const std::vector<bool> &is_closed, State &state);
 
-    /** (M.116), by @p rise; returns the work of the heat at the fixed end. */
+    /** (C4.5), by @p rise; returns the work of the heat at the fixed end. */
     double
     heat_fixed_end(const double rise, State &state);
 
-    /** (M.67) of static nodes alone; returns the work of the loads. */
+    /** (C4.4) of static nodes alone; returns the work of the loads. */
     double
     move_static_nodes(State &state);
 
-    /** (M.67) of a static body, in a short stage; likewise. */
+    /** (C4.4) of a static body, in a short stage; likewise. */
     double
     move_static_body(StageSolver &solver, State &state);
 

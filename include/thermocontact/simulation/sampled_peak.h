@@ -10,7 +10,7 @@ namespace ThermoContact
 {
   /**
    * The largest value of a quantity that is known at step ends, and what it may
-   * have been between them, (M.87): with rates the largest value of the cubics
+   * have been between them, (D9.2): with rates the largest value of the cubics
    * that have the values and the rates of the ends of a step; without them, or
    * where the step before the largest value has no cubic, the vertex of the
    * parabola through the largest value and its neighbours.

@@ -13,7 +13,7 @@
 namespace ThermoContact
 {
   /**
-   * What the mesh of a rod leaves out of a field, over the run, (M.86): the
+   * What the mesh of a rod leaves out of a field, over the run, (D9.1): the
    * coefficients of its Legendre expansion in each cell that are the last two,
    * or, for degrees 1 and 2, what neighbours let expect of those that come
    * next. Squares of norms, integrated over time.

@@ -17,7 +17,7 @@ namespace ThermoContact
 {
   /**
    * What differs in the cells at the contact end, for products without
-   * matrices: the heat exchange, and contact nodes without mass (M.36). Small
+   * matrices: the heat exchange, and contact nodes without mass (C1.1). Small
    * dense matrices of each cell; values of a cell are in lexicographic order,
    * component by component, as in FEEvaluation.
    */

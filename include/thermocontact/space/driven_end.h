@@ -10,8 +10,8 @@
 namespace ThermoContact
 {
   /**
-   * Scalars that are functions of time at the end of a stage, doc/model.md
-   * (M.90), (M.109); empty: there are none.
+   * Scalars that are functions of time at the end of a stage,
+   * doc/discretisation.md (D6.1), (C8.1); empty: there are none.
    */
   struct PrescribedStage
   {
@@ -60,7 +60,7 @@ namespace ThermoContact
     /**
      * Puts a motion of the entries() into the equations of a stage: its values
      * into the known ones, its rates into the loads, so that a solver, for
-     * which rates vanish at the fixed end, finds the others; (M.91).
+     * which rates vanish at the fixed end, finds the others; (D6.2).
      */
     void
     constrain(const PrescribedStage &temperature,
@@ -78,7 +78,7 @@ namespace ThermoContact
     /**
      * Power of what drives the end, per unit cross-section: the heat that flows
      * in there beyond that of rest times $\hat\theta_D$, and the force on the
-     * end times its velocity; (M.92). Collective.
+     * end times its velocity; (D6.3). Collective.
      *
      * @param state at the end of a stage, with the motion
      * @param temperature_rate,acceleration $\theta'$ and $v'$, with the motion

@@ -11,7 +11,7 @@
 
 namespace ThermoContact
 {
-  /** The energy (M.8) term by term, per unit cross-section. */
+  /** The energy (M2.2) term by term, per unit cross-section. */
   struct EnergyTerms
   {
     double thermal  = 0.; ///< $\frac12\|\hat\theta\|^2$
@@ -41,7 +41,7 @@ namespace ThermoContact
 
 
   /**
-   * Energy and its audit, doc/model.md (M.8), (M.22)-(M.25), each line by its
+   * Energy and its audit, doc/model.md (M2.2), (D4.1)-(D4.4), each line by its
    * own formula. All results are per unit cross-section area. Collective.
    * Energies steer steps and events: sums over ranks may differ in rounding
    * from one to the other, and all ranks get those of rank 0.
@@ -56,12 +56,12 @@ namespace ThermoContact
            const ThermoviscoelasticOperator<dim> &stage_operator,
            const Loads<dim>                      &loads);
 
-    /** $\hat E$ of (M.8). */
+    /** $\hat E$ of (M2.2). */
     EnergyTerms
     energy(const State &state) const;
 
     /**
-     * The quadratic terms of (M.8) of a difference between two states at the
+     * The quadratic terms of (M2.2) of a difference between two states at the
      * same time: half the squares of its norms in the energy. The difference
      * of the pressures is that of the displacements over $\varepsilon$ at the
      * nodes in contact.
@@ -75,19 +75,19 @@ namespace ThermoContact
                       const std::vector<double> &pressure) const;
 
     /**
-     * Rate of physical dissipation, (M.23), (M.105), without its $\Delta t$:
+     * Rate of physical dissipation, (D4.2), (D4.5), without its $\Delta t$:
      * $\|\nabla\hat\theta\|^2+k\|\hat\theta\|_{\Gamma_C}^2+\zeta(C\varepsilon
      * (v),\varepsilon(v))\ge0$, with the $k$ of @p state.
      */
     double
     dissipation_rate(const State &state) const;
 
-    /** The part of it that leaves through the lateral faces, (M.105). */
+    /** The part of it that leaves through the lateral faces, (D4.5). */
     double
     lateral_dissipation_rate(const State &state) const;
 
     /**
-     * What the damping of the obstacle takes per time, (M.85): work of the
+     * What the damping of the obstacle takes per time, (D4.7): work of the
      * pressures that the obstacle does not store. 0 without damping.
      * Collective.
      */
@@ -96,13 +96,13 @@ namespace ThermoContact
 
     /**
      * Power of an obstacle that moves, its pressures on the body times its
-     * velocity towards it, $-\sum_iw_ip_ig'_i$ per unit cross-section; (M.111).
+     * velocity towards it, $-\sum_iw_ip_ig'_i$ per unit cross-section; (D4.8).
      */
     double
     obstacle_power(const State &state) const;
 
     /**
-     * Numerical dissipation of one backward Euler step, (M.24); every term is
+     * Numerical dissipation of one backward Euler step, (D4.3); every term is
      * not negative. Both states carry the pressures of the scheme.
      */
     double
@@ -118,7 +118,7 @@ namespace ThermoContact
     /**
      * Rate of work of the sources, of a heat exchange that is not the one of
      * the steady profile, and, if thermoelastic heating is off, of the thermal
-     * stress, $a(\hat\theta,\mathrm{div}\,v)$; (M.25) without its $\Delta t$.
+     * stress, $a(\hat\theta,\mathrm{div}\,v)$; (D4.4) without its $\Delta t$.
      *
      * @param heat_load,momentum_load loads at the time of @p state as
      *   Loads::assemble() gives them
@@ -131,7 +131,7 @@ namespace ThermoContact
     /**
      * Work of the sources that push the body, and, if thermoelastic heating is
      * off, of the thermal stress, in a motion of the body at once: the part of
-     * (M.25) with $v$, per unit cross-section, nondimensional. Collective.
+     * (D4.4) with $v$, per unit cross-section, nondimensional. Collective.
      *
      * @param state after it
      * @param motion change of the displacement, or its velocity for a rate
@@ -141,7 +141,7 @@ namespace ThermoContact
                    const State  &state,
                    const Vector &motion) const;
 
-    /** Nodal values of the steady profile $\theta_s$, (M.7), (M.104). */
+    /** Nodal values of the steady profile $\theta_s$, (M2.1), (M5.7). */
     const Vector &
     steady_profile() const;
 

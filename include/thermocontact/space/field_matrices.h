@@ -22,13 +22,14 @@ namespace ThermoContact
 
 
   /**
-   * The matrices of both fields, doc/model.md section 4, assembled once without
-   * constraints. The first diagonal block belongs to the temperature, the last
-   * to the displacement; a field that the scene does not have has none.
+   * The matrices of both fields, doc/discretisation.md section 1, assembled
+   * once without constraints. The first diagonal block belongs to the
+   * temperature, the last to the displacement; a field that the scene does not
+   * have has none.
    *
    * The mass matrices may be lumped, and in the cells of the contact end that
    * of the displacement may be such that the contact nodes have no mass,
-   * doc/model.md (M.36).
+   * doc/contact-in-time.md (C1.1).
    */
   template <int dim>
   struct FieldMatrices
@@ -48,7 +49,7 @@ namespace ThermoContact
     /** $D$ in (0, 1), $D^T$ in (1, 0); none without thermal stress. */
     BlockSparseMatrix coupling;
 
-    /** $S_\zeta$ in the last block, where it is not $S$, (M.37). */
+    /** $S_\zeta$ in the last block, where it is not $S$, (C6.1). */
     BlockSparseMatrix viscous_stiffness;
 
     /** $L$ in the first block, of a scene with lateral heat exchange. */

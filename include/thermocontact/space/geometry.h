@@ -134,7 +134,7 @@ namespace ThermoContact
 
 
 
-  /** $C\varepsilon:\varepsilon'$ of the elasticity (M.6). */
+  /** $C\varepsilon:\varepsilon'$ of the elasticity (M1.6). */
   inline double
   elastic_product(const Material &material,
                   const Strain   &first,

@@ -18,7 +18,7 @@ namespace ThermoContact
 
 
   /**
-   * The projection $P_E$ of initial data, doc/model.md (M.13):
+   * The projection $P_E$ of initial data, doc/discretisation.md (D1.3):
    * $(\nabla(P_E w-w),\nabla\eta)=0$ for all $\eta$ that vanish on the fixed
    * end, with $P_E w=w$ there, also if it slides; at rollers the normal
    * component keeps the value of $w$ too.

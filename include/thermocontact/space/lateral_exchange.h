@@ -14,8 +14,8 @@
 namespace ThermoContact
 {
   /**
-   * Where the heat exchange with the surroundings acts, doc/model.md (M.101),
-   * (M.102): in all cells of a rod, whose sides are not on the mesh, and on the
+   * Where the heat exchange with the surroundings acts, doc/model.md (M5.5),
+   * (D1.5): in all cells of a rod, whose sides are not on the mesh, and on the
    * lateral faces of a body, those at its axis of symmetry excepted. The same
    * integral in every dimension, of a body whose cross-section has one
    * temperature.

@@ -12,7 +12,8 @@
 namespace ThermoContact
 {
   /**
-   * The loads of the semidiscrete equations, doc/model.md (M.11), (M.12):
+   * The loads of the semidiscrete equations, doc/discretisation.md (D1.1),
+   * (D1.2):
    * @f[
    *   \ell_\theta = k\,\theta_{obs}\int_{\Gamma_C}\eta_i +
    *     \theta_\infty\,L1 + \int q\,\eta_i + \int_{\Gamma_C} h\,\eta_i ,

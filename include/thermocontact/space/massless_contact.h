@@ -21,7 +21,7 @@ namespace ThermoContact
   Quadrature<dim>
   mass_quadrature(const unsigned int degree, const bool is_lumped);
 
-  /** One point in the middle of a cell, doc/model.md (M.80). */
+  /** One point in the middle of a cell, doc/contact-in-time.md (C6.8). */
   template <int dim>
   Quadrature<dim>
   midpoint_quadrature();
@@ -30,7 +30,8 @@ namespace ThermoContact
    * The same as mass_quadrature() across the body, and along it the
    * interpolatory rule on the nodes off the contact end $x=1$ of a cell that
    * touches it: exact for polynomials of degree p - 1, it leaves the contact
-   * nodes without mass and keeps the mass of the cell, doc/model.md (M.36).
+   * nodes without mass and keeps the mass of the cell, doc/contact-in-time.md
+   * (C1.1).
    */
   template <int dim>
   Quadrature<dim>
@@ -47,7 +48,7 @@ namespace ThermoContact
    * Matrix that gives the nodes on the contact end of a cell the axial
    * displacement of the polynomial of degree p - 1 through the other nodes of
    * their line, and leaves all else as it is; in the numbering of the cell.
-   * doc/model.md (M.37).
+   * doc/contact-in-time.md (C6.1).
    */
   template <int dim>
   FullMatrix<double>

@@ -15,7 +15,7 @@
 namespace ThermoContact
 {
   /**
-   * Products with the matrices of the semidiscrete equations (M.11), (M.12),
+   * Products with the matrices of the semidiscrete equations (D1.1), (D1.2),
    * computed cell by cell: those of FieldMatrices to rounding, for bodies whose
    * matrices are too large. Without constraints, as they are. Collective.
    *

@@ -13,9 +13,9 @@ namespace ThermoContact
 {
   /**
    * An obstacle that moves: gaps $g(t)$ of the contact nodes, or $g(y,z,t)$ at
-   * their places, with their rates; doc/model.md section 25. Those of an
-   * obstacle that stands still never change. Nondimensional; the obstacle goes
-   * away from the body where the rate is positive.
+   * their places, with their rates; doc/contact-in-time.md section 8. Those of
+   * an obstacle that stands still never change. Nondimensional; the obstacle
+   * goes away from the body where the rate is positive.
    */
   template <int dim>
   class ObstacleMotion

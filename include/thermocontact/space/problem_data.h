@@ -15,7 +15,7 @@ namespace ThermoContact
 {
   /**
    * $g$ of the undeformed body at the places of its contact end, doc/model.md
-   * (M.4); its time is 0.
+   * (M1.4); its time is 0.
    */
   template <int dim>
   std::unique_ptr<Function<dim>>

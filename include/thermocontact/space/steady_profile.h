@@ -11,11 +11,11 @@ namespace ThermoContact
   /**
    * The temperature $\theta_s$ relative to which heat has energy: at rest,
    * without sources, with the heat exchange $k_s$ of the undeformed body. The
-   * interpolant of (M.7), or, with a lateral heat exchange, the solution of the
-   * semidiscrete equation (M.104). Collective.
+   * interpolant of (M2.1), or, with a lateral heat exchange, the solution of
+   * the semidiscrete equation (M5.7). Collective.
    *
    * @param profile out, of the layout of the temperature
-   * @throw ComputationError if the matrix of (M.104) cannot be factorised
+   * @throw ComputationError if the matrix of (M5.7) cannot be factorised
    */
   template <int dim>
   void

@@ -13,7 +13,7 @@
 namespace ThermoContact
 {
   /**
-   * The semidiscrete equations, doc/model.md (M.11), (M.12):
+   * The semidiscrete equations, doc/discretisation.md (D1.1), (D1.2):
    * @f[
    *   M\theta' + (K+kB)\theta + aDv = \ell_\theta(t), \quad
    *   bM_u v' + Su + \zeta Sv - aD^T\theta = \ell_u(t) - N p .
@@ -57,7 +57,7 @@ namespace ThermoContact
       return *maps.conduction;
     }
 
-    /** $L$; of scenes with a lateral heat exchange, (M.102). */
+    /** $L$; of scenes with a lateral heat exchange, (D1.5). */
     const LinearMap &
     lateral_exchange() const
     {
@@ -95,7 +95,7 @@ namespace ThermoContact
 
     /**
      * $S_\zeta$, without the viscosity $\zeta$: $S$, but where the contact
-     * nodes have no viscous stress (M.37).
+     * nodes have no viscous stress (C6.1).
      */
     const LinearMap &
     viscous_stiffness() const
@@ -145,7 +145,8 @@ namespace ThermoContact
     }
 
     /**
-     * Matrix of the heat block of a stage, $M+\tau(K+kB)$, doc/model.md (M.15).
+     * Matrix of the heat block of a stage, $M+\tau(K+kB)$,
+     * doc/discretisation.md (D2.2).
      */
     SparseMatrix
     heat_stage_matrix(const double tau) const;
@@ -160,14 +161,14 @@ namespace ThermoContact
 
     /**
      * The whole stage matrix in the numbering of the whole system, of a scene
-     * with thermal stress: (M.15) for the unknowns $(\tau\theta',v)$ with its
+     * with thermal stress: (D2.2) for the unknowns $(\tau\theta',v)$ with its
      * first row times $\tau$.
      */
     SparseMatrix
     stage_matrix(const double tau) const;
 
     /**
-     * Right-hand side of a stage (M.15) without contact: @p heat
+     * Right-hand side of a stage (D2.2) without contact: @p heat
      * $\ell_\theta-(K+kB)\tilde\theta$ and @p momentum $bM_u\tilde v +
      * \tau(\ell_u-S\tilde u+aD^T\tilde\theta)$; constrained rows are zero.
      */
@@ -180,7 +181,7 @@ namespace ThermoContact
               Vector       &momentum) const;
 
     /**
-     * What is left of the momentum equation (M.12) without contact,
+     * What is left of the momentum equation (D1.2) without contact,
      * $\ell_u-Su+aD^T\theta-\zeta S_\zeta v-bM_uv'$, in all rows: in
      * constrained ones it is minus the force that moves them.
      *

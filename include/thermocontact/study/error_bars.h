@@ -13,8 +13,8 @@ namespace ThermoContact
 {
   /**
    * Error bars of a run that has ended, by repeats of its scene with larger
-   * steps and on coarser meshes, from its start, without files, (M.88) and
-   * (M.89). Collective on the ranks of the run.
+   * steps and on coarser meshes, from its start, without files, (D9.3) and
+   * (D9.4). Collective on the ranks of the run.
    *
    * A repeat that cannot be made leaves its errors unknown, and a remark.
    *

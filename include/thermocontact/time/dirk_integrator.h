@@ -24,7 +24,7 @@ namespace ThermoContact
    *
    * Work, dissipation and impulse are sums over the stages with the weights of
    * the scheme. The numerical dissipation of backward Euler has its own formula
-   * (M.24); that of the other schemes is what the balance lacks, has no sign,
+   * (D4.3); that of the other schemes is what the balance lacks, has no sign,
    * and vanishes with the order of the scheme.
    */
   template <int dim>
@@ -34,7 +34,7 @@ namespace ThermoContact
     /** @param body borrowed; its scheme names the tableau */
     explicit DirkIntegrator(Body<dim> &body);
 
-    /** Through the stages, (M.27), (M.28), with the estimate (M.29). */
+    /** Through the stages, (D3.1), (D3.2), with the estimate (D3.3). */
     void
     step(const State      &state,
          const double      old_energy,
@@ -88,7 +88,7 @@ namespace ThermoContact
     void
     start_drives(const State &state, const TimeStep &time_step);
 
-    /** The gaps of a step before an obstacle that moves, (M.109), (M.110). */
+    /** The gaps of a step before an obstacle that moves, (C8.1), (C8.2). */
     void
     start_obstacle(const State      &state,
                    const TimeStep   &time_step,
@@ -159,7 +159,7 @@ namespace ThermoContact
                       const ContactMode mode,
                       StepResult       &result) const;
 
-    /** The difference to the embedded scheme, (M.29), (M.61). */
+    /** The difference to the embedded scheme, (D3.3), (C3.2). */
     void
     estimate_error(const double      step_size,
                    const ContactMode mode,

@@ -11,7 +11,8 @@ namespace ThermoContact
 {
   /**
    * A step of a body whose fixed end is heated or moved: the equations and
-   * rates of its stages with the motion of the end, doc/model.md (M.90).
+   * rates of its stages with the motion of the end, doc/discretisation.md
+   * (D6.1).
    */
   template <int dim>
   class DrivenStep

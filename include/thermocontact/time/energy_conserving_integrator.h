@@ -15,9 +15,9 @@ namespace ThermoContact
 {
   /**
    * The midpoint rule with a discrete gradient of the contact potential,
-   * doc/model.md section 13: of order 2, and without loads a step changes the
-   * energy by exactly the physical dissipation, through contact of any
-   * stiffness and for any step size.
+   * doc/contact-in-time.md section 6: of order 2, and without loads a step
+   * changes the energy by exactly the physical dissipation, through contact of
+   * any stiffness and for any step size.
    *
    * One stage of length $\Delta t/2$, whose matrix and factorisation are those
    * of other schemes. The contact nodes have no mass and carry elastic and
@@ -65,13 +65,13 @@ namespace ThermoContact
     Vector             heat_load;
     Vector             momentum_load;
     Vector             acceleration; ///< of an end that rests
-    FullMatrix<double> receptance;   ///< $X$ of (M.39)
+    FullMatrix<double> receptance;   ///< $X$ of (C6.3)
 
     /** At fixed entropy. */
     std::unique_ptr<DirectNodeEquilibrium<dim>> nodes;
     std::unique_ptr<ConservingContact>          contact;
 
-    /** A node that keeps its mass, (M.81). */
+    /** A node that keeps its mass, (C6.9). */
     bool has_contact_mass = false;
 
     /**
@@ -104,7 +104,7 @@ namespace ThermoContact
     double
     work_at_end() const;
 
-    /** Work of loads and of heat that drives the body, (M.25). */
+    /** Work of loads and of heat that drives the body, (D4.4). */
     double
     work(const double size, const State &new_state);
 
@@ -119,7 +119,7 @@ namespace ThermoContact
     void
     apply_contact(const State &state, const TimeStep &time_step);
 
-    /** The same of a node that keeps its mass, (M.81). */
+    /** The same of a node that keeps its mass, (C6.9). */
     void
     apply_step_contact(const State &state, const TimeStep &time_step);
 

@@ -12,12 +12,13 @@
 namespace ThermoContact
 {
   /**
-   * The iteration (3.3)-(3.4) of the paper, doc/model.md (M.19): heat with the
-   * last velocity, then momentum with the new temperature and the last contact
-   * pressure; one factorisation per field. Needs an elastic obstacle or none.
+   * The iteration (3.3)-(3.4) of the paper, doc/discretisation.md (D7.1): heat
+   * with the last velocity, then momentum with the new temperature and the last
+   * contact pressure; one factorisation per field. Needs an elastic obstacle or
+   * none.
    *
    * It converges for small stages only: the contact part contracts by
-   * $\rho=\chi/\varepsilon$, (M.20). Not far past that limit it settles into a
+   * $\rho=\chi/\varepsilon$, (D7.2). Not far past that limit it settles into a
    * bounded 2-cycle, so that a stage that has not converged within the allowed
    * iterations is a failure. Converged: the largest change of a displacement
    * is below the tolerance times the largest displacement (or the gap as long
@@ -48,7 +49,7 @@ namespace ThermoContact
     restore(const RetainedFactorizations &retained) override;
 
     /**
-     * The contraction factor (M.20) of the contact part at stage length
+     * The contraction factor (D7.2) of the contact part at stage length
      * @p tau: $\chi/\varepsilon$ with $\chi$ the largest eigenvalue of the
      * response of the momentum matrix to contact pressures; 0 without an
      * obstacle.
@@ -77,7 +78,7 @@ namespace ThermoContact
     void
     factorize(const double tau);
 
-    /** Pressure of the compliance law (M.4) at the end of the stage. */
+    /** Pressure of the compliance law (M1.4) at the end of the stage. */
     void
     update_pressure(const double tau, StageRates &rates);
 
@@ -90,7 +91,7 @@ namespace ThermoContact
 
 
   /**
-   * The step size (M.21) above which the iteration of the paper fails while in
+   * The step size (D7.3) above which the iteration of the paper fails while in
    * contact: the root of $\Delta t^3=b\varepsilon^2(\Delta t+\zeta)$.
    *
    * @param inertia $b>0$

@@ -75,7 +75,7 @@ namespace ThermoContact
     void
     solve_linear(const double tolerance, std::vector<double> &pressure);
 
-    /** (M.65) of the stage that was solved last. */
+    /** (D8.5) of the stage that was solved last. */
     double
     algebraic_power(const State               &known,
                     const double               tau,

@@ -15,10 +15,11 @@ namespace ThermoContact
 {
   /**
    * The linear system of a stage of a large body for a given set of nodes in
-   * contact, doc/model.md (M.50)-(M.54). An elastic obstacle adds springs to
-   * the diagonal of (M.15), a rigid one prescribes the velocity that ends at
-   * it. GMRES, preconditioned from the right by one V-cycle for each field, the
-   * temperature first, solves it from the present solution on.
+   * contact, doc/discretisation.md (D8.1), (D8.2), (D8.3), (D8.4), (C2.9). An
+   * elastic obstacle adds springs to the diagonal of (D2.2), a rigid one
+   * prescribes the velocity that ends at it. GMRES, preconditioned from the
+   * right by one V-cycle for each field, the temperature first, solves it from
+   * the present solution on.
    */
   template <int dim>
   class IterativeStage
@@ -58,7 +59,7 @@ namespace ThermoContact
     /**
      * Instead of a new stage the displacement $\tau v$ and what goes with it,
      * by pressures at the active nodes alone: at a rigid obstacle it is given
-     * there, at an elastic one pressures resist what it lacks, (M.61). Of the
+     * there, at an elastic one pressures resist what it lacks, (C3.2). Of the
      * length of the present stage.
      *
      * @param displacement at the contact nodes
@@ -87,7 +88,7 @@ namespace ThermoContact
       return laws;
     }
 
-    /** Receptances of the contact nodes alone, by the diagonal of (M.15). */
+    /** Receptances of the contact nodes alone, by the diagonal of (D2.2). */
     std::vector<double>
     receptances() const;
 
@@ -113,7 +114,7 @@ namespace ThermoContact
     /**
      * Solves for the present set.
      *
-     * @param tolerance relative residual, (M.53)
+     * @param tolerance relative residual, (D8.4)
      * @return number of iterations
      * @throw ComputationError if there are too many, or if the residual of the
      *   solution is above twice the tolerance
@@ -121,7 +122,7 @@ namespace ThermoContact
     unsigned int
     solve(const double tolerance, const Measure measure = Measure::of_terms);
 
-    /** Pressures of the solution at the active nodes, else 0; (M.54). */
+    /** Pressures of the solution at the active nodes, else 0; (C2.9). */
     void
     get_pressures(std::vector<double> &pressure);
 
@@ -136,7 +137,7 @@ namespace ThermoContact
       return solution.block(field);
     }
 
-    /** What is left of the rows (M.50), without contact. */
+    /** What is left of the rows (D8.1), without contact. */
     const Vector &
     unsolved(const Field::Block field) const
     {
@@ -167,7 +168,7 @@ namespace ThermoContact
     std::vector<NodeLaw> laws;
     std::vector<double>  start;             ///< positions at the beginning
     std::vector<int>     branch;            ///< at the end
-    std::vector<double>  known_penetration; ///< of its obstacle, (M.115)
+    std::vector<double>  known_penetration; ///< of its obstacle, (C6.5)
     std::vector<bool>    is_active;
     ContactRows          contact;
     BlockVector          rhs;                  ///< without contact
@@ -193,8 +194,8 @@ namespace ThermoContact
     }
 
     /**
-     * Makes residuals relative, doc/model.md (M.53): one over the root of the
-     * diagonal and over the size of the terms.
+     * Makes residuals relative, doc/discretisation.md (D8.4): one over the root
+     * of the diagonal and over the size of the terms.
      */
     void
     set_weights(const State &known, const std::vector<double> &pressure);

@@ -25,11 +25,12 @@ namespace ThermoContact
 
 
   /**
-   * The monolithic stage: both fields at once and contact exactly, doc/model.md
-   * (M.15)-(M.18), with a heat exchange that depends on it, (M.56), (M.57). One
-   * factorisation per stage length; those used last are kept, since
-   * error-controlled steps come back to few sizes. The response to unit
-   * pressures, and heat fluxes, is computed when it is first needed.
+   * The monolithic stage: both fields at once and contact exactly,
+   * doc/discretisation.md (D2.2), (C2.1), (C2.2), (C2.4), with a heat exchange
+   * that depends on it, (C5.1), (C5.2). One factorisation per stage length;
+   * those used last are kept, since error-controlled steps come back to few
+   * sizes. The response to unit pressures, and heat fluxes, is computed when it
+   * is first needed.
    */
   template <int dim>
   class MonolithicSolver : public OpenStageSolver
@@ -160,14 +161,14 @@ namespace ThermoContact
     /**
      * Whether the pressures of a stage have taken away so much of the
      * motion without contact that rounding of it spoils what is left: a body
-     * in equilibrium with the obstacle, in a short stage (doc/model.md section
-     * 6).
+     * in equilibrium with the obstacle, in a short stage
+     * (doc/contact-in-time.md section 2).
      */
     bool
     has_lost_digits(const State &known, const StageRates &rates);
 
     /**
-     * Iterative refinement of a stage and its pressures, (M.15) and (M.61),
+     * Iterative refinement of a stage and its pressures, (D2.2) and (C3.2),
      * with the set of nodes in contact as it is.
      *
      * @param flux into the obstacle at the contact nodes, which stays as it is;
@@ -180,7 +181,7 @@ namespace ThermoContact
            const std::vector<double> &flux,
            StageRates                &rates);
 
-    /** The right-hand sides become what the rates leave of (M.15). */
+    /** The right-hand sides become what the rates leave of (D2.2). */
     void
     compute_residual(const State               &known,
                      const Vector              &heat_load,

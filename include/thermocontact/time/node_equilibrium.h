@@ -45,7 +45,7 @@ namespace ThermoContact
 
     /**
      * The same problem differentiated at the solution that was found last, its
-     * branches held, (M.64).
+     * branches held, (C4.3).
      *
      * @param load its rate
      * @param rate of the positions before the change
@@ -56,7 +56,7 @@ namespace ThermoContact
 
     /**
      * Adds $-aM^{-1}D\,\delta u$, the temperature of a body that is deformed at
-     * once, (M.67).
+     * once, (C4.4).
      */
     virtual void
     add_heating(const std::vector<double> &change,
@@ -91,7 +91,7 @@ namespace ThermoContact
                 Vector                    &temperature) const override;
 
     /**
-     * $X=K^{-1}\mathrm{diag}(w)$ of (M.39), displacements of all nodes of the
+     * $X=K^{-1}\mathrm{diag}(w)$ of (C6.3), displacements of all nodes of the
      * end per unit pressure at those that have pressures, which come first.
      */
     const dealii::FullMatrix<double> &
@@ -133,7 +133,7 @@ namespace ThermoContact
    * @param factor of the stiffness
    * @param counters what is factorised is added
    * @param takes_heat the nodes move at once, and the body takes heat for it,
-   *   (M.67): $K$ has $a^2D^TM^{-1}D$ added
+   *   (C4.4): $K$ has $a^2D^TM^{-1}D$ added
    */
   template <int dim>
   std::unique_ptr<NodeEquilibrium<dim>>

@@ -23,7 +23,7 @@ namespace ThermoContact
   /**
    * Scalars that are functions of time, in the stages of a Runge-Kutta step:
    * temperatures and displacements of the fixed end, gaps of an obstacle that
-   * moves; doc/model.md (M.90), (M.109). Their rates are those of the
+   * moves; doc/discretisation.md (D6.1), (C8.1). Their rates are those of the
    * functions, all of them shifted by what lets the step end at the value
    * there, and their values follow them as all other unknowns do: so schemes
    * keep their orders. Where a function has no derivative, jumps, or starts

@@ -17,7 +17,7 @@ namespace ThermoContact
   std::vector<Scheme>
   dirk_schemes();
 
-  /** The midpoint rule of doc/model.md section 13. */
+  /** The midpoint rule of doc/contact-in-time.md section 6. */
   Scheme
   energy_conserving_scheme();
 } // namespace ThermoContact

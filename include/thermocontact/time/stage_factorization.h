@@ -13,12 +13,13 @@
 namespace ThermoContact
 {
   /**
-   * The factorised stage matrix of doc/model.md (M.15) for one stage length,
-   * in as many pieces as the scene allows: fields that act on each other are
-   * one matrix; if the motion does not heat the body, or a field is absent,
-   * each field has a matrix of its own, and the heat equation is solved first.
-   * The matrices of a rod in one process are eliminated by blocks along it; if
-   * blocks grow on the way, and otherwise, they are left to sparse factors.
+   * The factorised stage matrix of doc/discretisation.md (D2.2) for one stage
+   * length, in as many pieces as the scene allows: fields that act on each
+   * other are one matrix; if the motion does not heat the body, or a field is
+   * absent, each field has a matrix of its own, and the heat equation is solved
+   * first. The matrices of a rod in one process are eliminated by blocks along
+   * it; if blocks grow on the way, and otherwise, they are left to sparse
+   * factors.
    *
    * The sum of a mass and a stiffness has the mass to the last digit of the
    * stiffness alone, 1e-14 of it with 250 cells: as if a friction were there,
@@ -39,7 +40,7 @@ namespace ThermoContact
                        const double                           tau);
 
     /**
-     * Solves (M.15) without contact.
+     * Solves (D2.2) without contact.
      *
      * @param heat_rhs,momentum_rhs its right-hand side; both may be
      *   changed
@@ -97,7 +98,7 @@ namespace ThermoContact
                Vector &velocity);
 
     /**
-     * Takes the products of (M.15) with a solution from the residuals; the
+     * Takes the products of (D2.2) with a solution from the residuals; the
      * corrections are scratch.
      */
     void

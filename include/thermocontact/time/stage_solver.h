@@ -16,7 +16,7 @@
 
 namespace ThermoContact
 {
-  /** The solution of one implicit stage, doc/model.md (M.14). */
+  /** The solution of one implicit stage, doc/discretisation.md (D2.1). */
   struct StageRates
   {
     Vector              temperature_rate;     ///< $\theta'$
@@ -33,7 +33,7 @@ namespace ThermoContact
     unsigned int n_iterations =
       0; ///< linear systems of contact, or of the fixed point
 
-    /** Power of what a linear solver has left unsolved, (M.65). */
+    /** Power of what a linear solver has left unsolved, (D8.5). */
     double algebraic_power = 0.;
 
     std::string failure; ///< empty: solved
@@ -125,8 +125,8 @@ namespace ThermoContact
   /**
    * Solves one implicit stage of length tau: finds the rates with
    * $\theta=\tilde\theta+\tau\theta'$, $u=\tilde u+\tau v$,
-   * $v=\tilde v+\tau v'$ that satisfy the semidiscrete equations (M.11),
-   * (M.12) with contact.
+   * $v=\tilde v+\tau v'$ that satisfy the semidiscrete equations (D1.1),
+   * (D1.2) with contact.
    */
   class StageSolver
   {
@@ -157,9 +157,10 @@ namespace ThermoContact
 
     /**
      * Takes out of the difference between two results of a step what the
-     * contact condition forbids, doc/model.md (M.61): nodes in contact stay
-     * with the obstacle, by pressures in the stage that was solved last. A
-     * solver without responses to pressures leaves the difference as it is.
+     * contact condition forbids, doc/contact-in-time.md (C3.2): nodes in
+     * contact stay with the obstacle, by pressures in the stage that was solved
+     * last. A solver without responses to pressures leaves the difference as it
+     * is.
      *
      * Arguments: the nodes in contact at the end of the step, their pressures,
      * and, in and out, the difference $e_\theta$, $e_u$, $e_v$.
@@ -230,7 +231,7 @@ namespace ThermoContact
                           const Vector &momentum_load,
                           StageRates   &rates) = 0;
 
-    /** $W$ of (M.16) for the stage that was solved last. */
+    /** $W$ of (C2.1) for the stage that was solved last. */
     virtual const FullMatrix<double> &
     response() = 0;
 

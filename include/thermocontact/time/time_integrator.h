@@ -19,17 +19,17 @@ namespace ThermoContact
   {
     State        state;                      ///< at the end of the step
     EnergyTerms  energy;                     ///< of that state
-    EnergyTerms  error;                      ///< its estimate, (M.29)
+    EnergyTerms  error;                      ///< its estimate, (D3.3)
     double       old_energy            = 0.; ///< where the step starts
     double       work                  = 0.; ///< $W$
     double       dissipation           = 0.; ///< $D$
-    double       lateral_dissipation   = 0.; ///< the part (M.105) of $D$
+    double       lateral_dissipation   = 0.; ///< the part (D4.5) of $D$
     double       numerical_dissipation = 0.; ///< $N$
-    double       algebraic             = 0.; ///< $A$, (M.65)
-    double       contact_dissipation   = 0.; ///< by the obstacle, (M.85)
+    double       algebraic             = 0.; ///< $A$, (D8.5)
+    double       contact_dissipation   = 0.; ///< by the obstacle, (D4.7)
     double       impulse               = 0.; ///< of the contact force
     unsigned int n_iterations          = 0;  ///< of the stages, added up
-    bool         is_prescribed = false;      ///< the paper's first step, (M.26)
+    bool         is_prescribed = false;      ///< the paper's first step, (D5.1)
 
     /**
      * Nodes in contact at the end of a step within which nodes without mass
@@ -79,7 +79,7 @@ namespace ThermoContact
          StepResult       &result) = 0;
 
     /**
-     * The start of the paper, (M.26): the displacement moves with the present
+     * The start of the paper, (D5.1): the displacement moves with the present
      * velocity, then the heat equation is solved. No stage is solved, so that
      * the pressure is that of the compliance law, and the defect of the energy
      * balance is booked as numerical dissipation, of either sign. The caller
