@@ -12,11 +12,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /** An event is missed by that part of what an error may be, (C3.1). */
-    constexpr double miss_of_event = 0.01;
-
-
-
     /** 0 if it cannot be told apart from the start. */
     double
     first_zero(const CubicHermite &s, const double dip, const double resolution)
@@ -175,7 +170,7 @@ namespace ThermoContact
           (1. + law.damping() * std::abs(rate)) <=
         0.1 * std::abs(rate) * tolerance * scales.momentum;
     return has_small_impulse ||
-           std::abs(s) <= miss_of_event * tolerance * smallest_scale + rounding;
+           std::abs(s) <= allowed_miss(smallest_scale) + rounding;
   }
 
 
@@ -185,9 +180,8 @@ namespace ThermoContact
   {
     Scales sizes(largest);
     sizes.add({values, side});
-    const double allowed =
-      (miss_of_event * tolerance + Tolerances::rounding_of_event) *
-      sizes.displacement;
+    const double allowed = allowed_miss(sizes.displacement) +
+                           Tolerances::rounding_of_event * sizes.displacement;
     const auto is_closed_at = [&](const int at, const unsigned int node) {
       const LocalValues local{values, at};
       return local.is_in_contact(node) || local.penetration(node) >= -allowed;
@@ -218,9 +212,8 @@ namespace ThermoContact
     bool         all_start    = true;
     const double resolution =
       Tolerances::rounding_of_event * present.time / size;
-    const double dip = is_margin_pressure() ?
-                         0. :
-                         miss_of_event * tolerance * sizes.displacement;
+    const double dip =
+      is_margin_pressure() ? 0. : allowed_miss(sizes.displacement);
     for (unsigned int i = 0; i < next.size(); ++i)
       {
         const CubicHermite s         = margin(next, i);
@@ -435,9 +428,12 @@ namespace ThermoContact
   {
     if (nodes != NodeOrder::inertial || is_margin_pressure())
       return 0.;
-    // of a force that is constant over so short a part of the step: slopes of
-    // the interpolant have lost these digits
-    const double change = (to - from) * (s.slope(1.) - s.slope(0.)) / size;
+    // in short steps the interpolant has lost these digits, and the force is
+    // constant
+    const double change = (size < Tolerances::short_step * present.time ?
+                             (to - from) * (s.slope(1.) - s.slope(0.)) :
+                             s.slope(to) - s.slope(from)) /
+                          size;
     return mode_ == ContactMode::closed ? change : -change;
   }
 

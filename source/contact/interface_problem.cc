@@ -144,6 +144,18 @@ namespace ThermoContact
 
 
   std::vector<double>
+  product(const FullMatrix<double> &matrix, const std::vector<double> &x)
+  {
+    std::vector<double> y(matrix.m(), 0.);
+    for (unsigned int i = 0; i < matrix.m(); ++i)
+      for (unsigned int j = 0; j < matrix.n(); ++j)
+        y[i] += matrix(i, j) * x[j];
+    return y;
+  }
+
+
+
+  std::vector<double>
   change_of_pressure(const FullMatrix<double>  &receptance,
                      const std::vector<double> &slope,
                      const std::vector<double> &free_change)

@@ -75,7 +75,10 @@ namespace ThermoContact
     // common, and the nodes of one rank after the other, which may be as large
     // as the disk allows.
 
-    /** Changes whenever an older program could not read the file. */
+    /**
+     * Changes with every member that is saved, a column of contact.csv too: the
+     * archive does not say what is in it.
+     */
     const std::string format = "thermocontact checkpoint 10";
 
 

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/simulation/contact_tracker.h>
+#include <thermocontact/space/node_laws.h>
 
 #include <algorithm>
 #include <cmath>
@@ -144,10 +145,7 @@ namespace ThermoContact
     body.obstacle.set_rates(result.state.time, result.state);
     if (locator.mode() != ContactMode::closed)
       return;
-    // where they are but for rounding
-    for (const auto &[node, entry] :
-         body.contact_end().entries(Field::displacement))
-      result.state.displacement.begin()[entry] = result.state.gap[node];
+    put_on_obstacle(body, result.state); // where they are but for rounding
     // the audit of a scheme of first order has the pressure of its stage
     if (!body.scene.sources.has_moving_end && body.scene.scheme.order > 1)
       reset.set_pressures_of_acceleration(result.state);
@@ -259,9 +257,8 @@ namespace ThermoContact
         scale = std::max({scale, std::abs(rate), std::abs(old_rate[i])});
       }
     const double continuous = Tolerances::continuous_velocity * scale;
-    const bool   is_held    = body.scene.contact.has_impacts() &&
-                         body.scene.contact.has_mass() &&
-                         locator.mode() == ContactMode::closed;
+    const bool   is_held =
+      body.scene.contact.has_impacts() && locator.mode() == ContactMode::closed;
     if (is_held && towards > continuous)
       reset.impact(result);
     else

@@ -178,8 +178,8 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Reset<dim>::set_quasi_static_velocity(const std::vector<bool> &is_closed,
-                                        State                   &state)
+  Reset<dim>::set_velocity_of_viscous_body(const std::vector<bool> &is_closed,
+                                           State                   &state)
   {
     const double viscosity = body.scene.material.viscosity;
     const double factor    = (viscosity + 1.) / viscosity;
@@ -258,7 +258,7 @@ namespace ThermoContact
     if (material.has_inertia() || material.is_static())
       set_static_equilibrium(state);
     else
-      set_quasi_static_velocity({}, state);
+      set_velocity_of_viscous_body({}, state);
   }
 
 
@@ -302,8 +302,9 @@ namespace ThermoContact
             rate.add(weights[i] / width, load);
           }
       }
+    // heat that has not flowed yet may have no rate but that of the mesh
     if (body.scene.fields.has_temperature &&
-        body.scene.material.has_thermal_stress())
+        body.scene.material.has_thermal_stress() && !state.was_moved_at_once())
       {
         heat = body.discretization.make_vector(Field::temperature);
         load = body.discretization.make_vector(Field::displacement);
@@ -593,7 +594,7 @@ namespace ThermoContact
     else
       {
         if (moves)
-          set_quasi_static_velocity(is_closed, state);
+          set_velocity_of_viscous_body(is_closed, state);
         set_exchange_of_law(body, state);
       }
     book(work, result);
@@ -621,12 +622,7 @@ namespace ThermoContact
           work -= end.share(i) * impulses[i] * state.gap_rate[i];
         result.impulse += end.mean(impulses);
       }
-    std::vector<NodeLaw> laws;
-    std::vector<double>  position;
-    get_node_laws(body, state, laws, position);
-    for (const auto &[node, entry] : end.entries(Field::displacement))
-      state.displacement.begin()[entry] =
-        obstacle_at(body, state.gap, node, laws[node].side);
+    put_on_obstacle(body, state);
     set_exchange_of_law(body, state);
     book(work, result);
   }
@@ -667,7 +663,7 @@ namespace ThermoContact
     if (!is_damped && !is_viscous_at_rigid)
       return;
     if (!body.scene.material.has_inertia())
-      set_quasi_static_velocity(is_closed, state);
+      set_velocity_of_viscous_body(is_closed, state);
     else if (is_damped)
       set_pressures_of_law(body, state);
     else

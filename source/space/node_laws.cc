@@ -80,6 +80,21 @@ namespace ThermoContact
 
 
   template <int dim>
+  void
+  put_on_obstacle(const Body<dim> &body, State &state)
+  {
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position;
+    get_node_laws(body, state, laws, position);
+    for (const auto &[node, entry] :
+         body.contact_end().entries(Field::displacement))
+      state.displacement.begin()[entry] =
+        obstacle_at(body, state.gap, node, laws[node].side);
+  }
+
+
+
+  template <int dim>
   double
   displacement_of_law(const Body<dim>   &body,
                       const State       &state,
@@ -124,6 +139,7 @@ namespace ThermoContact
                               const std::vector<double> &,     \
                               const unsigned int,              \
                               const int);                      \
+  template void   put_on_obstacle(const Body<dim> &, State &); \
   template double displacement_of_law(const Body<dim> &,       \
                                       const State &,           \
                                       const unsigned int);     \

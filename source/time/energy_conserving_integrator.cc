@@ -227,25 +227,6 @@ namespace ThermoContact
 
 
 
-  namespace
-  {
-    /** @p matrix times @p vector. */
-    std::vector<double>
-    product(const FullMatrix<double> &matrix, const std::vector<double> &vector)
-    {
-      std::vector<double> result(matrix.m(), 0.);
-      for (unsigned int i = 0; i < matrix.m(); ++i)
-        for (unsigned int j = 0; j < matrix.n(); ++j)
-          result[i] += matrix(i, j) * vector[j];
-      return result;
-    }
-
-
-
-  } // namespace
-
-
-
   template <int dim>
   void
   EnergyConservingIntegrator<dim>::set_up_contact()

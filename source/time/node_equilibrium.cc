@@ -86,10 +86,9 @@ namespace ThermoContact
     const std::vector<double> &free,
     const std::vector<double> &pressure) const
   {
-    std::vector<double> change(free);
+    std::vector<double> change = product(all_receptance, pressure);
     for (unsigned int i = 0; i < change.size(); ++i)
-      for (unsigned int j = 0; j < pressure.size(); ++j)
-        change[i] -= all_receptance(i, j) * pressure[j];
+      change[i] = free[i] - change[i];
     return change;
   }
 
@@ -105,21 +104,6 @@ namespace ThermoContact
       result[i] += free[i];
     return result;
   }
-
-
-
-  namespace
-  {
-    std::vector<double>
-    product(const FullMatrix<double> &matrix, const std::vector<double> &x)
-    {
-      std::vector<double> y(matrix.m(), 0.);
-      for (unsigned int i = 0; i < matrix.m(); ++i)
-        for (unsigned int j = 0; j < matrix.n(); ++j)
-          y[i] += matrix(i, j) * x[j];
-      return y;
-    }
-  } // namespace
 
 
 

@@ -29,6 +29,12 @@ namespace ThermoContact
      */
     inline constexpr double load_difference = 1e-5;
 
+    /**
+     * Of steps in parts of the time: what an interpolant has lost of
+     * velocities, u over it, is what accelerations change within it.
+     */
+    inline constexpr double short_step = 1e-8;
+
     /** Of solutions of linear systems with a condition of some thousand. */
     inline constexpr double rounding_of_solution = 1e-13;
 

@@ -365,6 +365,14 @@ namespace ThermoContact
                        const double        to,
                        const double        size) const;
 
+    /** Of an event, a hundredth of what an error of this size may be, (C3.1).
+     */
+    double
+    allowed_miss(const double size) const
+    {
+      return 0.01 * tolerance * size;
+    }
+
     /** True if a margin s is as good as zero, (C3.1). */
     bool
     is_near(const double      s,

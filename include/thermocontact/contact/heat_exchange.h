@@ -10,7 +10,7 @@ namespace ThermoContact
 {
   /**
    * Heat exchange between one node of the contact boundary and the obstacle,
-   * doc/model.md (M1.3): the coefficient $k$ of the flux
+   * doc/model.md (M5.1): the coefficient $k$ of the flux
    * $k(\theta-\theta_{obs})$ that leaves the body, which may depend on the gap
    * and on the pressure there. No mesh, no matrix.
    */

@@ -98,6 +98,11 @@ namespace ThermoContact
                     const std::vector<double>        &slope,
                     dealii::FullMatrix<double>       &change);
 
+  /** @p matrix times @p x. */
+  std::vector<double>
+  product(const dealii::FullMatrix<double> &matrix,
+          const std::vector<double>        &x);
+
   /** The changes of the pressures for one change of $x^{free}$. */
   std::vector<double>
   change_of_pressure(const dealii::FullMatrix<double> &receptance,

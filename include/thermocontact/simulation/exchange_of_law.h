@@ -13,7 +13,7 @@ namespace ThermoContact
 {
   /**
    * The heat exchange $k$(gap, pressure) of a state at each contact node,
-   * (M1.3): of two obstacles, that at which the gap is smaller. A pull counts
+   * (M5.1): of two obstacles, that at which the gap is smaller. A pull counts
    * as no pressure: a step that ends with one is not the last attempt at it.
    */
   template <int dim>
@@ -32,7 +32,7 @@ namespace ThermoContact
 
 
   /**
-   * Sets the heat exchange $k$(gap, pressure) at each contact node, (M1.3), of
+   * Sets the heat exchange $k$(gap, pressure) at each contact node, (M5.1), of
    * a state whose gaps and pressures are not those of a stage: after an impact,
    * an event, a jump. Nothing to do where it is constant or without heat.
    */

@@ -49,13 +49,13 @@ namespace ThermoContact
     double       stress_end            = 0.; ///< $-p+t$
     double       gap                   = 0.; ///< $g-u$, the smallest
     double       penetration           = 0.; ///< $s(p)$, the largest
-    double       contact_force         = 0.; ///< mean of $p\ge0$
+    double       contact_force         = 0.; ///< mean of p; negative behind
     double       contact_impulse       = 0.; ///< $\sum\Delta t\,p$
     double       temperature_end       = 0.;
     double       heat_flux_end         = 0.; ///< $k(\theta-\theta_{obs})$
     double       energy                = 0.; ///< $\hat E$, (M2.2)
     double       dissipation           = 0.; ///< sum of (D4.2)
-    double       numerical_dissipation = 0.; ///< sum of (D4.3)
+    double       numerical_dissipation = 0.; ///< sum of $N$, (D4.3) or (D3.2)
     bool         in_contact            = false;
     unsigned int iterations            = 0;
     double       work                  = 0.; ///< sum of (D4.4)

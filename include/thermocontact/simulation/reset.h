@@ -205,7 +205,8 @@ namespace ThermoContact
      *   do not lie before it
      */
     void
-    set_quasi_static_velocity(const std::vector<bool> &is_closed, State &state);
+    set_velocity_of_viscous_body(const std::vector<bool> &is_closed,
+                                 State                   &state);
 
     /** (D5.3). */
     void

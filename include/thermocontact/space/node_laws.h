@@ -54,6 +54,11 @@ namespace ThermoContact
               const unsigned int         node,
               const int                  side);
 
+  /** All contact nodes touch the obstacle that is local to them. Collective. */
+  template <int dim>
+  void
+  put_on_obstacle(const Body<dim> &body, State &state);
+
   /** The displacement of a node whose pressure is that of its law at rest. */
   template <int dim>
   double

@@ -12,7 +12,7 @@ namespace ThermoContact
 {
   /**
    * The body at one time: everything that a time integrator needs to go on.
-   * A value: copied, compared, dropped.
+   * A value: copied, exchanged, dropped.
    */
   struct State
   {
@@ -21,7 +21,10 @@ namespace ThermoContact
     Vector displacement; ///< $u$
     Vector velocity;     ///< $v$
 
-    /** Pressure $p_i\ge0$ at the contact nodes, on all ranks. */
+    /**
+     * Pressure $p_i$ at the contact nodes, on all ranks; negative at an
+     * obstacle behind, and of either sign in a step that holds them.
+     */
     std::vector<double> contact_pressure;
 
     /**
