@@ -18,15 +18,14 @@ class Fit:
     values, errors: dicts, an entry and its standard error.
     covariance, correlation: arrays, in the order of values.
     chi_square: the sum of the squared residuals over the standard deviations;
-        chi_square / degrees_of_freedom is near 1 if the scene explains the measurement;
-        without deviations its root is that of the residuals.
+        chi_square / degrees_of_freedom is near 1 if the scene explains the measurement.
     sensitivities: a Table: for each measured number the column it is in, its time, and
         what an entry changes it by, d column / d log(entry).
     run: the Run at these values. n_runs: how many there were.
     """
 
     def __init__(self, values, covariance, chi_square, n_numbers, sensitivities, best,
-                 n_runs, has_deviations):
+                 n_runs):
         self.values = values
         self.covariance = covariance
         deviations = numpy.sqrt(numpy.diag(covariance))
@@ -37,7 +36,6 @@ class Fit:
         self.sensitivities = sensitivities
         self.run = best
         self.n_runs = n_runs
-        self.has_deviations = has_deviations
 
     def __str__(self):
         width = max(map(len, self.values))
@@ -47,10 +45,8 @@ class Fit:
         for i in range(len(names)):
             lines += [f"correlation of {names[j]} and {names[i]}: "
                       f"{self.correlation[i, j]:.3f}" for j in range(i)]
-        misfit = (f"chi^2/dof {self.chi_square:.6g}/{self.degrees_of_freedom}"
-                  if self.has_deviations else "residuals "
-                  f"{(self.chi_square / self.degrees_of_freedom)**0.5:.3g} (root mean square)")
-        return "\n".join([*lines, f"{misfit}, {self.n_runs} runs"])
+        return "\n".join([*lines, f"chi^2/dof {self.chi_square:.6g}/"
+                          f"{self.degrees_of_freedom}, {self.n_runs} runs"])
 
 
 class _Measurement:
@@ -83,12 +79,6 @@ class _Measurement:
         pchip = optional_module("scipy.interpolate", "python3-scipy").PchipInterpolator
         time = contact["time"]
         last = numpy.append(time[1:] > time[:-1], True)  # of the rows of a time
-        rounding = 1e-9 * abs(time[-1])
-        if not (time[0] - rounding <= self.times.min() and
-                self.times.max() <= time[-1] + rounding):
-            raise Error(f"the measurement is from {self.times.min():g} to "
-                        f"{self.times.max():g}, the run from {time[0]:g} to {time[-1]:g}: "
-                        "times are wanted in the unit of Time/End time, within the run")
         return numpy.concatenate([
             pchip(time[last], contact[column][last])(numpy.clip(at, time[0], time[-1]))
             for column, at in self.parts])
@@ -110,8 +100,6 @@ def fit(unknowns, measured, base=None, entries=None, step=0.01, processes=None,
     """
     least_squares = optional_module("scipy.optimize", "python3-scipy").least_squares
     names = list(unknowns)
-    if any(isinstance(value, str) for value in unknowns.values()):
-        raise Error("unknowns: first guesses are numbers, in SI files in the base unit")
     guess = numpy.array([float(unknowns[name]) for name in names])
     if not names or not numpy.all(guess > 0):
         raise Error("unknowns: positive first guesses are wanted, and at least one")
@@ -162,5 +150,4 @@ def fit(unknowns, measured, base=None, entries=None, step=0.01, processes=None,
     table = Table({"column": numpy.array(data.columns), "time": data.times,
                    **dict(zip(names, sensitivities.T))})
     return Fit(dict(zip(names, map(float, values))), covariance, chi_square,
-               len(data.values), table, run_at(found.x), len(known) + 1,
-               data.has_deviations)
+               len(data.values), table, run_at(found.x), len(known) + 1)
