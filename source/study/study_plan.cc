@@ -192,6 +192,14 @@ namespace ThermoContact
     for (const std::string &value : variation.values)
       if (value.empty())
         fail("an empty value");
+      else if (const auto comma = value.find(',');
+               variation.path != "Output/Probes" && comma < value.size() &&
+               parse_number(value.substr(0, comma)))
+        fail("a ',' behind a number, '|' separates values,");
+      else if (value.find(':') < value.find('?') &&
+               value.find('/') > value.find(':') &&
+               parse_number(value.substr(0, value.find(':'))))
+        fail("a ':', which makes no range, write first .. last (n),");
     return variation;
   }
 
