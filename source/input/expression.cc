@@ -572,15 +572,17 @@ namespace ThermoContact
     choice()
     {
       enter();
-      const unsigned int condition = binary(0);
+      unsigned int result = binary(0);
+      if (takes("?"))
+        {
+          const unsigned int first = choice();
+          if (!takes(":"))
+            cannot_read("a ':' is missing for a '?'");
+          const unsigned int second = choice();
+          result = add(Operation::choice, {result, first, second}, 0, least);
+        }
       --n_levels;
-      if (!takes("?"))
-        return condition;
-      const unsigned int first = choice();
-      if (!takes(":"))
-        cannot_read("a ':' is missing for a '?'");
-      const unsigned int second = choice();
-      return add(Operation::choice, {condition, first, second}, 0, least);
+      return result;
     }
 
 
