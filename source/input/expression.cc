@@ -439,6 +439,21 @@ namespace ThermoContact
 
 
 
+    /** In which the numbers of an expression are, if that is known. */
+    std::string
+    words_of_units() const
+    {
+      std::string words;
+      for (unsigned int i = 0; i < names.units.size(); ++i)
+        words +=
+          (words.empty() ? "; numbers have no units: " : ", ") +
+          (i < names.variables.size() ? names.variables[i] : "the value") +
+          " is in " + names.units[i];
+      return words;
+    }
+
+
+
     /** @param position the present one if it is nowhere */
     [[noreturn]] void
     cannot_read(const std::string &fault, const std::size_t position = nowhere)
@@ -447,7 +462,7 @@ namespace ThermoContact
              text,
              "cannot be read: " + fault,
              "an expression in " + join_words(known_names()) + ", e.g. " +
-               names.example,
+               names.example + words_of_units(),
              position == nowhere ? next : position);
     }
 

@@ -480,7 +480,21 @@ namespace ThermoContact
   SiScene::in_scene_variables(const Assignment  &assignment,
                               const std::string &text) const
   {
-    const bool      is_exchange = assignment.path == "Boundary/Heat exchange";
+    const bool        is_exchange = assignment.path == "Boundary/Heat exchange";
+    const std::string section     = section_of(assignment.path);
+    // as the scene has them: times, places and theta_A
+    const auto is_known = [&](const std::string &name) {
+      if (name == "gap" || name == "pressure" || is_exchange)
+        return is_exchange && (name == "gap" || name == "pressure");
+      if (name == "t")
+        return section != "Initial values";
+      if (name == "theta_A" || name == "x")
+        return section == "Initial values" || section == "Sources" ||
+               (name == "x" && assignment.path == "Contact/Gap");
+      return assignment.path == "Contact/Gap" ||
+             ((name == "y" ? dim > 1 : dim > 2) &&
+              assignment.path.rfind("Boundary/Fixed end", 0) != 0);
+    };
     ExpressionNames names;
     names.constants = constants;
     names.folder    = folder_of_tables(assignments);
@@ -489,8 +503,7 @@ namespace ThermoContact
                                     "1e-4 + 1e-5*sin(t)";
     std::vector<std::string> others;
     for (const Quantity &variable : variables)
-      if (is_exchange == (std::strcmp(variable.path, "gap") == 0 ||
-                          std::strcmp(variable.path, "pressure") == 0))
+      if (is_known(variable.path))
         {
           const auto        found = conversions.find(variable.kind);
           const Conversion &unit =
