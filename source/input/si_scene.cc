@@ -500,7 +500,8 @@ namespace ThermoContact
     names.folder    = folder_of_tables(assignments);
     names.has_units = true;
     names.example   = is_exchange ? "if(pressure > 0, 500 + 1e-3*pressure, 5)" :
-                                    "1e-4 + 1e-5*sin(t)";
+                      section == "Initial values" ? "2*x/0.5" :
+                                                    "1e-4 + 1e-5*sin(t)";
     std::vector<std::string> others;
     for (const Quantity &variable : variables)
       if (is_known(variable.path))
