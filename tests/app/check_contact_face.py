@@ -92,11 +92,7 @@ class Faces(Run):
     """A run with the snapshots of its contact face."""
 
     def faces(self):
-        self.read_snapshots = None
-        index, self.index = self.index, "contact.pvd"
-        faces = self.snapshots()
-        self.index, self.read_snapshots = index, None
-        return faces
+        return self.snapshots("contact.pvd")
 
     def has(self, field):
         return self.settings.has(field)

@@ -58,10 +58,9 @@ def snapshots_differ(reference, directory):
     for index in names:
         tables = []
         for r in runs:
-            r.index, r.read_snapshots = index, None
             tables.append([numpy.column_stack([mesh.points] + [
                 values.reshape(len(mesh.points), -1) for _, values in
-                sorted(mesh.point_data.items())]) for _, mesh in r.snapshots()])
+                sorted(mesh.point_data.items())]) for _, mesh in r.snapshots(index)])
         if len(tables[0]) != len(tables[1]) or not tables[0]:
             return float("inf")
         for a, b in zip(*tables):
@@ -83,9 +82,8 @@ def check_obstacle(reference):
     run = Run(reference)
     times = [time for time, _ in run.snapshots()]
     formula = Settings(reference / "used.prm")["Contact/Gap"]
-    run.index, run.read_snapshots = "obstacle.pvd", None
-    faults = [] if [time for time, _ in run.snapshots()] == times else ["other times"]
-    for time, mesh in run.snapshots():
+    faults = [] if [time for time, _ in run.snapshots("obstacle.pvd")] == times else ["other times"]
+    for time, mesh in run.snapshots("obstacle.pvd"):
         gaps = [eval(formula, {"sin": math.sin, "t": time, "y": y}) for y in mesh.points[:, 1]]
         expected = numpy.column_stack([gaps, 0 * mesh.points[:, 1:]])
         worst = max(abs(mesh.point_data["gap"] - gaps).max(),

@@ -102,9 +102,12 @@ namespace
 
 
 
-  /** What the program wrote to the file stderr. */
+  /**
+   * What the program wrote to the file stderr. The meaning of an entry, which
+   * is that of doc/parameters.md, is in it the first time.
+   */
   std::string
-  words_of_program()
+  words_of_program(std::set<std::string> &meanings)
   {
     // the program's own words: MPI may complain of the machine first, and
     // mpirun of the exit status afterwards, below a line of dashes
@@ -114,8 +117,13 @@ namespace
     const auto begin = contents.str().find("thermocontact: ");
     if (begin == std::string::npos)
       return "";
-    const auto end = contents.str().find("--------", begin);
-    return contents.str().substr(begin, end - begin);
+    const auto         end = contents.str().find("--------", begin);
+    std::istringstream words(contents.str().substr(begin, end - begin));
+    std::string        result;
+    for (std::string line; std::getline(words, line);)
+      if (line.rfind("  meaning: ", 0) != 0 || meanings.insert(line).second)
+        result += line + '\n';
+    return result;
   }
 
 
@@ -147,13 +155,14 @@ namespace
 int
 main(int, char **argv)
 {
-  const fs::path     test       = argv[1];
-  const std::string  test_dir   = test.parent_path().string() + "/";
-  const std::string  prm_dir    = PRM_DIR;
-  const auto         questions  = marked_lines(test, "#? ");
-  auto               arguments  = marked_lines(test, "#$ ");
-  const fs::path     output_dir = "results";
-  const MpiDirectory mpi_directory;
+  const fs::path        test       = argv[1];
+  const std::string     test_dir   = test.parent_path().string() + "/";
+  const std::string     prm_dir    = PRM_DIR;
+  const auto            questions  = marked_lines(test, "#? ");
+  auto                  arguments  = marked_lines(test, "#$ ");
+  const fs::path        output_dir = "results";
+  const MpiDirectory    mpi_directory;
+  std::set<std::string> meanings;
   if (arguments.empty())
     arguments.emplace_back("FILE");
 
@@ -182,10 +191,13 @@ main(int, char **argv)
       const auto files_before = working_files();
       std::cout << "$ thermocontact " << argument << '\n';
       const int status = WEXITSTATUS(std::system(command.c_str()));
-      std::cout << replace_all(replace_all(words_of_program(), test_dir, ""),
+      std::cout << replace_all(replace_all(words_of_program(meanings),
+                                           test_dir,
+                                           ""),
                                prm_dir,
                                "prm")
-                << "exit status " << status << '\n';
+                << "exit status " << status
+                << (fs::exists(output_dir) ? "\n" : ", no output directory\n");
       for (const std::string &name : working_files())
         if (files_before.count(name) == 0)
           std::cout << "new file: " << name << '\n';
@@ -203,7 +215,5 @@ main(int, char **argv)
                 std::cout << script << " failed" << std::endl;
             }
         }
-      else
-        std::cout << "no output directory: " << !fs::exists(output_dir) << '\n';
     }
 }

@@ -11,6 +11,8 @@ from pathlib import Path
 import meshio
 import numpy
 
+FUNCTIONS = {"abs": numpy.abs, "if_": numpy.where, "min": numpy.minimum, "max": numpy.maximum} | {
+    name: getattr(numpy, name) for name in ("sin", "cos", "exp", "sqrt", "tanh", "pi")}
 TEXT_COLUMNS = ("kind", "reason", "status", "side")
 
 
@@ -42,6 +44,11 @@ class Table:
                                   [value for value, kept in zip(values, mask) if kept])
 
 
+def compiled(expression):
+    """An expression of an entry as one of Python."""
+    return compile(expression.replace("^", "**").replace("if(", "if_("), expression, "eval")
+
+
 class Settings(dict):
     """The entries of a file used.prm as "Section/Entry"; others are absent."""
 
@@ -62,14 +69,13 @@ class Settings(dict):
 
     def expression(self, name):
         """A function of numpy arrays x and a number t."""
-        code = compile(self.get(name, "0").replace("^", "**"), name, "eval")
-        names = {key: getattr(numpy, key) for key in
-                 ("sin", "cos", "exp", "sqrt", "tanh", "pi")}
-        drive = self.get("Boundary/Fixed end temperature", "0")
-        theta_A = eval(drive, names | {"t": 0.0})
+        code = compiled(self.get(name, "0"))
+        theta_A = eval(compiled(self.get("Boundary/Fixed end temperature", "0")),
+                       FUNCTIONS | {"t": 0.0})
 
-        def value(x, t=0.0):
-            return eval(code, names | {"x": x, "t": t, "theta_A": theta_A}) + 0.0 * x
+        def value(x, t=0.0, **names):
+            return eval(code, FUNCTIONS | names | {
+                "x": x, "t": t, "theta_A": theta_A}) + 0.0 * x
         return value
 
     def has(self, field):
@@ -84,7 +90,7 @@ class Run:
         self.settings = Settings(self.directory / "used.prm")
         self.tables = {path.name: Table(path)
                        for path in sorted(self.directory.glob("*.csv"))}
-        self.read_snapshots = self.read_space_time = None
+        self.read_snapshots, self.read_space_time = {}, None
         self.summary = None
         if (self.directory / "summary.json").exists():
             self.summary = json.loads(
@@ -114,18 +120,16 @@ class Run:
         return [tuple(float(number) for number in re.findall(r"= ([^,]*)", comment))
                 for comment in self.probes.comments if comment.startswith("probe ")]
 
-    index = "fields.pvd"  # of the snapshots
-
-    def snapshots(self):
-        """Time and mesh of each snapshot."""
-        index = self.directory / self.index
-        if self.read_snapshots is None:
-            self.read_snapshots = [
+    def snapshots(self, name="fields.pvd"):
+        """Time and mesh of each snapshot of an index."""
+        if name not in self.read_snapshots:
+            index = self.directory / name
+            self.read_snapshots[name] = [
                 (float(entry.get("timestep")),
                  meshio.read(self.directory / entry.get("file")))
                 for entry in xml.parse(index).findall(".//DataSet")
             ] if index.exists() else []
-        return self.read_snapshots
+        return self.read_snapshots[name]
 
     def space_time(self):
         """The mesh of the space-time file, or None"""

@@ -4,8 +4,8 @@
 
 Times of impacts against d'Alembert's. An elastic rod (zeta = 0, no heat) that starts
 with 20 x (x - 1)^2 strikes a rigid obstacle: 8 cells of degrees 8 to 24, five gaps,
-tolerances 1e-4 to 1e-9, to T = 3.3. The exact times of tests/verification/
-elastic_impact_degrees.cc are the begin t_1, the end 1 and the begin t_2 of contacts.
+tolerances 1e-4 to 1e-9, to T = 3.3. The exact times are the begin t_1, the end 1 and the
+begin t_2 of contacts.
 
 Each run is compared with d'Alembert's solution and with the run of the same mesh that has
 a tenth of the smallest tolerance, so that what time steps do is told apart from what the

@@ -154,11 +154,12 @@ def equivalents(path):
 
 def draw(parser, top, copy, options):
     chance = random.Random(options.seed)
-    names = sorted(path.relative_to(copy).as_posix() for pattern in (
-        f"source/{options.room}/*.cc", f"include/thermocontact/{options.room}/*.h")
-        for path in copy.glob(pattern))
+    names = sorted(path.relative_to(copy).as_posix() for room in options.rooms or ["*"]
+                   for pattern in (f"source/{room}/*.cc",
+                                   f"include/thermocontact/{room}/*.h")
+                   for path in copy.glob(pattern))
     if not names:
-        raise Failure(f"no room {options.room}")
+        raise Failure(f"no rooms {options.rooms}")
     lines = [(copy / name).read_bytes().count(b"\n") for name in names]
     explained = equivalents(top / "tests/mutate/equivalent.txt")
     sources, faults = {}, {}

@@ -301,7 +301,7 @@ main(int argc, char **argv)
     {
       compare_masses<2>(degree);
       compare_round_rod(degree);
-      if (degree < 4) // 500 unknowns to a cell: verification/iterative_solver
+      if (degree < 4) // else 500 unknowns to a cell
         compare_masses<3>(degree);
     }
   for (const unsigned int degree : {1, 2, 4})

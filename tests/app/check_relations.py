@@ -1,0 +1,252 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""usage: check_relations.py DIR [N [SEED]]
+
+Runs N scenes that scenes.py draws and others that have the same solution, or one that
+follows from it (doc/model.md):
+
+sign       a and all temperatures negated: temperatures and the flux of heat negated, all
+           else the same.
+mirror     displacements, mechanical loads and a negated, the gaps exchanged: displacements,
+           velocities, stress, force, impulse negated, all else the same.
+scaled     without a power law: mechanical and thermal data doubled, the damping halved, gap
+           and pressure of the heat exchange half as much: fields doubled, energies four
+           times.
+strip,     a rod is a body on rollers of any Poisson ratio, without loss of heat through its
+block,     sides, whose modulus is one: the columns that both have.
+round
+iterative  a body by the other solver of stages.
+free       without Poisson's ratio and heat, a body with free sides
+direct     a rod by sparse factors
+fixed      the iteration of the paper, where it converges
+point
+base       an obstacle that moves by w(t) is a base that moves by -w(t) before one at rest,
+           with w'(0) = 0 and b = 0: gaps and forces.
+
+Errors of a column relative to its largest value, with fixed steps 1e-8 (1e-6 by the
+iterative solver), with error control 50 tolerances. What a relation is not for is left out.
+DIR is not read.
+"""
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy
+
+sys.dont_write_bytecode = True
+from program import for_all, run, settings  # noqa: E402
+from run_files import Run  # noqa: E402
+from scenes import draw  # noqa: E402
+
+N = int(sys.argv[2]) if len(sys.argv) > 2 else 60
+FIRST = int(sys.argv[3]) if len(sys.argv) > 3 else 1
+THERMAL = ("Initial values/Temperature", "Boundary/Fixed end temperature",
+           "Boundary/Obstacle temperature", "Boundary/Ambient temperature",
+           "Sources/Heat source", "Sources/End heat flux")
+MECHANICAL = ("Initial values/Displacement", "Initial values/Velocity",
+              "Sources/Body force", "Sources/End traction",
+              "Boundary/Fixed end displacement")
+# columns by the powers of temperatures and displacements that they have
+TEMPERATURES = ("temperature_end", "temperature_mean", "heat_flux_end", "lateral_heat_flux")
+LENGTHS = ("displacement_end", "displacement_mid", "velocity_end", "stress_end",
+           "contact_force", "contact_impulse", "moment_y", "moment_z")
+UNSIGNED = ("gap", "penetration", "max_pressure", "min_gap")
+ENERGIES = ("energy", "dissipation", "numerical_dissipation", "work", "contact_dissipation",
+            "lateral_dissipation")
+COUNTS = ("step", "iterations", "algebraic")  # and what a solver leaves
+
+
+def times(factor, scene, names):
+    """Entries times a factor; theta_A is a value of one of them."""
+    drive = scene.get("Boundary/Fixed end temperature", "10")
+    theta_A = "10" if "cos" in drive else drive
+    return {name: f"{factor}*({scene[name].replace('theta_A', f'({theta_A})')})"
+            for name in names if name in scene}
+
+
+def has_heat(scene):
+    return "temperature" in scene["Model/Fields"]
+
+
+def moves(scene):
+    return "displacement" in scene["Model/Fields"]
+
+
+def negated_coupling(scene):
+    return {"Model/Coupling": str(-float(scene.get("Model/Coupling", "0.017")))} if (
+        has_heat(scene) and moves(scene)) else {}
+
+
+def thermal(scene):
+    return {"Boundary/Fixed end temperature": "10"} | scene if has_heat(scene) else scene
+
+
+def sign(scene):
+    if not has_heat(scene):
+        return None
+    scene = thermal(scene)
+    return scene | times(-1, scene, THERMAL) | negated_coupling(scene), dict.fromkeys(
+        TEMPERATURES, -1.)
+
+
+def mirror(scene):
+    if not moves(scene) or "Contact/Rear gap" not in scene and scene.get(
+            "Contact/Condition") != "none":
+        return None
+    gaps = {} if "Contact/Rear gap" not in scene else {
+        "Contact/Gap": scene["Contact/Rear gap"], "Contact/Rear gap": scene["Contact/Gap"]}
+    return scene | times(-1, scene, MECHANICAL) | negated_coupling(scene) | gaps, \
+        dict.fromkeys(LENGTHS, -1.)
+
+
+def scaled(scene):
+    if scene.get("Contact/Condition") == "power law":
+        return None
+    scene = thermal(scene)
+    other = scene | times(2, scene, THERMAL + MECHANICAL + (
+        ("Contact/Gap",) if "Contact/Gap" in scene else ()))
+    if "Contact/Rear gap" in scene:
+        other["Contact/Rear gap"] = str(2 * float(scene["Contact/Rear gap"]))
+    if "Contact/Damping" in scene:
+        other["Contact/Damping"] = str(float(scene["Contact/Damping"]) / 2)
+    if "Boundary/Heat exchange" in scene:
+        other["Boundary/Heat exchange"] = scene["Boundary/Heat exchange"].replace(
+            "pressure", "pressure/2")
+    return other, dict.fromkeys(TEMPERATURES + LENGTHS + UNSIGNED, 2.) | dict.fromkeys(
+        ENERGIES, 4.)
+
+
+def body(entries):
+    def relation(scene):
+        is_large = entries["Dimension"] == "3" and scene["Mesh/Degree"] != "2"
+        if scene["Dimension"] != "1" or "Boundary/Lateral heat exchange" in scene or is_large:
+            return None
+        elastic = {"Model/Poisson ratio": "0.3", "Boundary/Lateral support": "rollers",
+                   } if moves(scene) else {}
+        if scene.get("Contact/Condition") == "rigid" and scene["Model/Inertia"] != "0":
+            elastic["Contact/Massless nodes"] = "off"  # as they are in a rod
+        middle = ", 0.05" if entries["Dimension"] == "2" else ", 0.05, 0.05"
+        return scene | entries | elastic | {"Output/Probes": f"0.5{middle}; 1{middle}"}, {}
+    return relation
+
+
+def iterative(scene):
+    if scene["Dimension"] == "1" or "Boundary/Lateral heat exchange" in scene or \
+            scene.get("Contact/Condition") in ("power law", "rigid") or \
+            "Contact/Damping" in scene or "pressure" in scene.get("Boundary/Heat exchange", ""):
+        return None
+    return scene | {"Solver/Linear solver": "iterative",
+                    "Solver/Linear tolerance": "1e-10"}, {}
+
+
+def free(scene):
+    """Nothing moves across a body with free sides if nu = 0 and a = 0."""
+    related = body({"Dimension": "2", "Mesh/Cells across": "2"})(scene)
+    if related is None or scene["Model/Fields"] != "displacement":
+        return None
+    return related[0] | {"Model/Poisson ratio": "0", "Boundary/Lateral support": "free"}, {}
+
+
+def direct(scene):
+    return (scene | {"Solver/Linear solver": "direct"}, {}) if scene["Dimension"] == "1" else None
+
+
+def fixed_point(scene):
+    """The iteration of the paper, of its model with a soft obstacle."""
+    if not moves(scene) or not has_heat(scene) or scene["Dimension"] != "1" or \
+            "pressure" in scene.get("Boundary/Heat exchange", "") or scene[
+                "Contact/Condition"] not in ("none", "normal compliance"):
+        return None
+    left_out = ("Time/Tolerance", "Output/Period", "Contact/Damping")
+    paper = {key: value for key, value in scene.items() if key not in left_out} | {
+        "Time/Scheme": "backward euler", "Time/Step size": "0.005", "Model/Inertia": "1",
+        "Time/Start": "consistent"} | (
+        {"Contact/Compliance": "1"} if "Contact/Compliance" in scene else {})
+    return paper | {"Solver/Step solver": "fixed point",
+                    "Solver/Fixed point tolerance": "1e-13"}, {}, paper
+
+
+def base(scene):
+    gap = scene.get("Contact/Gap", "")
+    if scene.get("Model/Inertia") != "0" or "t" not in gap or \
+            "Boundary/Fixed end displacement" in scene:
+        return None
+    at_rest, motion = re.fullmatch(r"(0\.08)\+(.*)", gap).groups()
+    return scene | {"Contact/Gap": f"{at_rest}+0.02",
+                    "Boundary/Fixed end displacement": f"0.02-{motion}"}, {
+        name: None for name in ("displacement_end", "displacement_mid", "velocity_end", "work",
+                                "energy", "numerical_dissipation", "dissipation")}
+
+
+RELATIONS = {"sign": sign, "mirror": mirror, "scaled": scaled,
+             "strip": body({"Dimension": "2", "Mesh/Cells across": "1"}),
+             "round": body({"Dimension": "2", "Mesh/Cells across": "1",
+                            "Mesh/Geometry": "axisymmetric"}),
+             "block": body({"Dimension": "3", "Mesh/Cells across": "1"}),
+             "iterative": iterative, "base": base, "free": free, "direct": direct,
+             "fixed point": fixed_point}
+
+
+def faults(one, other, factors, bound):
+    a, b = one.contact, other.contact
+    if len({"massless contact nodes" in run.summary["terms"] for run in (one, other)}) > 1:
+        return  # "automatic" may choose otherwise
+    if [e for e in one.events["kind"]] != [e for e in other.events["kind"]]:
+        yield f"{len(one.events)} and {len(other.events)} events"
+    has_same_times = len(a) == len(b) and numpy.allclose(a["time"], b["time"])
+    last = slice(None) if has_same_times else slice(-1, None)
+    for name in set(a.names) & set(b.names) - set(COUNTS):
+        factor = factors.get(name, 1.)
+        if factor is None or name == "step_size" and last.start == -1:
+            continue
+        expected = factor * a[name]
+        both = [name for name in (ENERGIES if name in ENERGIES else [name]) if name in a.names]
+        scale = max(numpy.nanmax(abs(factor * a[of]), initial=0) for of in both) + 1e-2
+        error = numpy.nan_to_num(abs(b[name][last] - expected[last])).max()
+        if not error <= bound * scale:
+            yield f"{name} differs by {error / scale:.2g}"
+
+
+def compare(seed, parent):
+    """Words on each relation of a scene."""
+    scene = draw(seed)
+    for key in ("Output/Fields interval", "Title"):
+        scene.pop(key)
+
+    def execute(name, entries):
+        directory = parent / f"{name}-{seed}"
+        status, _, message = run("--quiet", "--output", directory, *settings(
+            f"{key}={value}" for key, value in entries.items()), parent / "x.prm")
+        return Run(directory) if status == 0 else message.strip().replace("\n", ";")
+
+    one = execute("one", scene)
+    if isinstance(one, str):
+        return []
+    found = []
+    for name, relation in RELATIONS.items():
+        related = relation(scene)
+        if related is None:
+            continue
+        other, (entries, factors, *first) = execute(name, related[0]), related
+        reference = execute("first", first[0]) if first else one
+        bound = 1e-6 if name == "iterative" else 1e-8
+        if "Time/Tolerance" in entries:
+            bound = max(bound, 50 * float(entries["Time/Tolerance"]))
+        found.append((name, [run for run in (reference, other) if isinstance(run, str)] or
+                      list(faults(reference, other, factors, bound))))
+    return [(name, seed, words) for name, words in found]
+
+
+with tempfile.TemporaryDirectory() as parent:
+    Path(parent, "x.prm").write_text("# defaults\n")
+    results = sum(for_all(lambda seed: compare(seed, Path(parent)),
+                          range(FIRST, FIRST + N)), [])
+for name in RELATIONS:
+    tried = [(seed, words) for other, seed, words in results if other == name]
+    print(f"{name}: {'tried, ' if tried else 'not tried'}"
+          f"{sum(bool(words) for _, words in tried)} differ")
+for name, seed, words in results:
+    if words:
+        print(f"  {name} of scene {seed}: {'; '.join(words[:3])}")
+sys.exit(any(words for _, _, words in results))
