@@ -329,6 +329,7 @@ namespace ThermoContact
         log.line("  doubt     " + doubt);
       check_cost(simulation.scene(),
                  simulation.discretization().n_active_cells(),
+                 simulation.loads(),
                  free_bytes(directory),
                  command.is_forced,
                  log);

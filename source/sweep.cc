@@ -4,7 +4,6 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/interruption.h>
 #include <thermocontact/output/output_directory.h>
-#include <thermocontact/scene/scales_checks.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/study/study.h>
 #include <thermocontact/study/study_forecast.h>
@@ -121,6 +120,7 @@ namespace ThermoContact
         check_output_directory(directory, communicator);
         return check_study(table, parameters.study, log);
       }
+    check_any_run(table);
     // before there is a directory, or with its rows, and kept for its log
     std::string memory;
     if (!command.is_resumed)

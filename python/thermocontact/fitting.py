@@ -19,20 +19,21 @@ class Fit:
     covariance, correlation: arrays, in the order of values.
     chi_square: the sum of the squared residuals over the standard deviations;
         chi_square / degrees_of_freedom is near 1 if the scene explains the measurement.
+        Without deviations the sum of the squared residuals.
     sensitivities: a Table: for each measured number the column it is in, its time, and
         what an entry changes it by, d column / d log(entry).
     run: the Run at these values. n_runs: how many there were.
     """
 
-    def __init__(self, values, covariance, chi_square, n_numbers, sensitivities, best,
-                 n_runs):
+    def __init__(self, values, covariance, chi_square, data, sensitivities, best, n_runs):
         self.values = values
         self.covariance = covariance
         deviations = numpy.sqrt(numpy.diag(covariance))
         self.errors = dict(zip(values, deviations))
         self.correlation = covariance / numpy.outer(deviations, deviations)
         self.chi_square = chi_square
-        self.degrees_of_freedom = n_numbers - len(values)
+        self.degrees_of_freedom = len(data.values) - len(values)
+        self.has_deviations = data.has_deviations
         self.sensitivities = sensitivities
         self.run = best
         self.n_runs = n_runs
@@ -45,8 +46,10 @@ class Fit:
         for i in range(len(names)):
             lines += [f"correlation of {names[j]} and {names[i]}: "
                       f"{self.correlation[i, j]:.3f}" for j in range(i)]
-        return "\n".join([*lines, f"chi^2/dof {self.chi_square:.6g}/"
-                          f"{self.degrees_of_freedom}, {self.n_runs} runs"])
+        quality = (f"chi^2/dof {self.chi_square:.6g}/{self.degrees_of_freedom}"
+                   if self.has_deviations else "residuals of a standard deviation of "
+                   f"{(self.chi_square / self.degrees_of_freedom) ** 0.5:.3g}")
+        return "\n".join([*lines, f"{quality}, {self.n_runs} runs"])
 
 
 class _Measurement:
@@ -78,6 +81,11 @@ class _Measurement:
         """The same numbers from the table of a run."""
         pchip = optional_module("scipy.interpolate", "python3-scipy").PchipInterpolator
         time = contact["time"]
+        for column, at in self.parts:
+            if len(at) > 0 and not (time[0] <= at.min() and at.max() <= time[-1] * (1 + 1e-12)):
+                raise Error(f"measured[{column!r}]: times from {at.min():g} to {at.max():g}, and "
+                            f"the run has {time[0]:g} to {time[-1]:g}: another Time/End time, or "
+                            "times in the unit of contact.csv")
         last = numpy.append(time[1:] > time[:-1], True)  # of the rows of a time
         return numpy.concatenate([
             pchip(time[last], contact[column][last])(numpy.clip(at, time[0], time[-1]))
@@ -89,7 +97,8 @@ def fit(unknowns, measured, base=None, entries=None, step=0.01, processes=None,
     """Finds entries with which a scene meets a measurement: least squares by
     scipy.optimize.least_squares, over the logarithms of the entries.
 
-    unknowns: a dict {"Section/Entry": a positive first guess}.
+    unknowns: a dict {"Section/Entry": a positive first guess}, a number or a text with
+        the unit in which it is found, "5e6 N/m".
     measured: a dict {column of contact.csv: (times, values) or (times, values, standard
         deviation)}, in the units of the files. Without deviations the errors follow from
         the residuals.
@@ -100,7 +109,13 @@ def fit(unknowns, measured, base=None, entries=None, step=0.01, processes=None,
     """
     least_squares = optional_module("scipy.optimize", "python3-scipy").least_squares
     names = list(unknowns)
-    guess = numpy.array([float(unknowns[name]) for name in names])
+    texts = [str(unknowns[name]).strip().partition(" ") for name in names]
+    units = [unit.strip() for _, _, unit in texts]
+    try:
+        guess = numpy.array([float(number) for number, _, _ in texts])
+    except ValueError as fault:
+        raise Error(f"unknowns: {fault}: numbers are wanted, perhaps with a unit behind a "
+                    "blank, '5e6 N/m'") from None
     if not names or not numpy.all(guess > 0):
         raise Error("unknowns: positive first guesses are wanted, and at least one")
     data = _Measurement(measured)
@@ -110,7 +125,9 @@ def fit(unknowns, measured, base=None, entries=None, step=0.01, processes=None,
     known = {}
 
     def run_at(x):
-        scene = {**(entries or {}), **dict(zip(names, guess * numpy.exp(x)))}
+        scene = {**(entries or {}),
+                 **{name: f"{value!r} {unit}".strip() for name, value, unit in
+                    zip(names, map(float, guess * numpy.exp(x)), units)}}
         scene.setdefault("Output/Fields interval", 0)
         return run(scene, base=base)
 
@@ -149,5 +166,5 @@ def fit(unknowns, measured, base=None, entries=None, step=0.01, processes=None,
     covariance = scale * numpy.linalg.inv(normal) * numpy.outer(values, values)
     table = Table({"column": numpy.array(data.columns), "time": data.times,
                    **dict(zip(names, sensitivities.T))})
-    return Fit(dict(zip(names, map(float, values))), covariance, chi_square,
-               len(data.values), table, run_at(found.x), len(known) + 1)
+    return Fit(dict(zip(names, map(float, values))), covariance, chi_square, data, table,
+               run_at(found.x), len(known) + 1)

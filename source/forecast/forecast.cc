@@ -50,6 +50,18 @@ namespace ThermoContact
 
 
 
+    /** The same of what loads ask for: half a step in each of their widths. */
+    double
+    scaled_steps(const LoadHistory &loads)
+    {
+      double sum = 0.;
+      for (const LoadStretch &stretch : loads.stretches)
+        sum += 0.5 * (stretch.end - stretch.begin) / stretch.width;
+      return sum;
+    }
+
+
+
     /** One file of the contact face; a cell between nodes has its own points.
      */
     double
@@ -140,7 +152,9 @@ namespace ThermoContact
 
 
   std::optional<ExpectedCost>
-  expected_cost(const Scene &scene, const double n_cells)
+  expected_cost(const Scene             &scene,
+                const double             n_cells,
+                const LoadHistory *const loads)
   {
     const Parameters       &parameters = scene.parameters;
     const TimeParameters   &time       = parameters.time;
@@ -149,12 +163,15 @@ namespace ThermoContact
     ExpectedCost            cost;
     if (time.has_error_control())
       {
-        if (scene.sources.any())
+        cost.is_driven = scene.sources.any();
+        if (cost.is_driven && loads == nullptr)
           return {};
-        cost.steps = std::ceil(
-          std::max(scaled_steps(scene) /
-                     std::pow(time.tolerance, scene.scheme.step_exponent),
-                   T / time.maximum_step_size));
+        const double scaled =
+          scaled_steps(scene) + (cost.is_driven ? scaled_steps(*loads) : 0.);
+        cost.steps =
+          std::ceil(std::max(scaled / std::pow(time.tolerance,
+                                               scene.scheme.step_exponent),
+                             T / time.maximum_step_size));
       }
     else
       {

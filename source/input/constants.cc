@@ -5,6 +5,7 @@
 #include <thermocontact/input/constants.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/measured_table.h>
+#include <thermocontact/input/section_of_entries.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <deal.II/base/patterns.h>
@@ -15,6 +16,8 @@
 
 namespace ThermoContact
 {
+  namespace Patterns = dealii::Patterns;
+
   namespace
   {
     const std::string constants_section = "Constants";
@@ -25,19 +28,6 @@ namespace ThermoContact
     constant_name(const std::string &path)
     {
       return path.substr(constants_section.size() + 1);
-    }
-
-
-
-    /** Sets an entry of the section. */
-    void
-    set_constant(dealii::ParameterHandler &prm,
-                 const std::string        &name,
-                 const std::string        &value)
-    {
-      prm.enter_subsection(constants_section);
-      prm.set(name, value);
-      prm.leave_subsection();
     }
 
 
@@ -98,6 +88,7 @@ namespace ThermoContact
                    const std::vector<DeclaredEntry> &entries,
                    dealii::ParameterHandler         &prm)
   {
+    const SectionOfEntries             section(prm, constants_section);
     std::map<std::string, std::string> texts;
     for (const DeclaredEntry &entry : entries)
       if (is_constant_path(entry.path) &&
@@ -108,18 +99,19 @@ namespace ThermoContact
         if (!is_constant_path(assignment.path))
           continue;
         check_name(assignment);
-        if (texts.emplace(constant_name(assignment.path), "").second)
-          {
-            prm.enter_subsection(constants_section);
-            prm.declare_entry(constant_name(assignment.path),
-                              "",
-                              dealii::Patterns::Anything(),
-                              "A constant.");
-            prm.leave_subsection();
-          }
-        texts[constant_name(assignment.path)] = assignment.value;
+        const std::string name = constant_name(assignment.path);
+        if (texts.count(name) == 0)
+          prm.declare_entry(name, "", Patterns::Anything(), "A constant.");
+        texts[name] = assignment.value;
         if (assignment.place == command_line_place)
           check_use(assignment, assignments);
+      }
+    const std::map<std::string, double> values = evaluate_constants(texts);
+    std::string                         list;
+    for (const auto &[name, value] : values)
+      {
+        prm.set(name, texts[name]);
+        list += name + "=" + significant(value, all_digits) + ";";
       }
     const bool has_tables =
       std::any_of(assignments.begin(),
@@ -127,18 +119,9 @@ namespace ThermoContact
                   [](const Assignment &assignment) {
                     return !table_files(assignment.value).empty();
                   });
-    if (texts.empty() && !has_tables)
-      return {};
-    const std::map<std::string, double> values = evaluate_constants(texts);
-    std::string                         list;
-    for (const auto &[name, value] : values)
-      {
-        set_constant(prm, name, texts[name]);
-        list += name + "=" + significant(value, all_digits) + ";";
-      }
-    set_constant(prm,
-                 name_of_constants,
-                 list + "/" + folder_of_tables(assignments));
+    if (has_tables || !values.empty())
+      prm.set(name_of_constants,
+              list + "/" + (has_tables ? folder_of_tables(assignments) : ""));
     return values;
   }
 
@@ -204,12 +187,9 @@ namespace ThermoContact
                const std::map<std::string, double> &constants)
   {
     for (Assignment &assignment : assignments)
-      if (std::any_of(entries.begin(),
-                      entries.end(),
-                      [&](const DeclaredEntry &entry) {
-                        return entry.path == assignment.path &&
-                               is_of_numbers(entry);
-                      }) &&
+      if (const DeclaredEntry *const entry =
+            find_entry(entries, assignment.path);
+          entry != nullptr && is_of_numbers(*entry) &&
           !parse_number(assignment.value) &&
           assignment.value.find_first_not_of(" \t") != std::string::npos)
         try

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/elementary_functions.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/parameter_text.h>
+#include <thermocontact/input/unit_text.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <deal.II/base/numbers.h>
@@ -42,13 +43,9 @@ namespace ThermoContact
     equal,
     both,
     any,
-    both_rounded,
-    any_rounded,
     smaller,
     larger,
-    // of three, the first one is a condition
-    choice,
-    choice_rounded
+    choice ///< of three, the first one is a condition
   };
 
 
@@ -215,12 +212,8 @@ namespace ThermoContact
              truth == Truth::yes ? b() :
                                    evaluate_part(part.operands[2], variables);
     };
-    const auto logic = [&](const bool needs_both, const double threshold) {
-      const Truth x = is_at_least(value_of(a()), threshold);
-      if (x == (needs_both ? Truth::no : Truth::yes))
-        return number_of<Number>(x);
-      const Truth y = is_at_least(value_of(b()), threshold);
-      return number_of<Number>(needs_both ? both(x, y) : !both(!x, !y));
+    const auto is_true = [&](const Number &x) {
+      return is_at_least(value_of(x), part.number);
     };
     switch (part.operation)
       {
@@ -247,13 +240,9 @@ namespace ThermoContact
         case Operation::negation:
           return Number(1.) - a();
         case Operation::both:
-          return logic(true, 1.);
+          return number_of<Number>(both(is_true(a()), is_true(b())));
         case Operation::any:
-          return logic(false, 1.);
-        case Operation::both_rounded:
-          return logic(true, 0.5);
-        case Operation::any_rounded:
-          return logic(false, 0.5);
+          return number_of<Number>(!both(!is_true(a()), !is_true(b())));
         case Operation::smaller:
           return extremum(a(), b(), false);
         case Operation::larger:
@@ -261,9 +250,7 @@ namespace ThermoContact
         case Operation::angle:
           return angle(a(), b());
         case Operation::choice:
-          return choose(is_at_least(value_of(a()), least));
-        case Operation::choice_rounded:
-          return choose(is_at_least(value_of(a()), 0.5));
+          return choose(is_true(a()));
         case Operation::table:
           return tables_[part.operands[1]]->evaluate(a());
         case Operation::minus_sign:
@@ -282,6 +269,58 @@ namespace ThermoContact
 
   namespace
   {
+    /** A function, and how many arguments it has; 0: any number but none. */
+    struct Function
+    {
+      const char           *name;
+      Expression::Operation operation;
+      unsigned int          n_arguments;
+    };
+
+    /** Those that are not elementary. */
+    constexpr Function functions[] = {
+      {"abs", Expression::Operation::abs, 1},
+      {"atan2", Expression::Operation::angle, 2},
+      {"pow", Expression::Operation::power, 2},
+      {"min", Expression::Operation::smaller, 0},
+      {"max", Expression::Operation::larger, 0},
+      {"sum", Expression::Operation::plus, 0},
+      {"avg", Expression::Operation::plus, 0},
+      {"if", Expression::Operation::choice, 3}};
+
+
+
+    /** An operator between two operands. */
+    struct Operator
+    {
+      const char           *sign;
+      unsigned int          level; ///< larger ones bind first
+      Expression::Operation operation;
+      bool                  is_swapped = false, is_negated = false;
+      double                truth = 0.; ///< as Part::number
+    };
+
+    /** Of those that begin alike the longer one is first. */
+    constexpr Operator operators[] = {
+      {"||", 0, Expression::Operation::any, false, false, 1.},
+      {"|", 0, Expression::Operation::any, false, false, 0.5},
+      {"&&", 1, Expression::Operation::both, false, false, 1.},
+      {"&", 1, Expression::Operation::both, false, false, 0.5},
+      {"<=", 2, Expression::Operation::less_equal},
+      {">=", 2, Expression::Operation::less_equal, true},
+      {"==", 2, Expression::Operation::equal},
+      {"!=", 2, Expression::Operation::equal, false, true},
+      {"<", 2, Expression::Operation::less},
+      {">", 2, Expression::Operation::less, true},
+      {"+", 3, Expression::Operation::plus},
+      {"-", 3, Expression::Operation::minus},
+      {"*", 4, Expression::Operation::times},
+      {"/", 4, Expression::Operation::over}};
+
+    constexpr unsigned int level_of_comparisons = 2, level_of_signs = 5;
+
+
+
     constexpr std::size_t nowhere = std::string::npos;
 
     /**
@@ -346,19 +385,6 @@ namespace ThermoContact
 
 
 
-    static std::vector<std::string>
-    function_names()
-    {
-      std::vector<std::string> names{"table", "smooth"};
-      for (const Function &function : functions)
-        names.emplace_back(function.name);
-      for (const ElementaryFunction &function : elementary_functions())
-        names.push_back(function.name);
-      return names;
-    }
-
-
-
     void
     read()
     {
@@ -375,9 +401,16 @@ namespace ThermoContact
                "a decimal point, and ';' between components",
                next);
       if (left != '\0')
-        cannot_read("an operator is missing before " + next_word());
+        cannot_read(
+          "an operator is missing before " + next_word() +
+          (left == ':' ? "; ranges, for Study/Vary, are 1 .. 2 (7)" : ""));
       if (whole + 1 != parts.size()) // the whole is to be the last one
         parts.push_back(Part(parts[whole]));
+      if (parts.back().operation == Operation::table && !names.units.empty())
+        {
+          const MeasuredTable &table = *tables[parts.back().operands[1]];
+          check_unit(table, table.unit_of_values(), names.units.back());
+        }
     }
 
   private:
@@ -393,55 +426,31 @@ namespace ThermoContact
 
 
 
-    /** A function, and how many arguments it has; 0: any number but none. */
-    struct Function
+    /** The names of numbers. */
+    std::vector<std::string>
+    known_names() const
     {
-      const char  *name;
-      Operation    operation;
-      unsigned int n_arguments;
-    };
-
-    /** Those that are not elementary. */
-    static constexpr Function functions[] = {{"abs", Operation::abs, 1},
-                                             {"atan2", Operation::angle, 2},
-                                             {"pow", Operation::power, 2},
-                                             {"min", Operation::smaller, 0},
-                                             {"max", Operation::larger, 0},
-                                             {"sum", Operation::plus, 0},
-                                             {"avg", Operation::plus, 0},
-                                             {"if",
-                                              Operation::choice_rounded,
-                                              3}};
+      std::vector<std::string> known = names.variables;
+      known.emplace_back("pi");
+      for (const auto &constant : names.constants)
+        known.push_back(constant.first);
+      return known;
+    }
 
 
 
-    /** An operator between two operands. */
-    struct Operator
+    /** In which the numbers of an expression are, if that is known. */
+    std::string
+    words_of_units() const
     {
-      const char  *sign;
-      unsigned int level; ///< larger ones bind first
-      Operation    operation;
-      bool         is_swapped, is_negated;
-    };
-
-    /** Of those that begin alike the longer one is first. */
-    static constexpr Operator operators[] = {
-      {"||", 0, Operation::any, false, false},
-      {"|", 0, Operation::any_rounded, false, false},
-      {"&&", 1, Operation::both, false, false},
-      {"&", 1, Operation::both_rounded, false, false},
-      {"<=", 2, Operation::less_equal, false, false},
-      {">=", 2, Operation::less_equal, true, false},
-      {"==", 2, Operation::equal, false, false},
-      {"!=", 2, Operation::equal, false, true},
-      {"<", 2, Operation::less, false, false},
-      {">", 2, Operation::less, true, false},
-      {"+", 3, Operation::plus, false, false},
-      {"-", 3, Operation::minus, false, false},
-      {"*", 4, Operation::times, false, false},
-      {"/", 4, Operation::over, false, false}};
-
-    static constexpr unsigned int level_of_comparisons = 2, level_of_signs = 5;
+      std::string words;
+      for (unsigned int i = 0; i < names.units.size(); ++i)
+        words +=
+          (words.empty() ? "; numbers have no units: " : ", ") +
+          (i < names.variables.size() ? names.variables[i] : "the value") +
+          " is in " + names.units[i];
+      return words;
+    }
 
 
 
@@ -449,46 +458,24 @@ namespace ThermoContact
     [[noreturn]] void
     cannot_read(const std::string &fault, const std::size_t position = nowhere)
     {
-      std::string known;
-      for (const std::string &name : names.variables)
-        known += name.empty() ? "" : name + ", ";
-      known += "pi";
-      for (const auto &constant : names.constants)
-        known += ", " + constant.first;
       refuse(path,
              text,
              "cannot be read: " + fault,
-             "an expression in " + known + ", e.g. " + names.example,
+             "an expression in " + join_words(known_names()) + ", e.g. " +
+               names.example + words_of_units(),
              position == nowhere ? next : position);
     }
 
 
 
-    /** A part is within another one for the time of its life. */
-    class Level
+    /** A part within another one begins. */
+    void
+    enter()
     {
-    public:
-      explicit Level(Reader &reader)
-        : reader(reader)
-      {
-        if (++reader.n_levels > max_levels)
-          reader.cannot_read("more than " + std::to_string(max_levels / 2) +
-                             " parts within each other");
-      }
-
-      ~Level()
-      {
-        --reader.n_levels;
-      }
-
-      Level(const Level &) = delete;
-
-      Level &
-      operator=(const Level &) = delete;
-
-    private:
-      Reader &reader;
-    };
+      if (++n_levels > max_levels)
+        cannot_read("more than " + std::to_string(max_levels / 2) +
+                    " parts within each other");
+    }
 
 
 
@@ -562,9 +549,10 @@ namespace ThermoContact
     unsigned int
     add(const Operation                  operation,
         const std::vector<unsigned int> &operands,
-        const unsigned int               elementary = 0)
+        const unsigned int               elementary = 0,
+        const double                     truth      = 0.)
     {
-      Part part{operation, 0., {0, elementary, 0}, 1};
+      Part part{operation, truth, {0, elementary, 0}, 1};
       bool is_of_numbers = true;
       for (unsigned int i = 0; i < operands.size(); ++i)
         {
@@ -598,15 +586,18 @@ namespace ThermoContact
     unsigned int
     choice()
     {
-      const Level        level(*this);
-      const unsigned int condition = binary(0);
-      if (!takes("?"))
-        return condition;
-      const unsigned int first = choice();
-      if (!takes(":"))
-        cannot_read("a ':' is missing for a '?'");
-      const unsigned int second = choice();
-      return add(Operation::choice, {condition, first, second});
+      enter();
+      unsigned int result = binary(0);
+      if (takes("?"))
+        {
+          const unsigned int first = choice();
+          if (!takes(":"))
+            cannot_read("a ':' is missing for a '?'");
+          const unsigned int second = choice();
+          result = add(Operation::choice, {result, first, second}, 0, least);
+        }
+      --n_levels;
+      return result;
     }
 
 
@@ -633,8 +624,9 @@ namespace ThermoContact
               return result;
             }
           const unsigned int other = binary(level + 1);
-          result = found->is_swapped ? add(found->operation, {other, result}) :
-                                       add(found->operation, {result, other});
+          result                   = found->is_swapped ?
+                                       add(found->operation, {other, result}) :
+                                       add(found->operation, {result, other}, 0, found->truth);
           if (found->is_negated)
             result = add(Operation::negation, {result});
         }
@@ -654,13 +646,16 @@ namespace ThermoContact
     unsigned int
     signed_power()
     {
-      const Level level(*this);
+      enter();
+      unsigned int result;
       if (takes("-"))
-        return add(Operation::minus_sign, {signed_power()});
-      if (takes("+"))
-        return signed_power();
-      const unsigned int base = operand();
-      return takes("^") ? add(Operation::power, {base, signed_power()}) : base;
+        result = add(Operation::minus_sign, {signed_power()});
+      else if (takes("+"))
+        result = signed_power();
+      else if (result = operand(); takes("^"))
+        result = add(Operation::power, {result, signed_power()});
+      --n_levels;
+      return result;
     }
 
 
@@ -683,7 +678,8 @@ namespace ThermoContact
           refuse_assignment();
           cannot_read(first == '\0' ?
                         "it ends where a number or a name should stand" :
-                        "a number or a name is missing before " + next_word());
+                        "a number or a name is missing before " + next_word() +
+                          (first == '*' ? "; powers are written x^2" : ""));
         }
       const std::size_t begin = next;
       while (is_of_name(at(next)))
@@ -738,7 +734,12 @@ namespace ThermoContact
       const auto variable =
         std::find(names.variables.begin(), names.variables.end(), name);
       if (variable != names.variables.end())
-        return read_variable(variable - names.variables.begin(), begin);
+        {
+          const unsigned int index = variable - names.variables.begin();
+          named.push_back({index, begin});
+          parts.push_back({Operation::variable, 0., {index, 0, 0}, 1});
+          return parts.size() - 1;
+        }
       if (const auto constant = names.constants.find(name);
           constant != names.constants.end())
         return number(constant->second);
@@ -751,23 +752,11 @@ namespace ThermoContact
         cannot_read("the function " + name + " has no argument; " + name +
                       "(...)",
                     begin);
-      known.emplace_back("pi");
-      known.insert(known.end(), names.variables.begin(), names.variables.end());
-      for (const auto &constant : names.constants)
-        known.push_back(constant.first);
+      for (const std::string &other : known_names())
+        known.push_back(other);
       cannot_read("there is no name '" + quote(name, 40) + "'" +
                     did_you_mean(name, known),
                   begin);
-    }
-
-
-
-    unsigned int
-    read_variable(const unsigned int index, const std::size_t position)
-    {
-      named.push_back({index, position});
-      parts.push_back({Operation::variable, 0., {index, 0, 0}, 1});
-      return parts.size() - 1;
     }
 
 
@@ -817,13 +806,29 @@ namespace ThermoContact
                    arguments,
                    elementary - elementary_functions().begin());
       if (n > 0)
-        return add(function->operation, arguments);
+        return add(function->operation, arguments, 0, 0.5);
       unsigned int result = arguments[0];
       for (unsigned int i = 1; i < arguments.size(); ++i)
         result = add(function->operation, {result, arguments[i]});
       return name == "avg" ?
                add(Operation::over, {result, number(arguments.size())}) :
                result;
+    }
+
+
+
+    /** Refuses the unit of a column that is no measure of what is @p needed. */
+    void
+    check_unit(const MeasuredTable &table,
+               const std::string   &unit,
+               const std::string   &needed) const
+    {
+      if (!unit.empty() && !convert_unit(1., unit, needed))
+        throw InputError(path + " = " + quote(text) + ": " +
+                         quote(table.file_name()) +
+                         ": the header has the unit " + unit +
+                         "\n  allowed: a unit that measures what " + needed +
+                         " does\n  remedy:  another column, or its unit");
     }
 
 
@@ -852,6 +857,8 @@ namespace ThermoContact
         return dealii::Utilities::trim(text.substr(a, b - a));
       };
       const std::string file = between(next, commas[0]);
+      if (file[0] == '"' || file[0] == '\'')
+        cannot_read("names of files stand without quotes");
       const std::string column =
         commas.size() > 1 ? between(commas[0] + 1, commas[1]) : "";
       try
@@ -870,6 +877,11 @@ namespace ThermoContact
       next                        = commas.back() + 1;
       const unsigned int argument = choice();
       close(parenthesis);
+      if (const Part &part = parts[argument];
+          part.operation == Operation::variable && !names.units.empty())
+        check_unit(*tables.back(),
+                   tables.back()->unit_of_arguments(),
+                   names.units[part.operands[0]]);
       parts.push_back(
         {Operation::table,
          0.,
@@ -881,11 +893,16 @@ namespace ThermoContact
 
 
 
-  Expression::Expression(const std::string     &path,
-                         const std::string     &text,
-                         const ExpressionNames &names)
-    : Expression(path, text, names, 0, text.size())
-  {}
+  std::vector<std::string>
+  Expression::function_names()
+  {
+    std::vector<std::string> names{"table", "smooth"};
+    for (const Function &function : functions)
+      names.emplace_back(function.name);
+    for (const ElementaryFunction &function : elementary_functions())
+      names.push_back(function.name);
+    return names;
+  }
 
 
 
@@ -898,8 +915,9 @@ namespace ThermoContact
     , text_(text)
     , variable_names(names.variables)
   {
-    Reader(*this, names, begin, end).read();
-    check_values(begin > 0 || end < text.size() ? begin : nowhere);
+    Reader(*this, names, begin, std::min(end, text.size())).read();
+    if (names.checks_values)
+      check_values(begin > 0 || end < text.size() ? begin : nowhere);
   }
 
 
@@ -1017,7 +1035,7 @@ namespace ThermoContact
   bool
   can_name_constant(const std::string &name)
   {
-    std::vector<std::string> taken = Expression::Reader::function_names();
+    std::vector<std::string> taken = Expression::function_names();
     for (const char *const variable :
          {"x", "y", "z", "t", "gap", "pressure", "theta_A", "pi", "_pi", "_e"})
       taken.emplace_back(variable);
@@ -1073,13 +1091,12 @@ namespace ThermoContact
                    const ExpressionNames          &names,
                    const std::vector<std::string> &others)
   {
-    Expression expression;
-    expression.path_ = path;
-    expression.text_ = text;
-    Expression::Reader(expression, names, 0, text.size()).read();
-    std::string result;
-    std::size_t end = 0; // of what is in the result
-    for (const Expression::NamedVariable &one : expression.named)
+    ExpressionNames unchecked = names;
+    unchecked.checks_values   = false;
+    const Expression expression(path, text, unchecked);
+    std::string      result;
+    std::size_t      end = 0; // of what is in the result
+    for (const Expression::NamedVariable &one : expression.named_variables())
       {
         result += text.substr(end, one.position - end) + others[one.index];
         end = one.position + names.variables[one.index].size();
@@ -1110,8 +1127,7 @@ namespace ThermoContact
     std::vector<Expression> components;
     begins.push_back(text.size() + 1);
     for (unsigned int c = 0; c + 1 < begins.size(); ++c)
-      components.push_back(
-        Expression(path, text, names, begins[c], begins[c + 1] - 1));
+      components.emplace_back(path, text, names, begins[c], begins[c + 1] - 1);
     while (components.size() < n_components)
       components.emplace_back(path, "0", names);
     return components;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/load_enclosure.h>
 
 #include <algorithm>
@@ -19,8 +20,7 @@ namespace ThermoContact
      */
     constexpr double nearly_parabolic = 0.25;
 
-    /** Parts of the variation of a load that do not matter. */
-    constexpr double negligible = 1e-7;
+    constexpr double negligible = Tolerances::negligible_load;
 
     /** More enclosures are not worth their time. */
     constexpr unsigned int max_evaluations = 1 << 20;

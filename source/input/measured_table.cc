@@ -162,6 +162,8 @@ namespace ThermoContact
               fail("there is no column '" + quote(column, 60) + "'" +
                      did_you_mean(column, names),
                    n_lines);
+            argument_unit = header[0].unit;
+            value_unit    = header[index].unit;
             continue;
           }
         if (cells.size() != header.size())

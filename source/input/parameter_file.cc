@@ -19,6 +19,13 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    const std::string path_of_constants = "Constants/" + name_of_constants;
+  }
+
+
+
   void
   set_entry(const Assignment &assignment, ParameterHandler &prm)
   {
@@ -87,11 +94,7 @@ namespace ThermoContact
       bool
       knows(const Assignment &assignment) const
       {
-        return std::any_of(entries.begin(),
-                           entries.end(),
-                           [&](const DeclaredEntry &entry) {
-                             return entry.path == assignment.path;
-                           }) &&
+        return find_entry(entries, assignment.path) != nullptr &&
                !is_constant_path(assignment.path);
       }
 
@@ -167,12 +170,8 @@ namespace ThermoContact
       const DeclaredEntry &
       entry_of(const Assignment &assignment) const
       {
-        const auto entry = std::find_if(entries.begin(),
-                                        entries.end(),
-                                        [&](const DeclaredEntry &e) {
-                                          return e.path == assignment.path;
-                                        });
-        if (entry == entries.end())
+        const DeclaredEntry *const entry = find_entry(entries, assignment.path);
+        if (entry == nullptr)
           refuse_entry(assignment, entries);
         return *entry;
       }
@@ -308,29 +307,29 @@ namespace ThermoContact
       return message.rfind(path + " =", 0) == 0 ||
              message.rfind(path + ":", 0) == 0;
     };
-    std::string place;
+    std::string place, reason;
     for (const Assignment &assignment : assignments)
       if (message.rfind(assignment.place + ": ", 0) == 0)
         return message; // complete
       else if (is_about(assignment.path))
         place = assignment.place + ": ";
-    // a default value that something else makes wrong
-    for (const Assignment &assignment : assignments)
-      if (place.empty() && !assignment.is_section() &&
-          message.find(assignment.path + " = " + assignment.value) !=
-            std::string::npos)
-        place = assignment.place + ": ";
+      else if (reason.empty() && !assignment.is_section() &&
+               message.find(assignment.path + " = " + assignment.value) !=
+                 std::string::npos)
+        reason = assignment.place + ": "; // why a default value is wrong
 
     std::string complete = message, meaning;
+    const bool  has_meaning =
+      message.find("\n  meaning: ") != std::string::npos ||
+      message.find(" has no effect") != std::string::npos;
     for (const DeclaredEntry &entry : declared_entries(prm))
-      if (is_about(entry.path) && is_in_si(assignments))
-        replace_value(entry, assignments, complete);
-    if (message.find("\n  meaning: ") == std::string::npos &&
-        message.find(" has no effect") == std::string::npos)
-      for (const DeclaredEntry &entry : declared_entries(prm))
-        if (is_about(entry.path))
-          meaning = "\n  meaning: " + entry.text;
-    return place + complete + meaning;
+      if (is_about(entry.path))
+        {
+          if (is_in_si(assignments))
+            replace_value(entry, assignments, complete);
+          meaning = has_meaning ? "" : "\n  meaning: " + entry.text;
+        }
+    return (place.empty() ? reason : place) + complete + meaning;
   }
 
 
@@ -340,7 +339,8 @@ namespace ThermoContact
   {
     std::map<std::string, std::string> values;
     for (const DeclaredEntry &entry : declared_entries(prm))
-      values.emplace(entry.path, entry.value);
+      if (entry.path != path_of_constants) // it has those of the others
+        values.emplace(entry.path, entry.value);
     return values;
   }
 
@@ -365,8 +365,7 @@ namespace ThermoContact
     std::string open_section;
     for (const DeclaredEntry &entry : entries)
       {
-        if (omit.count(entry.path) != 0 ||
-            entry.path == "Constants/" + name_of_constants)
+        if (omit.count(entry.path) != 0 || entry.path == path_of_constants)
           continue;
         const auto        slash = entry.path.find('/');
         const std::string section =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/input/quantity_units.h>
-#include <thermocontact/input/scales.h>
+#include <thermocontact/input/unit_text.h>
 
 #include <cmath>
 #include <utility>
@@ -12,16 +12,16 @@ namespace ThermoContact
   conversions_by_kind(const ScalesParameters &scales)
   {
     const double length = *scales.length, seconds = *scales.time,
-                 stress           = *scales.stress,
-                 displacement     = scales.displacement.value_or(length),
-                 force            = stress * *scales.area;
-    const TimeUnit        &unit   = time_unit(scales.time_unit);
-    const TemperatureUnit &degree = temperature_unit(scales.temperature_unit);
-    ConversionsByKind      all;
+                 stress          = *scales.stress,
+                 displacement    = scales.displacement.value_or(length),
+                 force           = stress * *scales.area;
+    const bool        is_celsius = scales.temperature_unit == "C";
+    const double      unit       = *convert_unit(1., scales.time_unit, "s");
+    ConversionsByKind all;
     all[""]               = {1., 0., ""};
     all["s"]              = {1., 0., "s"};
     all["MB"]             = {1., 0., "MB"};
-    all["time"]           = {seconds / unit.seconds, 0., unit.name};
+    all["time"]           = {seconds / unit, 0., scales.time_unit};
     all["position"]       = {length, 0., "m"};
     all["length"]         = {displacement, 0., "m"};
     all["velocity"]       = {displacement / seconds, 0., "m/s"};
@@ -48,8 +48,8 @@ namespace ThermoContact
                  reference = *scales.reference_temperature,
                  flux  = stress * displacement * reference / (scale * seconds);
     all["temperature"] = {scale,
-                          reference - degree.zero_in_kelvin,
-                          degree.symbol};
+                          reference - (is_celsius ? 273.15 : 0.),
+                          is_celsius ? "°C" : "K"};
     all["temperature difference"] = {scale, 0., "K"};
     all["heat flux"]              = {flux, 0., "W/m^2"};
     all["heat source"]            = {flux / length, 0., "W/m^3"};

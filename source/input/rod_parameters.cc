@@ -16,40 +16,35 @@ namespace ThermoContact
     const Double     positive(0., 1e30);
     SectionOfEntries entry(prm, "Rod");
     entry("Length", length, positive)
-      .means("Length L of the body, m. A file "
-             "with this section is in SI units; "
-             "0: there is none.");
+      .means(
+        "Length L of the body, m. A file with this section is in SI units; "
+        "0: there is none.");
     entry("Cross-section area", area, positive)
-      .means("Area A of the "
-             "cross-section, m^2.");
+      .means("Area A of the cross-section, m^2.");
     entry("Density", density, positive).means("Density rho, kg/m^3.");
     entry("Young's modulus", youngs_modulus, positive)
-      .means("Young's modulus "
-             "E, Pa.");
+      .means("Young's modulus E, Pa.");
     entry("Poisson ratio", poisson_ratio, Double(-0.999, 0.4999))
       .means("Poisson ratio nu, for confined lateral sides and Dimension > 1.");
     entry("Lateral sides", lateral_sides, Selection("free|confined"))
       .means("For Dimension = 1: free, a thin rod, whose stiffness is Young's "
              "modulus; or confined, no lateral strain: that of P-waves.");
     entry("Viscosity", viscosity, positive)
-      .means("Kelvin-Voigt viscosity eta, "
-             "Pa s: stress eta u_xt.");
+      .means("Kelvin-Voigt viscosity eta, Pa s: stress eta u_xt.");
     entry("Linear expansion", linear_expansion, Double(-1., 1.))
       .means("Coefficient alpha of linear thermal expansion, 1/K.");
     entry("Conductivity", conductivity, positive)
-      .means("Heat conductivity "
-             "kappa, W/(m K).");
+      .means("Heat conductivity kappa, W/(m K).");
     entry("Heat capacity", heat_capacity, positive)
-      .means("Specific heat "
-             "capacity c, J/(kg "
-             "K).");
+      .means("Specific heat capacity c, J/(kg K).");
     entry("Reference temperature", reference_temperature, positive)
       .means("Temperature of the body without stress, K; that of the body, the "
              "obstacle and the surroundings unless they are given.");
     entry("Small terms", small_terms, Selection("automatic|kept|dropped"))
-      .means("Inertia and viscosity: kept, dropped, or automatic: dropped "
-             "where their times, that of a wave through the body and that of "
-             "relaxation, are below 1e-5 of the run, which has no initial "
-             "velocity, moving end or rear stop.");
+      .means(
+        "Inertia and viscosity: kept, dropped, or automatic: dropped where "
+        "their times, that of a wave through the body and that of "
+        "relaxation, are below 1e-5 of the run, which has no initial "
+        "velocity, moving end or rear stop.");
   }
 } // namespace ThermoContact

@@ -3,16 +3,17 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/contact_law.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/measured_table.h>
-#include <thermocontact/input/scales.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/unit_text.h>
 #include <thermocontact/input/unknown_names.h>
 #include <thermocontact/method/body_geometry.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -272,23 +273,10 @@ namespace ThermoContact
 
 
 
-  const Assignment *
-  SiScene::find(const std::string &path) const
-  {
-    const auto found = std::find_if(assignments.rbegin(),
-                                    assignments.rend(),
-                                    [&](const Assignment &assignment) {
-                                      return assignment.path == path;
-                                    });
-    return found == assignments.rend() ? nullptr : &*found;
-  }
-
-
-
   std::optional<std::string>
   SiScene::given(const std::string &path) const
   {
-    const Assignment *const last = find(path);
+    const Assignment *const last = last_assignment(assignments, path);
     return last == nullptr ? std::nullopt : std::optional(last->value);
   }
 
@@ -300,12 +288,11 @@ namespace ThermoContact
     const auto need = [this](const bool is_needed, const std::string &path) {
       if (!is_needed || given(path))
         return;
-      for (const DeclaredEntry &entry : entries)
-        if (entry.path == path)
-          throw InputError(
-            path + " is not given\n  allowed: " +
-            describe_pattern(entry.pattern) + "\n  meaning: " + entry.text +
-            "\n  remedy:  give it: a scene in SI units has no default of it");
+      const DeclaredEntry &entry = *find_entry(entries, path);
+      throw InputError(
+        path + " is not given\n  allowed: " + describe_pattern(entry.pattern) +
+        "\n  meaning: " + entry.text +
+        "\n  remedy:  give it: a scene in SI units has no default of it");
     };
     const auto need_positive =
       [&](const bool is_needed, const double value, const std::string &path) {
@@ -331,6 +318,8 @@ namespace ThermoContact
     const std::string condition =
       given("Contact/Condition").value_or(contact_laws().front().name);
     need(has_displacement && condition != no_obstacle().name, "Contact/Gap");
+    if (given("Contact/Stiffness").value_or("none") != "none")
+      need_positive(true, number("Contact/Stiffness"), "Contact/Stiffness");
     if (given("Contact/Stiffness") && given("Contact/Compliance"))
       throw InputError("Contact/Stiffness = " + *given("Contact/Stiffness") +
                        ": Contact/Compliance is given, too\n  remedy:  one of "
@@ -357,7 +346,7 @@ namespace ThermoContact
     const double area =
       dim == 3 ? width * width : dealii::numbers::PI * width * width;
     if ((dim == 3 || (dim == 2 && is_round)) &&
-        std::abs(rod.area - area) > 1e-3 * area)
+        std::abs(rod.area - area) > Tolerances::same_area * area)
       throw InputError(
         text("Rod/Cross-section area = ",
              *given("Rod/Cross-section area"),
@@ -406,7 +395,7 @@ namespace ThermoContact
   double
   SiScene::number(const std::string &path) const
   {
-    const Assignment *const last = find(path);
+    const Assignment *const last = last_assignment(assignments, path);
     return (last == nullptr ? std::nullopt : parse_number(value(*last)))
       .value_or(std::numeric_limits<double>::quiet_NaN());
   }
@@ -491,28 +480,44 @@ namespace ThermoContact
   SiScene::in_scene_variables(const Assignment  &assignment,
                               const std::string &text) const
   {
-    const bool      is_exchange = assignment.path == "Boundary/Heat exchange";
+    const bool        is_exchange = assignment.path == "Boundary/Heat exchange";
+    const std::string section     = section_of(assignment.path);
+    // as the scene has them: times, places and theta_A
+    const auto is_known = [&](const std::string &name) {
+      if (name == "gap" || name == "pressure" || is_exchange)
+        return is_exchange && (name == "gap" || name == "pressure");
+      if (name == "t")
+        return section != "Initial values";
+      if (name == "theta_A" || name == "x")
+        return section == "Initial values" || section == "Sources" ||
+               (name == "x" && assignment.path == "Contact/Gap");
+      return assignment.path == "Contact/Gap" ||
+             ((name == "y" ? dim > 1 : dim > 2) &&
+              assignment.path.rfind("Boundary/Fixed end", 0) != 0);
+    };
     ExpressionNames names;
     names.constants = constants;
     names.folder    = folder_of_tables(assignments);
     names.has_units = true;
     names.example   = is_exchange ? "if(pressure > 0, 500 + 1e-3*pressure, 5)" :
-                                    "1e-4 + 1e-5*sin(t)";
+                      section == "Initial values" ? "2*x/0.5" :
+                                                    "1e-4 + 1e-5*sin(t)";
     std::vector<std::string> others;
     for (const Quantity &variable : variables)
-      if (is_exchange == (std::strcmp(variable.path, "gap") == 0 ||
-                          std::strcmp(variable.path, "pressure") == 0))
+      if (is_known(variable.path))
         {
           const auto        found = conversions.find(variable.kind);
           const Conversion &unit =
             found == conversions.end() ? Conversion() : found->second;
           names.variables.emplace_back(variable.path);
+          names.units.push_back(unit_of(variable.kind));
           others.push_back(
             "(" + significant(unit.factor, all_digits) + "*" + variable.path +
             (unit.offset == 0. ? "" :
                                  "+" + significant(unit.offset, all_digits)) +
             ")");
         }
+    names.units.push_back(unit_of(find_kind(quantities, assignment.path)));
     try
       {
         return rename_variables(assignment.path, text, names, others);
@@ -609,24 +614,20 @@ namespace ThermoContact
     };
     if (!given("Scales/Time unit"))
       {
-        const std::string wanted = unit_of("Time/End time");
-        const auto       &units  = time_units();
-        const auto        found =
-          std::find_if(units.begin(), units.end(), [&](const TimeUnit &unit) {
-            return unit.name == wanted;
-          });
+        const std::string wanted  = unit_of("Time/End time");
+        const double      seconds = end_time * *scales.time;
         set("Scales/Time unit",
-            found != units.end() ?
+            dealii::Patterns::Selection(names_of_time_units).match(wanted) ?
               wanted :
-              readable_time_unit(end_time * *scales.time).name);
+            seconds >= 10.       ? "s" :
+            1e6 * seconds >= 10. ? "ms" :
+                                   "us");
       }
     const std::string degree = unit_of("Rod/Reference temperature");
     if (has_temperature && !given("Scales/Temperature unit"))
       set("Scales/Temperature unit",
-          !degree.empty() && convert_unit(0., degree, "K") ==
-                               temperature_unit("C").zero_in_kelvin ?
-            "C" :
-            "K");
+          !degree.empty() && convert_unit(0., degree, "degC") == 0. ? "C" :
+                                                                      "K");
     return result;
   }
 

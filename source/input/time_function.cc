@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -51,8 +52,10 @@ namespace ThermoContact
   bool
   TimeFunction::starts_with_unbounded_rate(const double end_time) const
   {
-    const double near = std::abs(derivatives(1e-14 * end_time).first);
-    const double far  = std::abs(derivatives(1e-10 * end_time).first);
+    constexpr double smallest = std::numeric_limits<double>::epsilon();
+    const double     near = std::abs(derivatives(smallest * end_time).first);
+    const double     far =
+      std::abs(derivatives(std::sqrt(smallest) * end_time).first);
     return !(near <= 2. * far) && near > 0.;
   }
 

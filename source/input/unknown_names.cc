@@ -111,6 +111,18 @@ namespace ThermoContact
 
 
 
+  const DeclaredEntry *
+  find_entry(const std::vector<DeclaredEntry> &entries, const std::string &path)
+  {
+    const auto entry =
+      std::find_if(entries.begin(),
+                   entries.end(),
+                   [&](const DeclaredEntry &one) { return one.path == path; });
+    return entry == entries.end() ? nullptr : &*entry;
+  }
+
+
+
   std::string
   did_you_mean(const std::string &name, const std::vector<std::string> &known)
   {

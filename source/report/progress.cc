@@ -9,6 +9,11 @@ namespace ThermoContact
 {
   namespace
   {
+    /** Seconds; less is not worth a word in the log. */
+    constexpr double shortest_time_left = 60.;
+
+
+
     double
     seconds_between(const std::chrono::steady_clock::time_point from,
                     const std::chrono::steady_clock::time_point to)
@@ -48,6 +53,16 @@ namespace ThermoContact
 
 
 
+  double
+  Progress::seconds_left(const StepRecord &record) const
+  {
+    return seconds_between(start, Clock::now()) *
+           (scene.parameters.time.end_time - record.time) /
+           (record.time - start_time);
+  }
+
+
+
   void
   Progress::report_tenth(const StepRecord &record)
   {
@@ -74,6 +89,8 @@ namespace ThermoContact
     if (scene.fields.has_temperature)
       add("theta(1)", "temperature", record.temperature_end);
     line.erase(line.find_last_not_of(' ') + 1);
+    if (const double left = seconds_left(record); left > shortest_time_left)
+      line += "  " + clock_time(left) + " left";
     log.milestone(line);
   }
 
@@ -93,9 +110,6 @@ namespace ThermoContact
     last_update = now;
     last_step   = record.step;
 
-    const double done = record.time - start_time;
-    const double left =
-      seconds_between(start, now) * (end_time - record.time) / done;
     const auto field =
       [this](const char *name, const char *kind, const double value) {
         return text("  ", name, ' ', align_left(units.text(kind, value), 12));
@@ -116,7 +130,7 @@ namespace ThermoContact
                                 significant(steps_per_second, 2) :
                                 fixed_point(steps_per_second, 0);
     log.live_line(line + align_right(speed, 8) + " steps/s  " +
-                  clock_time(left) + " left");
+                  clock_time(seconds_left(record)) + " left");
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/text.h>
+#include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/output/output_page.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/result_report.h>
@@ -16,6 +17,9 @@ namespace ThermoContact
   {
     // More than this of the energy is more than engineers leave to a scheme.
     constexpr double largest_numerical_part = 0.05;
+
+    /** Of the time of the first impact, by a run on a few cells. */
+    constexpr double largest_forecast_error = 0.05;
 
 
 
@@ -160,18 +164,44 @@ namespace ThermoContact
 
 
 
-  std::string
-  scheme_warning(const Scene &scene, const StepRecord &record)
+  std::vector<std::string>
+  step_warnings(const Scene &scene, const RunHistory &history)
   {
+    std::vector<std::string> warnings;
+    const StepRecord        &record = history.record;
+    const auto              &size   = scene.parameters.time.step_size;
+    if (!size)
+      return warnings;
     const double there =
       std::max(starting_energy(record), 0.) + std::max(record.work, 0.);
-    if (scene.parameters.time.has_error_control() ||
-        !(record.numerical_dissipation > largest_numerical_part * there))
-      return "";
-    return text("the scheme took ",
-                significant(100. * record.numerical_dissipation / there, 2),
-                " % of the energy that was there: a smaller Time/Step size, or "
-                "automatic");
+    if (record.numerical_dissipation > largest_numerical_part * there)
+      warnings.push_back(
+        text("the scheme took ",
+             significant(100. * record.numerical_dissipation / there, 2),
+             " % of the energy that was there: a smaller Time/Step size, or "
+             "automatic"));
+    const auto forecast = first_impact(scene);
+    if (!forecast)
+      return warnings;
+    const double allowed =
+      std::min(*size, forecast->time) + largest_forecast_error * forecast->time;
+    const double time =
+      history.events.empty() ? record.time : history.events.front().time;
+    if (time > forecast->time + allowed ||
+        (!history.events.empty() && time < forecast->time - allowed))
+      {
+        const OutputUnits units(scene.parameters);
+        const auto        in_time = [&units](const double value) {
+          return units.text("time", value, 3);
+        };
+        warnings.push_back(
+          "the first contact is at t = about " + in_time(forecast->time) +
+          ", and fixed steps of " + in_time(*size) +
+          (history.events.empty() ? " have none up to t = " :
+                                    " have it at t = ") +
+          in_time(time) + ": a smaller Time/Step size, or automatic");
+      }
+    return warnings;
   }
 
 
@@ -197,8 +227,7 @@ namespace ThermoContact
                                  record,
                                  scene));
     log.line("  energy    " + describe_energy(record, initial_energy, units));
-    if (const std::string warning = scheme_warning(scene, record);
-        !warning.empty())
+    for (const std::string &warning : step_warnings(scene, history))
       log.line("  warning:  " + warning);
     log.line(text(
       "  cost      ",

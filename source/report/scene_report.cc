@@ -269,7 +269,7 @@ namespace ThermoContact
       const auto count = [&cost](const double n) {
         if (cost.is_exact)
           return significant(n, 12);
-        return "about " + about(n);
+        return (cost.is_driven ? "perhaps " : "about ") + about(n);
       };
       std::string line = count(cost.steps) +
                          " steps; contact.csv: " + count(cost.rows) +
@@ -286,7 +286,10 @@ namespace ThermoContact
 
     /** What can be said of a run before it is made. */
     void
-    report_forecast(const Scene &scene, const double n_cells, Log &log)
+    report_forecast(const Scene       &scene,
+                    const double       n_cells,
+                    const LoadHistory &loads,
+                    Log               &log)
     {
       log.line("  scales    " + describe_scales(scene));
       log.line("  at rest   " + describe_rest(scene));
@@ -295,7 +298,7 @@ namespace ThermoContact
                  describe_impact(*impact, OutputUnits(scene.parameters)));
       if (const auto critical = critical_step_size(scene))
         log.line("  limit     " + describe_critical_step(*critical, scene));
-      if (const auto cost = expected_cost(scene, n_cells))
+      if (const auto cost = expected_cost(scene, n_cells, &loads))
         log.line("  expected  " + describe_cost(*cost));
       if (scene.parameters.output.has_error_bars)
         log.line("  repeats   " + describe_repeats(scene.parameters));
@@ -390,20 +393,24 @@ namespace ThermoContact
     log.line("  time      " + describe_time(scene));
     if (!simulation.loads().is_empty())
       log.line("  loads     " + describe_loads(simulation.loads(), units));
-    report_forecast(scene, simulation.discretization().n_active_cells(), log);
+    report_forecast(scene,
+                    simulation.discretization().n_active_cells(),
+                    simulation.loads(),
+                    log);
     report_warnings(simulation.history().warnings, 0, log);
   }
 
 
 
   void
-  check_cost(const Scene &scene,
-             const double n_cells,
-             const double free_bytes,
-             const bool   is_forced,
-             Log         &log)
+  check_cost(const Scene       &scene,
+             const double       n_cells,
+             const LoadHistory &loads,
+             const double       free_bytes,
+             const bool         is_forced,
+             Log               &log)
   {
-    const auto cost = expected_cost(scene, n_cells);
+    const auto cost = expected_cost(scene, n_cells, &loads);
     if (!cost)
       return;
     const double bytes =

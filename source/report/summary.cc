@@ -204,8 +204,7 @@ namespace ThermoContact
     if (!events.empty())
       summary["first_contact_time"] = events.front().time;
 
-    if (const std::string warning = scheme_warning(scene, record);
-        !warning.empty())
+    for (const std::string &warning : step_warnings(scene, history))
       summary["warnings"].push_back(warning);
     summary.update(predictions(scene, record, space.n_active_cells()));
     if (errors != nullptr)

@@ -1,54 +1,216 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/probe_positions.h>
-#include <thermocontact/scene/contact_checks.h>
-#include <thermocontact/scene/drive_checks.h>
-#include <thermocontact/scene/mass_checks.h>
 #include <thermocontact/scene/refusal.h>
-#include <thermocontact/scene/scales_checks.h>
-#include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
-#include <thermocontact/scene/time_checks.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace ThermoContact
 {
   namespace
   {
-    void
-    check_scheme(const Scene &scene)
+    /** A value of an entry that many scenes cannot have. */
+    struct Refusal
     {
-      const Parameters     &parameters = scene.parameters;
-      const TimeParameters &time       = parameters.time;
-      if (!scene.scheme.needs_inertia.empty() && !scene.material.has_inertia())
-        refuse("Time/Scheme",
-               time.scheme,
-               "a scheme of another name, since Model/Inertia = 0",
-               "Time/Scheme = " + default_scheme().name + ": " +
-                 scene.scheme.needs_inertia);
-      if (!scene.contact.law->is_active())
+      std::string path, value, allowed;
+
+      void
+      since(const bool         is_true,
+            const std::string &reason,
+            const std::string &remedy) const
+      {
+        if (is_true)
+          refuse(path, value, allowed + ", since " + reason, remedy);
+      }
+    };
+
+
+
+    const std::string no_inertia = "Model/Inertia = 0";
+
+
+
+    std::string
+    name_of_scheme(const Scene &scene)
+    {
+      return "Time/Scheme = " + scene.scheme.name;
+    }
+
+
+
+    /** A remedy: the default scheme, and why. */
+    std::string
+    take_default_scheme(const std::string &reason)
+    {
+      return "Time/Scheme = " + default_scheme().name + ": " + reason;
+    }
+
+
+
+    /** The name of a scheme that is the paper's. */
+    const std::string &
+    scheme_of_paper()
+    {
+      return find_scheme([](const Scheme &s) { return s.is_of_paper; })->name;
+    }
+
+
+
+    /** Section Contact. */
+    void
+    check_contact(const Scene &scene)
+    {
+      const Parameters &parameters = scene.parameters;
+      const auto &entries = contact_law(parameters.contact.condition).entries;
+      if (std::find(entries.begin(), entries.end(), "Compliance") !=
+            entries.end() &&
+          !(parameters.contact.compliance > 0.))
+        refuse("Contact/Compliance",
+               parameters.contact.compliance,
+               "epsilon > 0",
+               "for a rigid obstacle set Contact/Condition = rigid");
+      const double gap = scene.contact.gap, rear_gap = scene.contact.rear_gap;
+      if (!(rear_gap > 0.))
+        refuse("Contact/Rear gap",
+               rear_gap,
+               "none, or g_2 > 0",
+               "Contact/Rear gap = none for one stop");
+      if (gap + rear_gap <= 0.)
+        refuse("Contact/Rear gap",
+               rear_gap,
+               text("above ", -gap, ", minus Contact/Gap"),
+               "a larger one: the stops overlap");
+      const double damping = scene.contact.law->damping();
+      if (damping == 0.)
         return;
-      if (scene.scheme.needs_massless_contact && !scene.has_midpoint_mass &&
-          parameters.contact.massless_nodes == "off")
-        refuse("Contact/Massless nodes",
-               parameters.contact.massless_nodes,
-               "on or automatic, since Time/Scheme = " + time.scheme,
-               "Contact/Massless nodes = automatic");
-      check_scheme_fits_law(scene.scheme,
-                            contact_law(parameters.contact.condition),
-                            *scene.contact.law);
-      if (!scene.scheme.cannot_hold_contact.empty() &&
-          time.locates_contact_events())
-        refuse("Time/Locate contact events",
-               time.locate_contact_events,
-               "false or automatic, since Time/Scheme = " + time.scheme,
-               scene.scheme.cannot_hold_contact + "; " + default_scheme().name +
-                 " can end its steps at events");
+      const Refusal damped{"Contact/Damping", text(damping), "0"};
+      damped.since(scene.is_fixed_point,
+                   "Solver/Step solver = fixed point",
+                   "Solver/Step solver = monolithic: the iteration of the "
+                   "paper is that of an elastic obstacle");
+      damped.since(!scene.scheme.needs_linear_contact.empty(),
+                   name_of_scheme(scene),
+                   take_default_scheme(
+                     "an obstacle with damping has no potential, of which "
+                     "that scheme needs the gradient"));
+      damped.since(scene.contact.has_massless_nodes &&
+                     !scene.material.has_viscosity(),
+                   "Contact/Massless nodes = on and Model/Viscosity = 0",
+                   "Contact/Massless nodes = automatic: nodes without mass and "
+                   "viscosity are in equilibrium at all times, which a damped "
+                   "obstacle does not leave them");
+    }
+
+
+
+    void
+    check_mass_matrix(const Scene &scene)
+    {
+      const Parameters &parameters = scene.parameters;
+      const std::string value      = parameters.mesh.mass_matrix,
+                        remedy     = "Mesh/Mass matrix = consistent";
+      Refusal{"Mesh/Mass matrix", value, "consistent"}.since(
+        scene.has_lumped_mass && !scene.geometry->has_uniform_weight(),
+        "Mesh/Geometry = " + parameters.mesh.geometry,
+        remedy + ": lumped nodes on the axis would have no mass");
+      if (!scene.has_midpoint_mass)
+        return;
+      const Refusal midpoint{"Mesh/Mass matrix", value, "consistent or lumped"};
+      midpoint.since(parameters.dimension > 1,
+                     text("Dimension = ", parameters.dimension),
+                     remedy + ": the rule is for waves along a rod");
+      midpoint.since(!scene.fields.has_displacement,
+                     "Model/Fields = " + parameters.model.fields,
+                     remedy + ": the rule is for waves");
+      midpoint.since(!scene.scheme.has_midpoint_rule,
+                     name_of_scheme(scene),
+                     "Time/Scheme = energy conserving, whose rule in time is "
+                     "that of the mass in space");
+      midpoint.since(parameters.mesh.degree != 1,
+                     text("Mesh/Degree = ", parameters.mesh.degree),
+                     "Mesh/Degree = 1: one point to a cell sees no more");
+      midpoint.since(parameters.mesh.grading != 1.,
+                     text("Mesh/Grading = ", parameters.mesh.grading),
+                     "Mesh/Grading = 1: a wave passes all cells in the same "
+                     "time");
+      midpoint.since(scene.material.has_viscosity(),
+                     text("Model/Viscosity = ", parameters.model.viscosity),
+                     "Model/Viscosity = 0: no step is free of dispersion in a "
+                     "viscous rod");
+      midpoint.since(parameters.contact.massless_nodes == "on",
+                     "Contact/Massless nodes = on",
+                     "Contact/Massless nodes = automatic: the contact node "
+                     "keeps its mass");
+    }
+
+
+
+    void
+    check_step_sizes(const Scene &scene)
+    {
+      const TimeParameters &time  = scene.parameters.time;
+      const auto            first = time.first_step_size;
+      if (!time.has_error_control())
+        {
+          if (!(*time.step_size > 0.))
+            refuse("Time/Step size",
+                   *time.step_size,
+                   "dt > 0, or automatic",
+                   "the paper uses 0.001");
+          if (time.end_time / *time.step_size > 1e9)
+            refuse("Time/Step size",
+                   *time.step_size,
+                   "at most 1e9 steps up to Time/End time",
+                   "enlarge the step or shorten the run");
+          return;
+        }
+      Refusal{"Time/Step size", "automatic", "a number"}.since(
+        !scene.scheme.has_error_estimate,
+        name_of_scheme(scene) + " has no error estimate",
+        "Time/Step size = 0.001, or Time/Scheme = " + default_scheme().name);
+      if (first && (!(*first > 0.) || *first < time.minimum_step_size))
+        refuse("Time/First step size",
+               *first,
+               *first > 0. ? "not below Time/Minimum step size" : "dt > 0",
+               "Time/First step size = automatic");
+      if (!(time.maximum_step_size > 0.) ||
+          time.maximum_step_size < time.minimum_step_size)
+        refuse("Time/Maximum step size",
+               time.maximum_step_size,
+               "positive and not below Time/Minimum step size",
+               "Time/Maximum step size = infinity");
+    }
+
+
+
+    void
+    check_start(const Scene &scene)
+    {
+      const Parameters &parameters = scene.parameters;
+      if (parameters.time.start != "paper")
+        return;
+      const Refusal     start{"Time/Start", "paper", "consistent or automatic"};
+      const std::string remedy = "Time/Start = automatic: ";
+      start.since(!scene.scheme.is_of_paper,
+                  name_of_scheme(scene),
+                  "the prescribed first step of the paper is of order 1");
+      start.since(!scene.material.has_inertia(),
+                  no_inertia,
+                  remedy +
+                    "a body without inertia has no velocity to start with");
+      start.since(!scene.heat.exchange->is_constant(),
+                  "Boundary/Heat exchange is an expression",
+                  remedy +
+                    "the heat equation alone does not know the pressure");
+      start.since(parameters.contact.massless_nodes == "on",
+                  "Contact/Massless nodes = on",
+                  "Contact/Massless nodes = automatic, which leaves the "
+                  "paper's start its mass");
     }
 
 
@@ -57,29 +219,116 @@ namespace ThermoContact
     void
     check_exchange(const Scene &scene)
     {
-      const Parameters  &parameters = scene.parameters;
-      const std::string &expression = parameters.boundary.exchange_expression;
+      const Parameters &parameters = scene.parameters;
       if (scene.heat.exchange->is_constant())
         return;
+      const Refusal exchange{"Boundary/Heat exchange",
+                             parameters.boundary.exchange_expression,
+                             "a number"};
+      exchange.since(!scene.contact.law->is_active(),
+                     scene.fields.has_displacement ?
+                       "Contact/Condition = " + parameters.contact.condition :
+                       "Model/Fields = " + parameters.model.fields,
+                     "there is neither gap nor pressure");
+      const std::string &obstacle = parameters.boundary.obstacle_expression;
+      Refusal{"Boundary/Obstacle temperature", obstacle, "a number"}.since(
+        !obstacle.empty(),
+        "Boundary/Heat exchange is an expression",
+        "a number for one of them");
+      exchange.since(!scene.scheme.needs_constant_exchange.empty(),
+                     name_of_scheme(scene),
+                     take_default_scheme(scene.scheme.needs_constant_exchange));
+    }
+
+
+
+    /** What moves the obstacle, or the fixed end. */
+    void
+    check_drives(const Scene &scene)
+    {
+      const TimeParameters &time = scene.parameters.time;
+      // of both
+      const auto check_rate = [&](const Refusal      &refusal,
+                                  const TimeFunction &motion) {
+        if (motion.starts_with_unbounded_rate(time.end_time))
+          refuse(refusal.path,
+                 refusal.value,
+                 "a velocity that stays finite at t = 0",
+                 "a motion that begins like t or t^2");
+      };
+      const auto check_start = [&](const Refusal     &refusal,
+                                   const std::string &what_rests) {
+        refusal.since(time.start == "paper",
+                      "Time/Start = paper",
+                      "Time/Start = automatic: the paper prescribes the first "
+                      "step " +
+                        what_rests);
+      };
+      if (scene.sources.has_moving_obstacle)
+        {
+          const Refusal gap{"Contact/Gap",
+                            quote(scene.gap_expression->text()),
+                            "an expression without t"};
+          const double  half = 0.5 * scene.parameters.mesh.width;
+          check_rate(gap,
+                     TimeFunction(*scene.gap_expression,
+                                  dealii::Point<3>(1., half, half)));
+          check_start(gap, "before an obstacle that rests");
+          gap.since(scene.contact.is_two_sided(),
+                    "Contact/Rear gap is not none",
+                    "Boundary/Fixed end displacement: the base moves between "
+                    "stops that rest");
+        }
+      if (!scene.sources.has_moving_end)
+        return;
+      const TimeFunction &motion = *scene.fixed_end_motion;
+      const Refusal       end{"Boundary/Fixed end displacement",
+                        quote(motion.text()),
+                        "0"};
+      const double        start = motion.value(0.);
+      if (std::abs(start) >
+          Tolerances::rounding_of_data * motion.largest_value(time.end_time))
+        refuse(end.path,
+               end.value,
+               text("zero at t = 0, where it is ", start),
+               "subtract that: displacements are relative to where the end is "
+               "at the start");
+      check_rate(end, motion);
+      end.since(!scene.scheme.needs_resting_end.empty(),
+                name_of_scheme(scene),
+                take_default_scheme(scene.scheme.needs_resting_end));
+      check_start(end, "of a body whose end rests");
+    }
+
+
+
+    void
+    check_scheme(const Scene &scene)
+    {
+      const Parameters &parameters = scene.parameters;
+      const Scheme     &scheme     = scene.scheme;
+      Refusal{"Time/Scheme", scheme.name, "a scheme of another name"}.since(
+        !scheme.needs_inertia.empty() && !scene.material.has_inertia(),
+        no_inertia,
+        take_default_scheme(scheme.needs_inertia));
       if (!scene.contact.law->is_active())
-        refuse("Boundary/Heat exchange",
-               expression,
-               "a number, since " +
-                 (scene.fields.has_displacement ?
-                    "Contact/Condition = " + parameters.contact.condition :
-                    "Model/Fields = " + parameters.model.fields),
-               "there is neither gap nor pressure");
-      if (!parameters.boundary.obstacle_expression.empty())
-        refuse("Boundary/Obstacle temperature",
-               parameters.boundary.obstacle_expression,
-               "a number, since Boundary/Heat exchange is an expression",
-               "a number for one of them");
-      if (!scene.scheme.needs_constant_exchange.empty())
-        refuse("Boundary/Heat exchange",
-               expression,
-               "a number, since Time/Scheme = " + scene.scheme.name,
-               "Time/Scheme = " + default_scheme().name + ": " +
-                 scene.scheme.needs_constant_exchange);
+        return;
+      Refusal{"Contact/Massless nodes", "off", "on or automatic"}.since(
+        scheme.needs_massless_contact && !scene.has_midpoint_mass &&
+          parameters.contact.massless_nodes == "off",
+        name_of_scheme(scene),
+        "Contact/Massless nodes = automatic");
+      check_scheme_fits_law(scheme,
+                            contact_law(parameters.contact.condition),
+                            *scene.contact.law);
+      Refusal{"Time/Locate contact events",
+              parameters.time.locate_contact_events,
+              "false or automatic"}
+        .since(!scheme.cannot_hold_contact.empty() &&
+                 parameters.time.locates_contact_events(),
+               name_of_scheme(scene),
+               scheme.cannot_hold_contact + "; " + default_scheme().name +
+                 " can end its steps at events");
     }
 
 
@@ -87,37 +336,35 @@ namespace ThermoContact
     void
     check_fixed_point(const Scene &scene)
     {
-      const Parameters &parameters   = scene.parameters;
-      const auto        refuse_since = [&](const std::string &reason,
-                                    const std::string &remedy) {
-        refuse("Solver/Step solver",
-               parameters.solver.step_solver,
-               "monolithic, since " + reason,
-               remedy);
-      };
-      if (!scene.scheme.is_of_paper)
-        refuse_since("Time/Scheme = " + scene.scheme.name,
-                     "the iteration of the paper belongs to Time/Scheme = " +
-                       find_scheme([](const Scheme &s) {
-                         return s.is_of_paper;
-                       })->name);
-      if (scene.contact.law->is_rigid() || !scene.contact.law->is_linear())
-        refuse_since("Contact/Condition = " + parameters.contact.condition,
-                     "the iteration of the paper needs an elastic obstacle");
-      if (!scene.fields.has_temperature || !scene.material.has_inertia())
-        refuse_since(
-          !scene.material.has_inertia() ?
-            "Model/Inertia = 0" :
-            "Model/Fields = " + parameters.model.fields,
-          "Solver/Step solver = monolithic: the iteration of the paper "
-          "belongs to its full model");
-      if (!scene.heat.exchange->is_constant())
-        refuse_since("Boundary/Heat exchange is an expression",
-                     "the iteration of the paper has a constant one");
-      if (parameters.time.locates_contact_events())
-        refuse("Time/Locate contact events",
-               parameters.time.locate_contact_events,
-               "false or automatic, since Solver/Step solver = fixed point",
+      if (!scene.is_fixed_point)
+        return;
+      const Parameters &parameters = scene.parameters;
+      const Refusal     solver{"Solver/Step solver",
+                           parameters.solver.step_solver,
+                           "monolithic"};
+      const std::string iteration = "the iteration of the paper ";
+      solver.since(!scene.scheme.is_of_paper,
+                   name_of_scheme(scene),
+                   iteration + "belongs to Time/Scheme = " + scheme_of_paper());
+      solver.since(scene.contact.law->is_rigid() ||
+                     !scene.contact.law->is_linear(),
+                   "Contact/Condition = " + parameters.contact.condition,
+                   iteration + "needs an elastic obstacle");
+      solver.since(!scene.fields.has_temperature ||
+                     !scene.material.has_inertia(),
+                   !scene.material.has_inertia() ?
+                     no_inertia :
+                     "Model/Fields = " + parameters.model.fields,
+                   "Solver/Step solver = monolithic: " + iteration +
+                     "belongs to its full model");
+      solver.since(!scene.heat.exchange->is_constant(),
+                   "Boundary/Heat exchange is an expression",
+                   iteration + "has a constant one");
+      Refusal{"Time/Locate contact events",
+              parameters.time.locate_contact_events,
+              "false or automatic"}
+        .since(parameters.time.locates_contact_events(),
+               "Solver/Step solver = fixed point",
                "Solver/Step solver = monolithic, which can hold a contact "
                "state fixed");
     }
@@ -125,28 +372,22 @@ namespace ThermoContact
 
 
     void
-    check_number_of_unknowns(const MeshParameters &mesh, const unsigned int dim)
-    {
-      if ((1. + dim) * mesh.n_nodes(dim) > 1e9)
-        refuse("Mesh/Cells",
-               mesh.cells,
-               "at most 1e9 unknowns with Mesh/Degree = " +
-                 std::to_string(mesh.degree) +
-                 ", Mesh/Refinements = " + std::to_string(mesh.refinements) +
-                 (dim > 1 ? ", Mesh/Cells across = " +
-                              std::to_string(mesh.cells_across) :
-                            ""),
-               "a coarser mesh");
-    }
-
-
-
-    /** The mass of massless nodes moves to neighbours. */
-    void
-    check_neighbours(const Scene &scene)
+    check_mesh(const Scene &scene)
     {
       const Parameters     &parameters = scene.parameters;
       const MeshParameters &mesh       = parameters.mesh;
+      const unsigned int    dim        = parameters.dimension;
+      if ((1. + dim) * mesh.n_nodes(dim) > 1e9)
+        refuse("Mesh/Cells",
+               mesh.cells,
+               text("at most 1e9 unknowns with Mesh/Degree = ",
+                    mesh.degree,
+                    ", Mesh/Refinements = ",
+                    mesh.refinements,
+                    dim > 1 ?
+                      text(", Mesh/Cells across = ", mesh.cells_across) :
+                      ""),
+               "a coarser mesh");
       if (mesh.n_nodes(1) == 2. && scene.contact.law->is_active() &&
           scene.material.has_inertia() &&
           (parameters.contact.massless_nodes == "on" ||
@@ -159,27 +400,95 @@ namespace ThermoContact
 
 
 
+    /** Something has to keep the body from moving across its axis. */
+    void
+    check_support(const Scene &scene)
+    {
+      Refusal{"Boundary/Fixed end support", "sliding", "clamped"}.since(
+        scene.fields.has_displacement && scene.has_sliding_end &&
+          !scene.has_rollers && !scene.geometry->has_axis_at_side() &&
+          !scene.material.has_inertia(),
+        "Boundary/Lateral support = free and " + no_inertia,
+        "clamped, or Boundary/Lateral support = rollers: without inertia "
+        "nothing holds the body across its axis");
+    }
+
+
+
     /** What needs factors has to have them; a tolerance has to be reached. */
     void
     check_linear_solver(const Scene &scene)
     {
-      const Parameters &parameters = scene.parameters;
-      if (parameters.solver.linear_tolerance &&
-          !(*parameters.solver.linear_tolerance >= 1e-14 &&
-            *parameters.solver.linear_tolerance < 1e-2))
+      const auto tolerance = scene.parameters.solver.linear_tolerance;
+      if (tolerance && !(*tolerance >= 1e-14 && *tolerance < 1e-2))
         refuse("Solver/Linear tolerance",
-               *parameters.solver.linear_tolerance,
+               *tolerance,
                "at least 1e-14 and below 0.01",
                "Solver/Linear tolerance = automatic");
-      if (scene.linear_solver.is_iterative &&
-          !scene.linear_solver.needs_factors.empty())
-        refuse("Solver/Linear solver",
-               "iterative",
-               "direct or automatic, since " +
-                 scene.linear_solver.needs_factors,
-               "Solver/Linear solver = automatic");
+      Refusal{"Solver/Linear solver", "iterative", "direct or automatic"}.since(
+        scene.linear_solver.is_iterative &&
+          !scene.linear_solver.needs_factors.empty(),
+        scene.linear_solver.needs_factors,
+        "Solver/Linear solver = automatic");
     }
   } // namespace
+
+
+
+  void
+  check_scales(const Parameters &parameters)
+  {
+    const ScalesParameters &scales = parameters.scales;
+    if (!scales.is_given())
+      return;
+    const bool has_temperature = parameters.model.fields != "displacement" ||
+                                 scales.temperature ||
+                                 scales.reference_temperature;
+    const std::tuple<const char *, std::optional<double>, bool> entries[] = {
+      {"Length", scales.length, true},
+      {"Time", scales.time, true},
+      {"Stress", scales.stress, true},
+      {"Area", scales.area, true},
+      {"Displacement", scales.displacement, false},
+      {"Temperature", scales.temperature, has_temperature},
+      {"Reference temperature", scales.reference_temperature, has_temperature}};
+    for (const auto &[name, value, is_needed] : entries)
+      {
+        const std::string entry = std::string("Scales/") + name;
+        if (is_needed && !value)
+          refuse(entry,
+                 "none",
+                 "a number, since the scene has other scales",
+                 "give all scales, as --units writes them, or remove section "
+                 "Scales");
+        if (value && !(*value > 0.))
+          refuse(entry,
+                 0,
+                 "a positive number",
+                 "the SI value of one unit of the scene");
+      }
+  }
+
+
+
+  std::string
+  dispersion_warning(const Scene &scene)
+  {
+    const auto size = scene.parameters.time.step_size;
+    // in which a wave passes a cell
+    const double passage = scene.parameters.mesh.contact_spacing() *
+                           std::sqrt(scene.material.inertia);
+    return !scene.has_midpoint_mass || !size ||
+               std::abs(*size / passage - 1.) <= Tolerances::same_step_size ?
+             "" :
+             text("Time/Step size = ",
+                  significant(*size, 6),
+                  ": with Mesh/Mass matrix = midpoint waves travel without "
+                  "dispersion in steps of h sqrt(b) = ",
+                  significant(passage, 15),
+                  " alone; others are worse than with Mesh/Mass matrix = "
+                  "consistent");
+  }
 
 
 
@@ -188,12 +497,10 @@ namespace ThermoContact
                         const ContactLawKind &kind,
                         const ContactLaw     &law)
   {
-    if (!scheme.needs_linear_contact.empty() && !law.is_linear())
-      refuse("Time/Scheme",
-             scheme.name,
-             "a scheme of another name, since Contact/Condition = " + kind.name,
-             "Time/Scheme = " + default_scheme().name + ": " +
-               scheme.needs_linear_contact);
+    Refusal{"Time/Scheme", scheme.name, "a scheme of another name"}.since(
+      !scheme.needs_linear_contact.empty() && !law.is_linear(),
+      "Contact/Condition = " + kind.name,
+      take_default_scheme(scheme.needs_linear_contact));
   }
 
 
@@ -201,32 +508,11 @@ namespace ThermoContact
   void
   check_error_bars(const Parameters &parameters)
   {
-    if (parameters.output.has_error_bars && parameters.study.is_active())
-      refuse("Output/Error bars",
-             "true",
-             "false, since Study/Vary makes a study",
-             "Study/Reference, to which the errors of all runs are measured");
+    Refusal{"Output/Error bars", "true", "false"}.since(
+      parameters.output.has_error_bars && parameters.study.is_active(),
+      "Study/Vary makes a study",
+      "Study/Reference, to which the errors of all runs are measured");
   }
-
-
-
-  namespace
-  {
-    /** Something has to keep the body from moving across its axis. */
-    void
-    check_support(const Scene &scene)
-    {
-      if (scene.fields.has_displacement && scene.has_sliding_end &&
-          !scene.has_rollers && !scene.geometry->has_axis_at_side() &&
-          !scene.material.has_inertia())
-        refuse("Boundary/Fixed end support",
-               scene.parameters.boundary.fixed_end_support,
-               "clamped, since Boundary/Lateral support = free and "
-               "Model/Inertia = 0",
-               "clamped, or Boundary/Lateral support = rollers: without "
-               "inertia nothing holds the body across its axis");
-    }
-  } // namespace
 
 
 
@@ -240,19 +526,10 @@ namespace ThermoContact
              nu,
              "-1 < nu < 0.5",
              "stay below 0.5, the incompressible limit");
-    const auto &entries = contact_law(parameters.contact.condition).entries;
-    if (std::find(entries.begin(), entries.end(), "Compliance") !=
-          entries.end() &&
-        !(parameters.contact.compliance > 0.))
-      refuse("Contact/Compliance",
-             parameters.contact.compliance,
-             "epsilon > 0",
-             "for a rigid obstacle set Contact/Condition = rigid");
     check_scales(parameters);
     check_mass_matrix(scene);
-    check_damping(scene);
-    check_rear_gap(scene);
-    check_number_of_unknowns(parameters.mesh, parameters.dimension);
+    check_contact(scene);
+    check_mesh(scene);
     parse_probe_positions(parameters.output.probes,
                           parameters.dimension,
                           parameters.mesh.width);
@@ -260,10 +537,8 @@ namespace ThermoContact
     check_start(scene);
     check_exchange(scene);
     check_drives(scene);
-    if (scene.is_fixed_point)
-      check_fixed_point(scene);
+    check_fixed_point(scene);
     check_scheme(scene);
-    check_neighbours(scene);
     check_support(scene);
     check_linear_solver(scene);
     check_error_bars(parameters);

@@ -5,7 +5,7 @@
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/quantity_units.h>
-#include <thermocontact/scene/mass_checks.h>
+#include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/simulation/simulation.h>
 #include <thermocontact/space/load_scan.h>
@@ -30,11 +30,8 @@ namespace ThermoContact
     std::string
     words_of_loads(const Body<dim> &body, const double from, const double to)
     {
-      // what jumps does so within some rounding
-      const double      end_time = body.scene.parameters.time.end_time;
-      const double      slack    = 1e-9 * std::max(to, 1e-3 * end_time);
       const std::string loads =
-        loads_that_change(body.scene, body.data, from - slack, to + slack);
+        loads_that_change(body.scene, body.data, from, to);
       return loads.empty() ? "" : "\n  load:    " + loads + " changes then";
     }
   } // namespace

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/load_enclosure.h>
 #include <thermocontact/input/parameter_text.h>
 #include <thermocontact/input/quantity_units.h>
@@ -214,14 +215,15 @@ namespace ThermoContact
                     const double            from,
                     const double            to)
   {
-    // a step may begin behind a jump
-    const double before = std::max(from - 1e-3 * (to - from), 0.);
+    // what jumps at an end of the step does so within some rounding
+    const double end_time = scene.parameters.time.end_time;
+    const double slack    = Tolerances::same_time * end_time;
     std::string  paths;
     for (const Load &load : loads_in_time<dim>(scene, data))
       {
-        const double in_step = range_of(load, before, to);
-        if (in_step > 0. &&
-            in_step > 0.5 * range_of(load, 0., scene.parameters.time.end_time))
+        const double in_step =
+          range_of(load, std::max(from - slack, 0.), to + slack);
+        if (in_step > 0.5 * range_of(load, 0., end_time))
           paths += (paths.empty() ? "" : ", ") + load.expression().path();
       }
     return paths;

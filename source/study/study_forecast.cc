@@ -5,6 +5,7 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/forecast/forecast.h>
+#include <thermocontact/space/load_scan.h>
 #include <thermocontact/study/study_forecast.h>
 
 #include <algorithm>
@@ -43,6 +44,16 @@ namespace ThermoContact
 
 
 
+    template <int dim>
+    LoadHistory
+    loads_of(const Scene &scene)
+    {
+      std::vector<std::string> warnings; // the run will tell them
+      return load_history(scene, ProblemData<dim>(scene), warnings);
+    }
+
+
+
     StudyForecast
     read_scenes(const StudyTable &table, const std::vector<unsigned int> &runs)
     {
@@ -61,8 +72,12 @@ namespace ThermoContact
             if (!table.has(run))
               forecast.runs.push_back(
                 {plan.description(run), expected_memory(scene, 1)});
+            const unsigned int dim   = scene.parameters.dimension;
+            const LoadHistory  loads = dim == 1 ? loads_of<1>(scene) :
+                                       dim == 2 ? loads_of<2>(scene) :
+                                                  loads_of<3>(scene);
             if (const auto cost =
-                  expected_cost(scene, scene.parameters.mesh.cells))
+                  expected_cost(scene, scene.parameters.mesh.cells, &loads))
               {
                 forecast.steps += cost->steps;
                 ++forecast.n_known;
@@ -163,6 +178,25 @@ namespace ThermoContact
       return "";
     runs.resize(std::min<std::size_t>(runs.size(), max_checked));
     return describe_memory(read_scenes(table, runs));
+  }
+
+
+
+  void
+  check_any_run(const StudyTable &table)
+  {
+    StudyForecast forecast;
+    for (unsigned int run = 0;
+         run < std::min(table.plan().n_runs(), max_checked);
+         ++run)
+      {
+        const StudyForecast one = read_scenes(table, {run});
+        if (one.n_refused == 0)
+          return;
+        if (forecast.n_refused++ == 0)
+          forecast.refused = one.refused;
+      }
+    throw InputError("Study/Vary: no run can be run" + forecast.refused);
   }
 
 

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 namespace ThermoContact
 {
@@ -132,6 +133,31 @@ namespace ThermoContact
 
 
 
+    /** What an error means, which is one of nondimensional quantities. */
+    void
+    check_scales_of_errors(const ScalesParameters &a,
+                           const ScalesParameters &b,
+                           const std::string      &what)
+    {
+      const auto members = [](const ScalesParameters &s) {
+        return std::tie(s.length,
+                        s.time,
+                        s.displacement,
+                        s.stress,
+                        s.area,
+                        s.temperature,
+                        s.reference_temperature);
+      };
+      if (members(a) != members(b))
+        throw InputError("Study/Reference: " + quote(what) +
+                         " makes another rod, and no errors are measured "
+                         "between two\n  allowed: entries that leave the "
+                         "scales as they are\n  remedy:  Study/Reference = "
+                         "none");
+    }
+
+
+
     /** The value of @p path among overrides, or nothing. */
     std::optional<std::string>
     find_override(const Overrides &overrides, const std::string &path)
@@ -192,6 +218,14 @@ namespace ThermoContact
     for (const std::string &value : variation.values)
       if (value.empty())
         fail("an empty value");
+      else if (const auto comma = value.find(',');
+               variation.path != "Output/Probes" && comma < value.size() &&
+               parse_number(value.substr(0, comma)))
+        fail("a ',' behind a number, '|' separates values,");
+      else if (value.find(':') < value.find('?') &&
+               value.find('/') > value.find(':') &&
+               parse_number(value.substr(0, value.find(':'))))
+        fail("a ':', which makes no range, write first .. last (n),");
     return variation;
   }
 
@@ -281,8 +315,9 @@ namespace ThermoContact
   void
   StudyPlan::check_values()
   {
-    SceneReader  reader(assignments);
-    const double own_end_time = reader.scene().time.end_time;
+    SceneReader            reader(assignments);
+    const double           own_end_time = reader.scene().time.end_time;
+    const ScalesParameters own_scales   = reader.scene().scales;
     for (const std::string &path : varied_)
       if (is_constant_path(path) &&
           std::none_of(assignments.begin(),
@@ -298,6 +333,10 @@ namespace ThermoContact
             for (const std::string &value : variation.values)
               {
                 reader.read("Study/Vary", {{variation.path, value}});
+                if (reference_)
+                  check_scales_of_errors(own_scales,
+                                         reader.scene().scales,
+                                         variation.path + " = " + value);
                 const bool is_end = variation.path == "Time/End time";
                 if (is_end || is_constant_path(variation.path))
                   longest = std::max(longest, reader.scene().time.end_time);
@@ -315,7 +354,8 @@ namespace ThermoContact
   void
   StudyPlan::check_reference() const
   {
-    SceneReader reader(assignments);
+    SceneReader            reader(assignments);
+    const ScalesParameters own_scales = reader.scene().scales;
     try
       {
         read_scene(*reference_, reader);
@@ -324,6 +364,7 @@ namespace ThermoContact
       {
         throw InputError(std::string("Study/Reference: ") + error.what());
       }
+    check_scales_of_errors(own_scales, reader.scene().scales, "an entry of it");
     if (reader.scene().time.end_time < longest)
       throw InputError("Study/Reference: it ends at t = " +
                        find_override(*reference_, "Time/End time")

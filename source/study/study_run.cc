@@ -117,6 +117,7 @@ namespace ThermoContact
       {
         plan.read_scene(overrides, reader);
         const Parameters &scene = reader.scene();
+        run.scales              = scene.scales;
         if (!directory.empty())
           {
             prepare_output_directory(directory, MPI_COMM_SELF);

@@ -148,12 +148,10 @@ namespace ThermoContact
 
     /** Of its columns; entries are in SI base units if the file is in SI. */
     Conversions
-    conversions_of(const StudyPlan   &plan,
-                   const Parameters  &parameters,
-                   const OutputUnits &units)
+    conversions_of(const StudyPlan &plan, const Parameters &parameters)
     {
-      const CsvColumns<StudyRow> columns = make_columns(plan);
-      Conversions conversions = units.of_columns("study.csv", columns);
+      Conversions conversions =
+        OutputUnits(parameters).of_columns("study.csv", make_columns(plan));
       if (!conversions.empty() && parameters.rod.length > 0.)
         for (unsigned int i = 0; i < plan.varied().size(); ++i)
           conversions[i + 1].unit = unit_of_entry(plan.varied()[i]);
@@ -178,10 +176,10 @@ namespace ThermoContact
                          const Parameters  &parameters)
     : plan_(plan)
     , file_name(file_name)
+    , parameters(parameters)
     , units_(parameters)
-    , conversions(conversions_of(plan, parameters, units_))
     , head(csv_comments(parameters.title) +
-           csv_head(make_columns(plan), conversions))
+           csv_head(make_columns(plan), conversions_of(plan, parameters)))
     , names_(split_row(names_of_head(head)))
   {}
 
@@ -190,11 +188,17 @@ namespace ThermoContact
   std::string
   StudyTable::append(const unsigned int run, const StudyRun &result) const
   {
+    // the scales are those of the run, the units those of the head
+    Parameters scene = parameters;
+    if (result.scales.is_given())
+      scene.scales = result.scales;
+    scene.scales.time_unit        = parameters.scales.time_unit;
+    scene.scales.temperature_unit = parameters.scales.temperature_unit;
     std::string row;
     append_csv_row(make_columns(plan_),
                    {run, plan_.entries(run), result, error_of(result)},
                    row,
-                   conversions);
+                   conversions_of(plan_, scene));
     // one call, so that rows of several ranks do not mix
     const int file  = open(file_name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
     const ssize_t n = file < 0 ? -1 : write(file, row.data(), row.size());

@@ -189,6 +189,39 @@ def interrupt(prm):
     shutil.rmtree(directory)
 
 
+def with_table():
+    """A constant, and a table beside a parameter file elsewhere: used.prm is beside its
+    copy, and the run goes on to what it would have been at once."""
+    scene = Path("measured/scene.prm")
+    scene.parent.mkdir()
+    (scene.parent / "force.csv").write_text("t,f\n0,0\n1,1\n3,0\n")
+    scene.write_text("""
+subsection Constants
+  set F = 0.1
+end
+subsection Sources
+  set End traction = F*table(force.csv, t)
+end
+subsection Time
+  set Scheme    = backward euler
+  set Step size = 0.05
+  set End time  = 1
+end
+subsection Output
+  set Checkpoint interval = 3600
+end
+""")
+    resumed, longer = Path("measured-resumed"), Path("measured-longer")
+    to_later = ("--set", "Time/End time=1.5")
+    status = [run(resumed, scene)[0],
+              run(resumed, "--resume", resumed / "used.prm", *to_later)[0],
+              run(longer, scene, *to_later)[0]]
+    print("a constant and a table: status", *status, "rows", len(rows(resumed)) - 1,
+          "the same", int(rows(resumed) == rows(longer)))
+    for directory in (scene.parent, resumed, longer):
+        shutil.rmtree(directory)
+
+
 def lock(prm):
     """A second run in the directory of one that goes on is refused."""
     directory = Path("locked")
@@ -230,6 +263,7 @@ def main():
     short_tables(reference, "scene.prm")
     lock("scene.prm")
     interrupt("scene.prm")
+    with_table()
     os.remove("scene.prm")
 
 

@@ -10,6 +10,7 @@ in Theta; a stiffness s is the compliance E* A/(s L). Without a temperature t_0 
 Each is given in SI base units and in other ones. Expressions, printed by --units, are evaluated
 here in the variables of the scene.
 """
+import json
 import math
 import re
 import sys
@@ -227,6 +228,33 @@ def check_heads():
     check("block, width", last(block, "contact_area") * 0.01, width, 0.15)
 
 
+def check_other_rods():
+    """A study over what the scales follow from has the numbers of single runs; between
+    rods no errors are measured."""
+    file = PRM / "thermal-switch.prm"
+    rods = ["Rod/Young's modulus=35 GPa", "Rod/Conductivity=220", "Rod/Length=120 mm",
+            "Rod/Density=5400", "Rod/Cross-section area=2 cm^2",
+            "Rod/Reference temperature=30 degC"]
+    study = "Study/Vary=" + " ;; ".join(rods)
+    status, _, message = run("--output", "rods", *settings((study,)), file)
+    if status != 0:
+        faults.append(f"study of rods: {message}")
+    table = Run("rods").tables["study.csv"]
+    for number, rod in enumerate(rods):
+        run("--output", "rod", *settings((rod,)), file)
+        alone = json.loads(Path("rod/summary.json").read_text(encoding="utf-8"))
+        names = [name for name in table.names if isinstance(alone.get(name), float) and
+                 "seconds" not in name]
+        if len(names) < 8:
+            faults.append(f"study of rods has {names} alone")
+        for name in names:
+            check(f"{rod}, {name}", table[name][number], alone[name], 1e-12)
+    study = settings(("Study/Vary=Rod/Density = 5400", "Study/Reference=Time/Tolerance = 1e-7"))
+    status, _, message = run("--output", "rods", *study, file)
+    if status != 2 or "makes another rod" not in message:
+        faults.append(f"errors between rods: {message}")
+
+
 def check_doubts():
     """Numbers without a unit that hardly are in SI base units; one with its unit is."""
     doubts = {"Rod/Young's modulus=210": "GPa", "Rod/Density=7.85": "g/cm^3",
@@ -242,8 +270,23 @@ def check_doubts():
             if status != 0 or (f"doubt     {path} = {number}: is that in {base}, or {number} "
                                f"{unit}?" in screen) != is_doubted:
                 faults.append(f"{path} = {text}: {screen}{message}")
+    # the rod is 1 m long and has 1e-4 m^2: 210e9 Pa 1e-4 m^2/1 m = 2.1e7 N/m
+    for setting, words in (("Contact/Gap=1.1 m", "more than the length"),
+                           ("Contact/Gap=-1.1", "more than the length"),
+                           ("Contact/Gap=0.9 m", ""),
+                           ("Rod/Cross-section area=1.1", "more than the square"),
+                           ("Rod/Cross-section area=0.9e-6", "more than 1000 times the th"),
+                           ("Contact/Stiffness=2.2e11", "more than 10000 times that"),
+                           ("Contact/Stiffness=2e11", ""),
+                           ("Boundary/Fixed end temperature=20+200*t", "at t = 0 that is 20 K"),
+                           ("Boundary/Fixed end temperature=293+200*t", "")):
+        _, screen, message = run("--check", "--output", "doubts", *settings([setting]),
+                                 PRM / "steel-rod.prm")
+        if (words not in screen if words else "  doubt" in screen):
+            faults.append(f"{setting}: {screen}{message}")
 
 
-for checks in (check_quantities, check_expressions, check_twins, check_heads, check_doubts):
+for checks in (check_quantities, check_expressions, check_twins, check_heads, check_other_rods,
+               check_doubts):
     checks()
 print("\n".join(faults) or "as by hand")

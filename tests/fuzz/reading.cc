@@ -6,7 +6,6 @@
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/report/scene_report.h>
-#include <thermocontact/scene/scales_checks.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/study/study_plan.h>
 

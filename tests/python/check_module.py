@@ -218,6 +218,19 @@ def check_fit():
     error = raised(thermocontact.Error, lambda: thermocontact.fit(
         {"Contact/Compliance": 0}, {"contact_force": (times, data)}))
     check("no guess", "positive first guesses" in str(error), error)
+    error = raised(thermocontact.Error, lambda: thermocontact.fit(
+        {"Contact/Compliance": "wide"}, {"contact_force": (times, data)}))
+    check("no number", "could not convert" in str(error), error)
+    error = raised(thermocontact.Error, lambda: thermocontact.fit(
+        {"Contact/Compliance": 1}, {"contact_force": (60 * times, data)}, entries=scene))
+    check("times behind the end", "the run has 0 to 1" in str(error), error)
+    # the force at rest falls with the gap, and the guess is the value
+    rod = Path(__file__).resolve().parents[2] / "prm/units/thermal-switch.prm"
+    force = thermocontact.run(base=rod).contact
+    found = thermocontact.fit({"Contact/Gap": "40 um"}, base=rod, measured={
+        "contact_force": (force["time"][-3:], force["contact_force"][-3:])})
+    check("a guess with a unit", math.isclose(found.values["Contact/Gap"], 40, rel_tol=1e-6) and
+          "residuals of" in str(found), found)
 
 
 with tempfile.TemporaryDirectory() as scratch:

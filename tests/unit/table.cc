@@ -5,8 +5,9 @@
 // load to T = 4 kinks at 1 and 3. Squares of 0, 1, 2, 3 by a monotone cubic:
 // its slopes at 1 and 2 are the harmonic means of 1, 3 and of 3, 5, which
 // are 1.5 and 3.75, so that at 1.5 it is (1 + 4)/2 + (1.5 - 3.75)/8 = 2.21875;
-// no kinks. In units: 2 kN at 1500 ms are 2000 at 1.5. Each fault names file
-// and row.
+// no kinks. In units: 2 kN at 1500 ms are 2000 at 1.5; kN are no measure of
+// pressures, unless a factor makes them one, ms none of lengths. Each fault
+// names file and row.
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/input/load_enclosure.h>
@@ -21,12 +22,15 @@ using namespace ThermoContact;
 namespace
 {
   Expression
-  read(const std::string &text, const bool has_units = false)
+  read(const std::string              &text,
+       const bool                      has_units = false,
+       const std::vector<std::string> &units     = {})
   {
     ExpressionNames names;
     names.variables = {"", "", "", "t"};
     names.example   = "t";
     names.has_units = has_units;
+    names.units     = units;
     return Expression("Sources/End traction", text, names);
   }
 
@@ -72,6 +76,19 @@ main()
   std::ofstream("units.csv") << "time [ms],force [kN]\n0,0\n1500,2\n3000,2\n";
   deallog << TimeFunction(read("table(units.csv, t)", true)).value(1.5)
           << std::endl;
+
+  for (const std::string text :
+       {"table(units.csv, t)", "2*table(units.csv, t)"})
+    for (const std::string unit : {"s", "m"})
+      try
+        {
+          read(text, true, {"", "", "", unit, "Pa"});
+          deallog << text << ": read" << std::endl;
+        }
+      catch (const InputError &error)
+        {
+          deallog << error.what() << std::endl;
+        }
 
   print_fault("0,1\n1,2\n");
   print_fault("t [ms],f\n0,1\n1,2\n");

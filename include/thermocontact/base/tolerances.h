@@ -138,6 +138,19 @@ namespace ThermoContact
     /** Parts of the largest displacement that a node need not be moved. */
     inline constexpr double negligible_displacement = 1e-6;
 
+    // ---- loads
+
+    /**
+     * Parts of the variation of a load that do not matter: its slopes are known
+     * to the root of u, times ten.
+     */
+    inline constexpr double negligible_load = 1e-7;
+
+    // ---- what a user gives twice
+
+    /** Areas this close are meant to be one: three digits. */
+    inline constexpr double same_area = 1e-3;
+
     // ---- what is worth a warning, or a step
 
     /** Estimated errors below that say nothing on the next step size. */

@@ -3,6 +3,7 @@
 #ifndef thermocontact_forecast_forecast_h
 #define thermocontact_forecast_forecast_h
 
+#include <thermocontact/method/load_history.h>
 #include <thermocontact/scene/scene.h>
 
 #include <optional>
@@ -40,6 +41,7 @@ namespace ThermoContact
   {
     double steps          = 0.;
     bool   is_exact       = false; ///< of steps, rows and snapshots
+    bool   is_driven      = false; ///< steps follow loads
     double rows           = 0.;    ///< of contact.csv
     double row_bytes      = 0.;    ///< of contact.csv, about
     double snapshots      = 0.;
@@ -55,11 +57,14 @@ namespace ThermoContact
    * of the files that grow with time.
    *
    * @param n_cells of the mesh
-   * @return nothing for error-controlled steps under sources, which may ask for
-   *   anything
+   * @param loads what error-controlled steps follow of sources, which makes
+   *   their number one within a factor of about three; null: not known
+   * @return nothing for error-controlled steps under sources that are not known
    */
   std::optional<ExpectedCost>
-  expected_cost(const Scene &scene, const double n_cells);
+  expected_cost(const Scene       &scene,
+                const double       n_cells,
+                const LoadHistory *loads = nullptr);
 } // namespace ThermoContact
 
 #endif

@@ -30,6 +30,12 @@ namespace ThermoContact
     std::string folder = ""; ///< of the files of tables
 
     bool has_units = false; ///< tables may have units in their headers
+
+    /** Those of the variables and of the value; empty: they are not known. */
+    std::vector<std::string> units = {};
+
+    /** Values that are not finite are refused. */
+    bool checks_values = true;
   };
 
 
@@ -51,14 +57,30 @@ namespace ThermoContact
   class Expression
   {
   public:
+    enum class Operation;
+
+    /** Where a variable is named. */
+    struct NamedVariable
+    {
+      unsigned int index;
+      std::size_t  position; ///< in the text
+    };
+
     /**
      * @param path of the entry, for messages
+     * @param begin, end of what is read in the text
      * @throw InputError with the place of the fault and the names that there
      *   are, if it cannot be read
      */
     Expression(const std::string     &path,
                const std::string     &text,
-               const ExpressionNames &names);
+               const ExpressionNames &names,
+               const std::size_t      begin = 0,
+               const std::size_t      end   = std::string::npos);
+
+    /** The names of functions that there are. */
+    static std::vector<std::string>
+    function_names();
 
     /** As it was written. */
     const std::string &
@@ -88,6 +110,13 @@ namespace ThermoContact
       return named.empty();
     }
 
+    /** In the order of the text. */
+    const std::vector<NamedVariable> &
+    named_variables() const
+    {
+      return named;
+    }
+
     /** The files of tables whose rows end before an argument that these values
      * of the variables give them. */
     std::vector<std::string>
@@ -105,49 +134,18 @@ namespace ThermoContact
     }
 
   private:
-    enum class Operation;
-
     /** A number, a variable, or an operation on earlier parts. */
     struct Part
     {
       Operation    operation;
-      double       number;      ///< of a constant
+      double       number;      ///< of a constant; from which on it is true
       unsigned int operands[3]; ///< positions; at last an index of what it is
       unsigned int n_levels;
     };
 
-    /** Where a variable is named. */
-    struct NamedVariable
-    {
-      unsigned int index;
-      std::size_t  position; ///< in the text
-    };
-
     class Reader;
 
-    friend bool
-    can_name_constant(const std::string &name);
-
-    friend std::vector<Expression>
-    read_components(const std::string     &path,
-                    const std::string     &text,
-                    const unsigned int     n_components,
-                    const ExpressionNames &names);
-
-    friend std::string
-    rename_variables(const std::string              &path,
-                     const std::string              &text,
-                     const ExpressionNames          &names,
-                     const std::vector<std::string> &others);
-
     Expression() = default;
-
-    /** What stands between two positions of the text. */
-    Expression(const std::string     &path,
-               const std::string     &text,
-               const ExpressionNames &names,
-               const std::size_t      begin,
-               const std::size_t      end);
 
     std::string                path_;
     std::string                text_;

@@ -3,6 +3,8 @@
 #ifndef thermocontact_input_jet_h
 #define thermocontact_input_jet_h
 
+#include <thermocontact/base/tolerances.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -206,7 +208,8 @@ namespace ThermoContact
       return {-1., 1.};
     Interval result = widened(value(a.low), value(a.high));
     // extrema are at multiples of half a turn
-    const double shift = 0.5 * quarters, slack = 1e-15 * (4. + a.magnitude());
+    const double shift = 0.5 * quarters,
+                 slack = Tolerances::rounding * (4. + a.magnitude());
     for (double n = std::ceil((a.low - slack) / half_turn + shift);
          n <= (a.high + slack) / half_turn + shift;
          ++n)

@@ -46,6 +46,19 @@ namespace ThermoContact
       return {arguments.front(), arguments.back()};
     }
 
+    /** Of the first column and of the values, as the header has them. */
+    const std::string &
+    unit_of_arguments() const
+    {
+      return argument_unit;
+    }
+
+    const std::string &
+    unit_of_values() const
+    {
+      return value_unit;
+    }
+
     double
     evaluate(const double argument) const;
 
@@ -57,6 +70,7 @@ namespace ThermoContact
 
   private:
     const std::string   file_name_;
+    std::string         argument_unit, value_unit;
     std::vector<double> arguments, values, slopes;
 
     /** The cubic between rows @p i and @p i + 1, or of a line. */

@@ -79,10 +79,6 @@ namespace ThermoContact
     ScalesParameters                     scales;
     ConversionsByKind                    conversions; ///< to SI base units
 
-    /** The last assignment of an entry, or null. */
-    const Assignment *
-    find(const std::string &path) const;
-
     /** The last value that an entry is given. */
     std::optional<std::string>
     given(const std::string &path) const;

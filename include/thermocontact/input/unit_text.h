@@ -8,6 +8,11 @@
 
 namespace ThermoContact
 {
+  /** Units in which people give times, as UDUNITS-2 knows them. */
+  constexpr const char *names_of_time_units = "us|ms|s|min|h";
+
+
+
   /** A number with the unit behind it: "30 um". */
   struct NumberWithUnit
   {

@@ -11,6 +11,11 @@
 
 namespace ThermoContact
 {
+  /** The entry of this path, or null. */
+  const DeclaredEntry *
+  find_entry(const std::vector<DeclaredEntry> &entries,
+             const std::string                &path);
+
   /** "Section" of "Section/Entry", or nothing. */
   std::string
   section_of(const std::string &path);

@@ -19,7 +19,8 @@ namespace ThermoContact
    * step size, gap or contact force, steps per second, and the remaining wall
    * time if the rest of the time goes as fast as the time so far. Whenever
    * another tenth of the run is done, a line goes to log.txt and, where there
-   * is no live line, to the screen.
+   * is no live line, to the screen, with the remaining time if that is more
+   * than a minute.
    */
   class Progress
   {
@@ -61,6 +62,10 @@ namespace ThermoContact
     unsigned int            last_step;
     double                  steps_per_second;
     double                  step_seconds_;
+
+    /** Wall time if the rest of the time goes as fast as that so far. */
+    double
+    seconds_left(const StepRecord &record) const;
 
     void
     report_tenth(const StepRecord &record);

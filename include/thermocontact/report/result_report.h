@@ -9,15 +9,17 @@
 #include <thermocontact/time/stage_solver.h>
 
 #include <string>
+#include <vector>
 
 namespace ThermoContact
 {
   /**
    * What is to be said of fixed steps that took more than a twentieth of the
-   * energy that was there at first or came by work; empty: nothing.
+   * energy that was there at first or came by work, or missed the forecast of
+   * the first impact by more than a step.
    */
-  std::string
-  scheme_warning(const Scene &scene, const StepRecord &record);
+  std::vector<std::string>
+  step_warnings(const Scene &scene, const RunHistory &history);
 
   /**
    * Prints contacts, the final state beside the state of rest that the scene

@@ -38,16 +38,18 @@ namespace ThermoContact
    * Warns of a run that would take more than 1e8 steps or write more than 10
    * GB.
    *
+   * @param loads that steps follow
    * @param free_bytes of the disk of the results
    * @param is_forced it may be too small
    * @throw InputError if it is
    */
   void
-  check_cost(const Scene &scene,
-             const double n_cells,
-             const double free_bytes,
-             const bool   is_forced,
-             Log         &log);
+  check_cost(const Scene       &scene,
+             const double       n_cells,
+             const LoadHistory &loads,
+             const double       free_bytes,
+             const bool         is_forced,
+             Log               &log);
 } // namespace ThermoContact
 
 #endif

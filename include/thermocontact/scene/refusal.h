@@ -4,9 +4,7 @@
 #define thermocontact_scene_refusal_h
 
 #include <thermocontact/base/exceptions.h>
-
-#include <sstream>
-#include <string>
+#include <thermocontact/base/text.h>
 
 namespace ThermoContact
 {
@@ -21,10 +19,8 @@ namespace ThermoContact
          const std::string &allowed,
          const std::string &remedy)
   {
-    std::ostringstream message;
-    message << path << " = " << value << "\n  allowed: " << allowed
-            << "\n  remedy:  " << remedy;
-    throw InputError(message.str());
+    throw InputError(text(
+      path, " = ", value, "\n  allowed: ", allowed, "\n  remedy:  ", remedy));
   }
 } // namespace ThermoContact
 

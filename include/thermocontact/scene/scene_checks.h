@@ -3,10 +3,8 @@
 #ifndef thermocontact_scene_scene_checks_h
 #define thermocontact_scene_scene_checks_h
 
-#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/input/parameter_text.h>
-#include <thermocontact/input/parameters.h>
-#include <thermocontact/method/scheme.h>
+#include <thermocontact/scene/scene.h>
 
 #include <set>
 #include <string>
@@ -67,6 +65,19 @@ namespace ThermoContact
    */
   void
   check_error_bars(const Parameters &parameters);
+
+  /**
+   * Checks that Scales are complete, and positive; a part of check_scene().
+   *
+   * @throw InputError
+   */
+  void
+  check_scales(const Parameters &parameters);
+
+  /** A warning if fixed steps give waves the dispersion that their mass matrix
+   * would not have in others, (C6.8); or nothing. */
+  std::string
+  dispersion_warning(const Scene &scene);
 
   /**
    * check_unused_entries() and check_scene() for the statements of a parameter

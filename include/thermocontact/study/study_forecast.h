@@ -27,6 +27,16 @@ namespace ThermoContact
 
 
   /**
+   * A study of which some run can be run.
+   *
+   * @throw InputError of the first one if all are refused
+   */
+  void
+  check_any_run(const StudyTable &table);
+
+
+
+  /**
    * What `--check` says of a study: its runs, their steps altogether, and that
    * each can be run. All ranks have read the rows of @p table, whose runs take
    * no memory any more.

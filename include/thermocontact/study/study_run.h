@@ -32,6 +32,9 @@ namespace ThermoContact
 
     /** As key_results(); none of a run that failed. */
     std::optional<KeyResults> key_results;
+
+    /** Of its scene, which may have another rod than others of the study. */
+    ScalesParameters scales;
   };
 
 

@@ -105,7 +105,7 @@ namespace ThermoContact
       return plan_;
     }
 
-    /** In which the rows have their numbers. */
+    /** Of the scene that the study varies. */
     const OutputUnits &
     units() const
     {
@@ -113,12 +113,12 @@ namespace ThermoContact
     }
 
   private:
-    const StudyPlan         &plan_;
-    const std::string        file_name;
-    const OutputUnits        units_;
-    const Conversions        conversions; ///< of columns
-    const std::string        head;
-    std::vector<std::string> names_;
+    const StudyPlan                                 &plan_;
+    const std::string                                file_name;
+    const Parameters                                 parameters;
+    const OutputUnits                                units_;
+    const std::string                                head;
+    std::vector<std::string>                         names_;
     std::map<unsigned int, std::vector<std::string>> rows;
     std::uint64_t                                    n_read = 0; ///< bytes
   };
