@@ -276,6 +276,50 @@ namespace ThermoContact
 
 
   template <int dim>
+  Vector
+  Reset<dim>::rate_of_forces(const State &state)
+  {
+    Vector rate(state.velocity);
+    body.equations.stiffness().vmult(rate, state.velocity);
+    rate *= -1.;
+    Vector heat, load;
+    if (body.loads.has_sources())
+      {
+        // a parabola through three instants on the side where the loads are
+        const double end_time = body.scene.parameters.time.end_time;
+        const double width =
+          Tolerances::load_difference *
+          (state.load_time > state.time || state.load_time == 0. ? end_time :
+                                                                   -end_time);
+        const double weights[] = {-1.5, 2., -0.5};
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            heat = body.discretization.make_vector(Field::temperature);
+            load = body.discretization.make_vector(Field::displacement);
+            body.loads.assemble(std::max(state.load_time + i * width, 0.),
+                                heat,
+                                load);
+            rate.add(weights[i] / width, load);
+          }
+      }
+    if (body.scene.fields.has_temperature &&
+        body.scene.material.has_thermal_stress())
+      {
+        heat = body.discretization.make_vector(Field::temperature);
+        load = body.discretization.make_vector(Field::displacement);
+        body.loads.assemble(state.load_time, heat, load);
+        Vector right(heat), unused(load);
+        body.equations.stage_rhs(state, 0., heat, load, right, unused);
+        body.equations.subtract_heating(state.velocity, right);
+        provide_heat_mass().solve(heat, right);
+        body.equations.add_thermal_stress(heat, 1., rate);
+      }
+    return rate;
+  }
+
+
+
+  template <int dim>
   void
   Reset<dim>::settle_static_nodes(State &state)
   {
@@ -287,11 +331,8 @@ namespace ThermoContact
     const std::vector<double> change =
       static_nodes->solve(node_forces(state), node_laws, node_positions, p);
 
-    Vector rate_of_force(state.velocity);
-    body.equations.stiffness().vmult(rate_of_force, state.velocity);
-    rate_of_force *= -1.;
     std::vector<double> rate_load, rate;
-    end.get_all_values(Field::displacement, rate_of_force, rate_load);
+    end.get_all_values(Field::displacement, rate_of_forces(state), rate_load);
     end.get_relative_velocities(state, rate);
     const std::vector<double> acceleration =
       static_nodes->solve_rates(rate_load, rate);

@@ -275,10 +275,18 @@ namespace ThermoContact
                energy_monitor.add(record().step, record().time, result.energy);
              !warning.empty())
       history_.warnings.push_back(warning);
-    if (controller.is_finished(state_.time))
-      if (const std::string warning = spatial_error_monitor.take_warning();
-          !warning.empty())
-        history_.warnings.push_back(warning);
+    if (!controller.is_finished(state_.time))
+      return;
+    if (const std::string warning = spatial_error_monitor.take_warning();
+        !warning.empty())
+      history_.warnings.push_back(warning);
+    if (const double spacing = spacing_of_largest_force(scene_);
+        spacing > 0. && is_largest_force_of_mesh(scene_, events()))
+      history_.warnings.push_back(
+        text("the largest force is that of the mesh: it needs nodes at most ",
+             QuantityUnits(parameters()).text("position", spacing),
+             " apart at the obstacle; remedy: a larger Mesh/Grading, or more "
+             "Mesh/Cells"));
   }
 
 

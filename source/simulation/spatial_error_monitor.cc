@@ -4,6 +4,7 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/simulation/spatial_error_monitor.h>
+#include <thermocontact/time/fixed_point_solver.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ThermoContact
@@ -335,6 +337,40 @@ namespace ThermoContact
                 ", in the mean over the run; peaks may be wrong by several "
                 "times as much; remedy: ",
                 remedy(largest, (of_strain < of_heat ? heat : strain).rate()));
+  }
+
+
+
+  double
+  spacing_of_largest_force(const Scene &scene)
+  {
+    const Material   &material = scene.material;
+    const ContactLaw &law      = *scene.contact.law;
+    const double      infinity = std::numeric_limits<double>::infinity();
+    if (!law.is_active() || !law.is_linear() || !material.has_inertia() ||
+        !material.has_viscosity())
+      return infinity;
+    const double time =
+      critical_step_size(material.inertia, material.viscosity, law.tangent(0.));
+    return time < material.viscosity ?
+             std::sqrt(material.viscosity * time / material.inertia) :
+             infinity;
+  }
+
+
+
+  bool
+  is_largest_force_of_mesh(const Scene                     &scene,
+                           const std::vector<ContactEvent> &events)
+  {
+    return scene.parameters.mesh.contact_spacing() >
+             spacing_of_largest_force(scene) &&
+           std::any_of(events.begin(),
+                       events.end(),
+                       [](const ContactEvent &event) {
+                         return event.kind == ContactEvent::begin &&
+                                event.velocity != 0.;
+                       });
   }
 
 

@@ -40,8 +40,8 @@ namespace ThermoContact
       {}
 
       /**
-       * Absolute differences of the key results of a scene to those of the run;
-       * nothing if it fails. 0 of what neither has, NaN of what one has.
+       * Differences of the key results of a scene to those of the run; nothing
+       * if it fails. 0 of what neither has, NaN of what one has.
        */
       std::optional<KeyResults>
       differences(const CoarserScene &scene)
@@ -60,7 +60,7 @@ namespace ThermoContact
             for (const KeyResult::Name k : results_with_error_bars)
               result[k] = std::isnan(values[k]) && std::isnan(result[k]) ?
                             0. :
-                            std::abs(result[k] - values[k]);
+                            result[k] - values[k];
             return result;
           }
         catch (const Interruption &)
@@ -119,7 +119,7 @@ namespace ThermoContact
           if (differences)
             for (const KeyResult::Name k : results_with_error_bars)
               {
-                const double bar = scene.weight * (*differences)[k];
+                const double bar = scene.weight * std::abs((*differences)[k]);
                 // what a coarser one misses tells nothing
                 if (is_first)
                   bars[k] = bar;
@@ -140,12 +140,18 @@ namespace ThermoContact
 
 
 
-    /** By what the error of a result falls from mesh to mesh. */
+    /**
+     * By what the error of a result falls from mesh to mesh, from its
+     * differences to the run.
+     */
     double
     rate(const double near, const double far, const double smallest)
     {
+      const double coarser = std::abs(far - near);
       // a rate only where the coarser mesh is worse
-      return far > near ? std::max(near / far, smallest) : 1.;
+      return coarser > std::abs(near) ?
+               std::max(std::abs(near) / coarser, smallest) :
+               1.;
     }
 
 
@@ -162,7 +168,7 @@ namespace ThermoContact
     {
       double largest = 0.;
       for (const KeyResult::Name k : results_with_error_bars)
-        if (near[k] > 2. * time[k] && far[k] > 0.)
+        if (std::abs(near[k]) > 2. * time[k] && far[k] != 0.)
           largest = std::max(largest, rate(near[k], far[k], smallest));
       return largest;
     }
@@ -196,31 +202,9 @@ namespace ThermoContact
           // what follows a geometric sequence of differences
           const double factor =
             common < 1. ? common / (1. - common) : largest_factor;
-          bars[k] = std::min(factor, largest_factor) * (*near)[k];
+          bars[k] = std::min(factor, largest_factor) * std::abs((*near)[k]);
         }
       return bars;
-    }
-
-
-    /**
-     * False if the force has no limit for small steps and cells: behind an
-     * impact on a rigid obstacle the force of a viscous body is that of the
-     * jump of velocities, $V\sqrt{b\,\zeta/(\pi t)}$ of a rod.
-     */
-    template <int dim>
-    bool
-    has_largest_force(const Simulation<dim> &simulation)
-    {
-      const Scene &scene = simulation.scene();
-      if (!scene.contact.law->is_rigid() || !scene.material.has_inertia() ||
-          !scene.material.has_viscosity())
-        return true;
-      return std::none_of(simulation.events().begin(),
-                          simulation.events().end(),
-                          [](const ContactEvent &event) {
-                            return event.kind == ContactEvent::begin &&
-                                   event.velocity != 0.;
-                          });
     }
   } // namespace
 
@@ -238,16 +222,17 @@ namespace ThermoContact
     errors.space = space_errors(simulation, errors.time, repeats);
     const KeyResults values =
       key_results(simulation.scene(), simulation.history());
-    const bool has_limit = has_largest_force(simulation);
+    const bool has_largest_force =
+      !is_largest_force_of_mesh(simulation.scene(), simulation.events());
     for (const KeyResult::Name k : results_with_error_bars)
       if (std::isnan(values[k]) ||
-          (k == KeyResult::max_contact_force && !has_limit))
+          (k == KeyResult::max_contact_force && !has_largest_force))
         errors.time[k] = errors.space[k] = unknown;
-    if (!has_limit)
+    if (!has_largest_force)
       errors.remarks.push_back(
-        "error bars: none of the largest force, which has no limit: that of a "
-        "viscous body behind an impact on a rigid obstacle grows as steps and "
-        "cells get smaller");
+        "error bars: none of the largest force, which is that of the mesh: the "
+        "force of a viscous body behind an impact grows as cells get smaller, "
+        "as far as the obstacle gives way");
     return errors;
   }
 

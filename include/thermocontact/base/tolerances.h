@@ -23,6 +23,12 @@ namespace ThermoContact
     /** Of sums of some hundred terms: 100 u. */
     inline constexpr double rounding_of_sum = 1e-14;
 
+    /**
+     * Width of the difference quotient of a load, in parts of the end time: its
+     * square is what the parabola leaves out, u over it what rounding adds.
+     */
+    inline constexpr double load_difference = 1e-5;
+
     /** Of solutions of linear systems with a condition of some thousand. */
     inline constexpr double rounding_of_solution = 1e-13;
 

@@ -211,6 +211,13 @@ namespace ThermoContact
     void
     set_static_displacement(State &state);
 
+    /**
+     * How fast the forces on a body change that moves with its velocities,
+     * without those of contact: by stiffness, loads and the heat that flows.
+     */
+    Vector
+    rate_of_forces(const State &state);
+
     /** (C6.2), (C4.3). */
     void
     settle_static_nodes(State &state);

@@ -159,6 +159,24 @@ namespace ThermoContact
     std::string
     remedy(const double error, const double rate) const;
   };
+
+
+
+  /**
+   * Spacing of the contact nodes with which a mesh has the largest force of an
+   * impact on a linear obstacle, doc/discretisation.md section 9: the length
+   * $\sqrt{\zeta t/b}$ over which viscosity spreads it in the time t of (D7.3)
+   * in which the obstacle gives way; 0 at a rigid one, whose force has no
+   * limit. Infinite where viscosity or inertia have no part in it.
+   */
+  double
+  spacing_of_largest_force(const Scene &scene);
+
+  /** True if there was an impact, and the mesh is coarser than that. */
+  bool
+  is_largest_force_of_mesh(const Scene                     &scene,
+                           const std::vector<ContactEvent> &events);
+
 } // namespace ThermoContact
 
 #endif
