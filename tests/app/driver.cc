@@ -135,7 +135,7 @@ namespace
     for (const auto &entry : fs::directory_iterator(directory))
       names.push_back(entry.path().filename());
     std::sort(names.begin(), names.end());
-    std::cout << "files:";
+    std::cout << ", files:";
     for (const std::string &name : names)
       std::cout << ' ' << name;
     std::cout << '\n';
@@ -196,11 +196,10 @@ main(int, char **argv)
                                            ""),
                                prm_dir,
                                "prm")
-                << "exit status " << status
-                << (fs::exists(output_dir) ? "\n" : ", no output directory\n");
+                << "exit status " << status;
       for (const std::string &name : working_files())
         if (files_before.count(name) == 0)
-          std::cout << "new file: " << name << '\n';
+          std::cout << ", new file " << name;
       if (fs::exists(output_dir / "summary.json") ||
           fs::exists(output_dir / "study.csv"))
         {
@@ -215,5 +214,8 @@ main(int, char **argv)
                 std::cout << script << " failed" << std::endl;
             }
         }
+      else
+        std::cout << (fs::exists(output_dir) ? "" : ", no output directory")
+                  << '\n';
     }
 }

@@ -7,7 +7,7 @@
 // line of standard input is a run,
 //
 //   {"arguments": [...], "environment": {...}, "stdout": FILE, "stderr": FILE,
-//    "memory": BYTES, "file_size": BYTES}
+//    "memory": BYTES, "file_size": BYTES, "seconds": SECONDS}
 //
 // with null for no limit; it is a child of this process that calls the main()
 // of the program, linked in as it is. The answer is its exit status, or minus
@@ -31,11 +31,11 @@ __real_main(int argc, char **argv);
 namespace
 {
   void
-  set_limit(const __rlimit_resource_t kind, const nlohmann::json &bytes)
+  set_limit(const __rlimit_resource_t kind, const nlohmann::json &value)
   {
-    if (bytes.is_null())
+    if (value.is_null())
       return;
-    const rlim_t limit   = bytes;
+    const rlim_t limit   = value;
     const rlimit request = {limit, limit};
     if (setrlimit(kind, &request) != 0)
       std::abort();
@@ -55,6 +55,7 @@ namespace
       std::abort();
     set_limit(RLIMIT_AS, request.at("memory"));
     set_limit(RLIMIT_FSIZE, request.at("file_size"));
+    set_limit(RLIMIT_CPU, request.at("seconds"));
 
     std::vector<std::string> words = {"thermocontact"};
     for (const auto &argument : request.at("arguments"))

@@ -21,10 +21,10 @@ def _forks():
     return _OF_THREAD.forks
 
 
-def run(*arguments, memory=None, file_size=None):
+def run(*arguments, memory=None, file_size=None, seconds=None):
     """Exit status, what the program said on the screen, and its message.
 
-    memory, file_size: limits in bytes.
+    memory, file_size: limits in bytes; seconds: of the processor.
     """
     # single processes of Open MPI that run at the same time disturb each other
     # in a common directory
@@ -37,7 +37,7 @@ def run(*arguments, memory=None, file_size=None):
                             "OMPI_MCA_btl": "self",
                             "OMPI_MCA_orte_tmpdir_base": directory},
             "stdout": str(screen), "stderr": str(message),
-            "memory": memory, "file_size": file_size}),
+            "memory": memory, "file_size": file_size, "seconds": seconds}),
             file=forks.stdin, flush=True)
         status = int(forks.stdout.readline())
         words = message.read_text().partition("thermocontact: ")[2]
