@@ -230,7 +230,8 @@ namespace ThermoContact
   {
     /** @p matrix times @p vector. */
     std::vector<double>
-    product(const FullMatrix<double> &matrix, const std::vector<double> &vector)
+    nodal_product(const FullMatrix<double>  &matrix,
+                  const std::vector<double> &vector)
     {
       std::vector<double> result(matrix.m(), 0.);
       for (unsigned int i = 0; i < matrix.m(); ++i)
@@ -288,7 +289,7 @@ namespace ThermoContact
     body.contact_end().get_values(Field::displacement,
                                   rates.velocity,
                                   velocity);
-    old_free_position = product(receptance, state.contact_pressure);
+    old_free_position = nodal_product(receptance, state.contact_pressure);
     free_position.resize(n);
     double displacement_scale = 0.;
     for (unsigned int i = 0; i < n; ++i)
@@ -315,7 +316,7 @@ namespace ThermoContact
     rates.n_iterations = contact->step_pressure(
       laws, start, free_end, difference, displacement_scale, rates.pressure);
     solver->apply_pressure(rates);
-    const std::vector<double> loss = product(difference, rates.pressure);
+    const std::vector<double> loss = nodal_product(difference, rates.pressure);
     for (unsigned int i = 0; i < n; ++i)
       free_position[i] -= 2. * loss[i];
   }
@@ -340,14 +341,14 @@ namespace ThermoContact
     body.contact_end().get_all_values(Field::displacement,
                                       new_state.displacement,
                                       displacement);
-    const std::vector<double> loss = product(receptance, pressure);
+    const std::vector<double> loss = nodal_product(receptance, pressure);
 
     // nodes without pressure follow from the middle of the step to its end
     std::vector<double> change(pressure);
     for (unsigned int i = 0; i < change.size(); ++i)
       change[i] =
         2. * rates.pressure[i] - state.contact_pressure[i] - change[i];
-    std::vector<double> position = product(nodes->receptance(), change);
+    std::vector<double> position = nodal_product(nodes->receptance(), change);
     for (unsigned int i = 0; i < position.size(); ++i)
       {
         position[i] =

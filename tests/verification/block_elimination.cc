@@ -148,10 +148,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_block_elimination()
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check("paper 1", "paper/experiment-1.prm", {"Time/End time=2"});
   check("paper 2", "paper/experiment-2.prm", {"Time/End time=2"});

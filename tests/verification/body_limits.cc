@@ -267,10 +267,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_body_limits()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_rod("normal compliance");
   check_rod("rigid");

@@ -358,10 +358,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_drive_pulses()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   for (const Scenario &scenario : scenarios())
     for (const Shape shape : {scenario.rough, Shape::smooth})

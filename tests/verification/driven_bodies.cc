@@ -180,10 +180,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_driven_bodies()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_audit();
   check_bodies();

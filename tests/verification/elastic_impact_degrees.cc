@@ -215,10 +215,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_elastic_impact_degrees()
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check(8, "0.1137");
   check(16, "0.05");

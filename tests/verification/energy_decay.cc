@@ -71,10 +71,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_energy_decay()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
 
   unsigned int n_scenes = 0, n_contact_total = 0, n_steps = 0, n_increases = 0;

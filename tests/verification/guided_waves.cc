@@ -195,10 +195,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_guided_waves()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
 
   check("plate",

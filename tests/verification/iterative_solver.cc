@@ -323,10 +323,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_iterative_solver()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   deallog << "direct against iterative" << std::endl;
   compare_strips();

@@ -208,10 +208,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_lateral_bodies()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_decays();
   check_thin();

@@ -372,10 +372,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_load_pulses()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_pulses();
   check_impulse();

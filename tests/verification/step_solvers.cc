@@ -174,10 +174,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_step_solvers()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
 
   deallog << "two solvers for one step" << std::endl;
