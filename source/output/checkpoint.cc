@@ -76,7 +76,7 @@ namespace ThermoContact
     // as the disk allows.
 
     /** Changes whenever an older program could not read the file. */
-    const std::string format = "thermocontact checkpoint 9";
+    const std::string format = "thermocontact checkpoint 10";
 
 
 

@@ -14,6 +14,16 @@ namespace ThermoContact
     /** Interpolants that miss a zero so often are not to be trusted. */
     constexpr unsigned int max_retakes = 10;
 
+
+
+    /** Adds what an impact has cost to a step. */
+    void
+    book(const StepResult &impact, StepResult &result)
+    {
+      result.impulse += impact.impulse;
+      result.work += impact.work;
+      result.numerical_dissipation += impact.numerical_dissipation;
+    }
   } // namespace
 
 
@@ -82,17 +92,6 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  ContactTracker<dim>::book(const ResetCost &cost, StepResult &result)
-  {
-    result.impulse += cost.impulse;
-    result.work += cost.work;
-    result.numerical_dissipation += cost.numerical_dissipation;
-  }
-
-
-
-  template <int dim>
   ContactVerdict
   ContactTracker<dim>::leave_to_law()
   {
@@ -125,8 +124,10 @@ namespace ThermoContact
     if (body.law().is_rigid() && !body.scene.contact.is_in_equilibrium() &&
         locator.mode() == ContactMode::closed)
       {
-        impacted.emplace(Impacted{accepted, energy, {}});
-        reset.impact(impacted->state, impacted->energy, impacted->cost);
+        impacted.emplace();
+        impacted->state  = accepted;
+        impacted->energy = energy;
+        reset.impact(*impacted);
       }
     return {ContactVerdict::in_other_state};
   }
@@ -205,10 +206,9 @@ namespace ThermoContact
                               std::vector<ContactEvent> &events)
   {
     const ContactMode mode = locator.mode();
-    ResetCost         cost;
-    if (!result.closed_nodes.empty())
+    if (!result.closed_nodes.empty() && body.law().is_rigid())
       {
-        reset.settle_closed_nodes(result);
+        reset.settle_velocities(result.closed_nodes, result.state);
         get_values(result.state, next);
       }
     locator.accept(next, finding, events);
@@ -219,7 +219,7 @@ namespace ThermoContact
                            locator.mode() == ContactMode::closed &&
                            !body.scene.contact.is_in_equilibrium();
     if (is_impact)
-      reset.impact(result.state, result.energy, cost);
+      reset.impact(result);
     if (is_impact || finding.kind == EventLocator::Finding::at_end)
       {
         // an end of contact at once is that of nodes that have stopped
@@ -227,17 +227,18 @@ namespace ThermoContact
         locator.set_present(next);
       }
     if (impacted)
-      cost += impacted->cost;
+      book(*impacted, result);
     impacted.reset();
-    book(cost, result);
   }
 
 
 
   template <int dim>
   void
-  ContactTracker<dim>::pass_slope_discontinuity(const LoadBreak &at,
-                                                StepResult      &result)
+  ContactTracker<dim>::pass_slope_discontinuity(
+    const LoadBreak           &at,
+    StepResult                &result,
+    std::vector<ContactEvent> &events)
   {
     // its velocity is that of the step, as are the rates that it followed
     if (body.scene.material.is_static())
@@ -254,22 +255,21 @@ namespace ThermoContact
         away              = std::max(away, rate - old_rate[i]);
         scale = std::max({scale, std::abs(rate), std::abs(old_rate[i])});
       }
-    const bool is_held =
-      body.scene.contact.has_impacts() && locator.mode() == ContactMode::closed;
-    if (is_held && towards > Tolerances::continuous_velocity * scale)
-      {
-        ResetCost cost;
-        reset.impact(state, result.energy, cost);
-        book(cost, result);
-      }
+    const double continuous = Tolerances::continuous_velocity * scale;
+    const bool   is_held    = body.scene.contact.has_impacts() &&
+                         body.scene.contact.has_mass() &&
+                         locator.mode() == ContactMode::closed;
+    if (is_held && towards > continuous)
+      reset.impact(result);
     else
-      reset.set_pressures_of_velocity(state);
+      reset.settle_velocities(closed_nodes(result), state);
     get_values(state, next);
     locator.set_present(next);
-    // what has inertia does not follow
-    if (is_held && towards <= Tolerances::continuous_velocity * scale &&
-        away > Tolerances::continuous_velocity * scale)
-      locator.switch_at_start(state.time);
+    if (is_held && towards <= continuous && away > continuous)
+      locator.switch_at_start(state.time); // what has inertia does not follow
+    else if (body.law().is_rigid() &&
+             body.scene.contact.order == NodeOrder::viscous)
+      jump(state, events);
   }
 
 

@@ -103,11 +103,9 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Measurements<dim>::measure(const State &state,
-                             const double load_time,
-                             StepRecord  &record)
+  Measurements<dim>::measure(const State &state, StepRecord &record)
   {
-    body.data.set_time(load_time);
+    body.data.set_time(state.load_time);
     record.time             = state.time;
     record.displacement_end = record.displacement_mid = record.velocity_end =
       record.stress_end = record.gap = record.temperature_end =

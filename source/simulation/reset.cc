@@ -64,13 +64,68 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  Reset<dim>::restore(const SolverCounters &counters)
+  std::vector<bool>
+  Reset<dim>::retained() const
   {
-    if (counters.factorizations > counters_.factorizations &&
-        body.scene.contact.has_mass())
+    return {inertia->is_provided(),
+            stiffness->is_provided(),
+            heat_mass != nullptr,
+            adiabatic_nodes != nullptr};
+  }
+
+
+
+  template <int dim>
+  void
+  Reset<dim>::restore(const std::vector<bool> &retained,
+                      const SolverCounters    &counters)
+  {
+    if (retained[0])
       inertia->provide();
+    if (retained[1])
+      stiffness->provide();
+    if (retained[2])
+      provide_heat_mass();
+    if (retained[3])
+      provide_adiabatic_nodes();
     counters_ = counters;
+  }
+
+
+
+  template <int dim>
+  const HeatMass<dim> &
+  Reset<dim>::provide_heat_mass()
+  {
+    if (!heat_mass)
+      {
+        heat_mass = std::make_unique<const HeatMass<dim>>(body);
+        counters_.factorizations += heat_mass->has_factors();
+      }
+    return *heat_mass;
+  }
+
+
+
+  template <int dim>
+  NodeEquilibrium<dim> &
+  Reset<dim>::provide_adiabatic_nodes()
+  {
+    if (!adiabatic_nodes)
+      adiabatic_nodes = make_node_equilibrium(body, 1., counters_, true);
+    return *adiabatic_nodes;
+  }
+
+
+
+  template <int dim>
+  void
+  Reset<dim>::book(const double work, StepResult &result) const
+  {
+    const double old_energy = result.energy.sum();
+    result.energy           = body.energy.energy(result.state);
+    result.work += work;
+    result.numerical_dissipation += old_energy + work - result.energy.sum();
   }
 
 
@@ -81,7 +136,7 @@ namespace ThermoContact
   {
     Vector heat = body.discretization.make_vector(Field::temperature);
     Vector load = body.discretization.make_vector(Field::displacement);
-    body.loads.assemble(state.time, heat, load);
+    body.loads.assemble(state.load_time, heat, load);
     return load;
   }
 
@@ -129,7 +184,7 @@ namespace ThermoContact
     const double viscosity = body.scene.material.viscosity;
     const double factor    = (viscosity + 1.) / viscosity;
     Vector       load      = momentum_load(state);
-    body.driven_end.subtract_viscous_stress(state.time, load);
+    body.driven_end.subtract_viscous_stress(state.load_time, load);
 
     std::vector<NodeLaw> laws;
     std::vector<double>  position;
@@ -164,7 +219,7 @@ namespace ThermoContact
     stiffness->solve(
       &r, laws, position, factor, state.velocity, state.contact_pressure);
     state.velocity *= factor;
-    body.driven_end.set_velocity(state.time, state.velocity);
+    body.driven_end.set_velocity(state.load_time, state.velocity);
   }
 
 
@@ -286,23 +341,17 @@ namespace ThermoContact
 
 
   template <int dim>
-  double
+  void
   Reset<dim>::move_static_nodes(State &state)
   {
-    Vector motion(state.displacement);
-    if (!adiabatic_nodes)
-      adiabatic_nodes = make_node_equilibrium(body, 1., counters_, true);
-    std::vector<double> pressure(state.contact_pressure);
+    NodeEquilibrium<dim> &adiabatic = provide_adiabatic_nodes();
+    std::vector<double>   pressure(state.contact_pressure);
     get_node_laws(body, state, node_laws, node_positions);
-    adiabatic_nodes->add_heating(adiabatic_nodes->solve(node_forces(state),
-                                                        node_laws,
-                                                        node_positions,
-                                                        pressure),
-                                 state.temperature);
+    adiabatic.add_heating(
+      adiabatic.solve(node_forces(state), node_laws, node_positions, pressure),
+      state.temperature);
     settle_static_nodes(state); // to rounding, with velocities
-    motion.sadd(-1., 1., state.displacement);
     set_exchange_of_law(body, state);
-    return body.energy.work_of_motion(momentum_load(state), state, motion);
   }
 
 
@@ -339,7 +388,7 @@ namespace ThermoContact
     StageRates   rates;
     rates.temperature_rate = heat_load;
     rates.velocity         = forces;
-    body.loads.assemble(state.time, heat_load, forces);
+    body.loads.assemble(state.load_time, heat_load, forces);
     solver.solve(
       state, size, heat_load, forces, ContactMode::unilateral, rates);
     if (!rates.failure.empty())
@@ -371,12 +420,7 @@ namespace ThermoContact
     body.equations.heat_mass().vmult(heat, change);
     heat *= -1.;
     body.equations.zero_constrained(Field::temperature, heat);
-    if (!heat_mass)
-      {
-        heat_mass = std::make_unique<const HeatMass<dim>>(body);
-        counters_.factorizations += heat_mass->has_factors();
-      }
-    heat_mass->solve(inside, heat);
+    provide_heat_mass().solve(inside, heat);
     change += inside;
 
     // the temperature rises evenly while the heat comes in
@@ -396,8 +440,6 @@ namespace ThermoContact
 
   namespace
   {
-
-
     /**
      * True if a load jumps: if what it changes from one time to the next is no
      * part of what it changes around; not beyond the end time, where the jumps
@@ -473,12 +515,11 @@ namespace ThermoContact
 
   template <int dim>
   bool
-  Reset<dim>::responds_to_discontinuities() const
+  Reset<dim>::moves_at_once() const
   {
-    return body.scene.sources.has_driven_temperature ||
-           (body.scene.fields.has_displacement &&
-            (!body.scene.material.has_inertia() ||
-             body.scene.contact.is_in_equilibrium()));
+    return body.scene.fields.has_displacement &&
+           (!body.scene.material.has_inertia() ||
+            body.scene.contact.is_in_equilibrium());
   }
 
 
@@ -492,33 +533,29 @@ namespace ThermoContact
   {
     const Scene &scene = body.scene;
     const double rise  = rise_of_fixed_end(body, at);
-    const bool   moves =
-      scene.fields.has_displacement &&
-      (!scene.material.has_inertia() || scene.contact.is_in_equilibrium()) &&
-      (rise != 0. || forces_jump(body, at));
+    const bool moves = moves_at_once() && (rise != 0. || forces_jump(body, at));
     if (rise == 0. && !moves)
       return false;
-    State       &state      = result.state;
-    const double time       = state.time;
-    const double old_energy = result.energy.sum();
-    double       work       = rise != 0. ? heat_fixed_end(rise, state) : 0.;
-    state.time              = at.new_time;
-    if (!moves)
-      set_exchange_of_law(body, state);
-    else if (scene.material.is_static())
+    State &state    = result.state;
+    double work     = rise != 0. ? heat_fixed_end(rise, state) : 0.;
+    state.load_time = at.new_time;
+    state.jump_time = state.time;
+    if (moves && scene.material.is_static())
       work += move_static_body(solver, state);
-    else if (scene.contact.is_in_equilibrium())
-      work += move_static_nodes(state);
+    else if (moves && scene.contact.is_in_equilibrium())
+      {
+        Vector motion(state.displacement);
+        move_static_nodes(state);
+        motion.sadd(-1., 1., state.displacement);
+        work += body.energy.work_of_motion(momentum_load(state), state, motion);
+      }
     else
       {
-        set_quasi_static_velocity(is_closed, state);
+        if (moves)
+          set_quasi_static_velocity(is_closed, state);
         set_exchange_of_law(body, state);
       }
-    state.time      = time;
-    state.jump_time = time;
-    result.energy   = body.energy.energy(state);
-    result.work += work;
-    result.numerical_dissipation += old_energy + work - result.energy.sum();
+    book(work, result);
     return true;
   }
 
@@ -526,10 +563,11 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Reset<dim>::impact(State &state, EnergyTerms &energy_terms, ResetCost &cost)
+  Reset<dim>::impact(StepResult &result)
   {
-    const ContactEnd<dim> &end = body.contact_end();
-    ResetCost              own;
+    const ContactEnd<dim> &end   = body.contact_end();
+    State                 &state = result.state;
+    double                 work  = 0.;
     if (body.scene.contact.has_mass())
       {
         std::vector<double> velocity, impulses;
@@ -539,8 +577,8 @@ namespace ThermoContact
           nullptr, held_laws(body, state), velocity, 1., change, impulses);
         state.velocity += change;
         for (unsigned int i = 0; i < impulses.size(); ++i)
-          own.work -= end.share(i) * impulses[i] * state.gap_rate[i];
-        own.impulse += end.mean(impulses);
+          work -= end.share(i) * impulses[i] * state.gap_rate[i];
+        result.impulse += end.mean(impulses);
       }
     std::vector<NodeLaw> laws;
     std::vector<double>  position;
@@ -549,10 +587,7 @@ namespace ThermoContact
       state.displacement.begin()[entry] =
         obstacle_at(body, state.gap, node, laws[node].side);
     set_exchange_of_law(body, state);
-    const double old_energy   = energy_terms.sum();
-    energy_terms              = body.energy.energy(state);
-    own.numerical_dissipation = old_energy - energy_terms.sum() + own.work;
-    cost += own;
+    book(work, result);
   }
 
 
@@ -565,7 +600,7 @@ namespace ThermoContact
     Vector       acceleration(r);
     std::vector<double>          relative;
     std::vector<TimeDerivatives> obstacle;
-    body.obstacle.get_derivatives(state.time, obstacle);
+    body.obstacle.get_derivatives(state.load_time, obstacle);
     for (const TimeDerivatives &gap : obstacle)
       relative.push_back(-gap.second);
     inertia->solve(&r,
@@ -582,29 +617,20 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Reset<dim>::settle_closed_nodes(StepResult &result)
+  Reset<dim>::settle_velocities(const std::vector<bool> &is_closed,
+                                State                   &state)
   {
-    if (result.closed_nodes.empty() || !body.law().is_rigid())
+    const bool is_damped = body.law().damping() > 0.;
+    const bool is_viscous_at_rigid =
+      body.law().is_rigid() && body.scene.contact.order == NodeOrder::viscous;
+    if (!is_damped && !is_viscous_at_rigid)
       return;
-    if (body.scene.material.has_inertia())
-      settle_viscous_nodes(result.closed_nodes, result.state);
-    else
-      set_quasi_static_velocity(result.closed_nodes, result.state);
-    set_exchange_of_law(body, result.state);
-  }
-
-
-
-  template <int dim>
-  void
-  Reset<dim>::set_pressures_of_velocity(State &state)
-  {
-    if (body.law().damping() == 0.)
-      return;
-    if (body.scene.material.has_inertia())
+    if (!body.scene.material.has_inertia())
+      set_quasi_static_velocity(is_closed, state);
+    else if (is_damped)
       set_pressures_of_law(body, state);
     else
-      set_quasi_static_velocity({}, state);
+      settle_viscous_nodes(is_closed, state);
     set_exchange_of_law(body, state);
   }
 
@@ -637,26 +663,28 @@ namespace ThermoContact
                               StepResult                  &result)
   {
     const bool is_event = finding.kind == EventLocator::Finding::at_end;
+    State     &state    = result.state;
     bool       changed =
-      remove_pull(mode == ContactMode::closed ? finding.side : 0, result.state);
+      remove_pull(mode == ContactMode::closed ? finding.side : 0, state);
+    double work = 0.;
     if (is_event && body.scene.contact.is_in_equilibrium() &&
         body.law().damping() == 0.) // else velocities carry pressure, too
       {
         changed = true;
-        set_static_equilibrium(result.state);
+        Vector motion(state.displacement);
+        set_static_equilibrium(state);
+        motion.sadd(-1., 1., state.displacement);
+        work = body.energy.work_of_motion(momentum_load(state), state, motion);
       }
     else if (is_event && mode == ContactMode::open && !body.law().is_rigid())
       {
         changed = true;
-        set_pressures_of_law(body, result.state);
+        set_pressures_of_law(body, state);
       }
     if (changed || (is_event && mode == ContactMode::closed))
-      set_exchange_of_law(body, result.state);
-    if (!changed)
-      return;
-    const double old_energy = result.energy.sum();
-    result.energy           = body.energy.energy(result.state);
-    result.numerical_dissipation += old_energy - result.energy.sum();
+      set_exchange_of_law(body, state);
+    if (changed)
+      book(work, result);
   }
 
 

@@ -51,8 +51,9 @@ namespace ThermoContact
   RunHistory::add_step(const TimeStep &time_step, const StepResult &result)
   {
     ++record.step;
-    record.step_size  = time_step.size;
-    record.iterations = result.n_iterations;
+    record.step_size        = time_step.size;
+    record.iterations       = result.n_iterations;
+    const double old_energy = record.energy;
     add_jump(result); // energies that a jump has, too
     record.dissipation += result.dissipation;
     record.lateral_dissipation += result.lateral_dissipation;
@@ -61,8 +62,7 @@ namespace ThermoContact
     record.contact_impulse += result.impulse;
     if (!result.is_prescribed)
       max_energy_increase =
-        std::max(max_energy_increase,
-                 record.energy - result.old_energy - result.work);
+        std::max(max_energy_increase, record.energy - old_energy - result.work);
   }
 
 

@@ -2,7 +2,6 @@
 
 #include <thermocontact/base/collective_errors.h>
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/parallel_file.h>
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/quantity_units.h>
@@ -82,15 +81,17 @@ namespace ThermoContact
                            history_.warnings);
     StepRecord &record = history_.record;
     tracker.start(state_, history_.events);
-    if (jump_at(0.) != nullptr)
+    if (controller.followed_loads().break_at(0.) != nullptr)
       {
         StepResult result;
         result.state  = state_;
         result.energy = body_.energy.energy(state_);
-        jump(result);
+        pass_break(result);
+        if (!result.failure.empty())
+          throw ComputationError(result.failure);
         state_.swap(result.state);
       }
-    measurements.measure(state_, load_time(), record);
+    measurements.measure(state_, record);
     if (const std::string warning = dispersion_warning(scene_);
         !warning.empty())
       history_.warnings.push_back(warning);
@@ -124,7 +125,7 @@ namespace ThermoContact
     if (!is_restored)
       notify();
     else if (!controller.is_finished(state_.time))
-      make_up_for_jump();
+      make_up_for_break();
     while (step())
       notify();
   }
@@ -157,21 +158,17 @@ namespace ThermoContact
     StepAttempt attempt{state_.time, time_step.size};
     {
       const StopWatch   watch(attempt.wall_seconds);
-      const ContactMode mode = tracker.mode();
-      attempt.reason         = judge(time_step, result, attempt.error);
+      const ContactMode mode   = tracker.mode();
+      const LoadBreak  *passed = nullptr;
+      attempt.reason           = judge(time_step, result, attempt.error);
       if (attempt.reason.empty())
         {
-          commit(time_step, result);
+          controller.accept(time_step, attempt.error);
+          passed              = commit(time_step, result);
           attempt.reason      = name_of(time_step.target);
           attempt.is_accepted = true;
-          controller.accept(time_step, attempt.error);
-          if (const LoadBreak *at =
-                controller.followed_loads().break_at(time_step.end);
-              at != nullptr && at->is_jump)
-            controller.restart_after_jump();
         }
-      if (tracker.mode() != mode)
-        controller.restart(tracker.mode() == ContactMode::closed);
+      restart_controller(mode, passed);
     }
     history_.attempts.push_back(attempt);
     if (attempt.is_accepted)
@@ -185,6 +182,24 @@ namespace ThermoContact
                                   result.failure,
                                   parameters()));
     return false;
+  }
+
+
+
+  template <int dim>
+  template <class Action>
+  void
+  Simulation<dim>::together(StepResult &result, const Action &action) const
+  {
+    try
+      {
+        action();
+      }
+    catch (const ComputationError &error)
+      {
+        result.failure = error.what();
+      }
+    result.agree(discretization().communicator());
   }
 
 
@@ -216,20 +231,14 @@ namespace ThermoContact
     const double   mechanical_energy = std::max({error_norm.mechanical_energy(),
                                                  result.energy.elastic,
                                                  result.energy.kinetic});
-    try
-      {
-        verdict = tracker.judge(time_step,
-                                result,
-                                state_,
-                                record().energy_terms,
-                                is_prescribed_step(),
-                                mechanical_energy);
-      }
-    catch (const ComputationError &exception)
-      {
-        result.failure = exception.what();
-      }
-    result.agree(discretization().communicator());
+    together(result, [&]() {
+      verdict = tracker.judge(time_step,
+                              result,
+                              state_,
+                              record().energy_terms,
+                              is_prescribed_step(),
+                              mechanical_energy);
+    });
     if (!result.failure.empty())
       {
         tracker.drop_event();
@@ -255,7 +264,7 @@ namespace ThermoContact
   Simulation<dim>::accept(const TimeStep &time_step, StepResult &result)
   {
     state_.swap(result.state);
-    measurements.measure(state_, load_time(), history_.record);
+    measurements.measure(state_, history_.record);
     history_.add_step(time_step, result);
     history_.add_maxima(scene_, gap_rate());
     error_norm.add(result.energy);
@@ -270,6 +279,19 @@ namespace ThermoContact
       if (const std::string warning = spatial_error_monitor.take_warning();
           !warning.empty())
         history_.warnings.push_back(warning);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::restart_controller(const ContactMode      old_mode,
+                                      const LoadBreak *const passed)
+  {
+    if (passed != nullptr && passed->is_jump)
+      controller.restart_after_jump();
+    if (tracker.mode() != old_mode)
+      controller.restart(tracker.mode() == ContactMode::closed);
   }
 
 
@@ -304,25 +326,22 @@ namespace ThermoContact
   {
     const State &start = tracker.start_state(state_);
     result.old_energy  = tracker.start_energy(record().energy_terms);
-    try
-      {
-        if (is_prescribed_step())
-          integrator->prescribed_step(start, time_step, result);
-        else
-          integrator->step(start, result.old_energy, time_step, mode, result);
-        if (result.failure.empty())
-          tracker.complete(result);
-      }
-    catch (const ComputationError &error)
-      {
-        result.failure = error.what();
-      }
-    if (result.failure.empty() &&
-        !std::isfinite(result.energy.sum() + result.work + result.dissipation))
-      result.failure = "the solution is not finite\n  remedy:  smaller initial "
-                       "values and sources, or a smaller Time/Step size";
-    result.state.jump_time = start.jump_time; // no stage moves it at once
-    result.agree(discretization().communicator());
+    together(result, [&]() {
+      if (is_prescribed_step())
+        integrator->prescribed_step(start, time_step, result);
+      else
+        integrator->step(start, result.old_energy, time_step, mode, result);
+      result.state.load_time = time_step.last_loads;
+      result.state.jump_time = start.jump_time; // no stage moves it at once
+      if (result.failure.empty())
+        tracker.complete(result);
+      if (result.failure.empty() &&
+          !std::isfinite(result.energy.sum() + result.work +
+                         result.dissipation))
+        result.failure = "the solution is not finite\n  remedy:  smaller "
+                         "initial values and sources, or a smaller Time/Step "
+                         "size";
+    });
     for (std::string &warning : integrator->stage_solver().take_warnings())
       history_.warnings.push_back(std::move(warning));
   }
@@ -351,82 +370,46 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
+  const LoadBreak *
   Simulation<dim>::commit(const TimeStep &time_step, StepResult &result)
   {
-    try
-      {
-        tracker.accept(result, history_.events);
-        if (body_.obstacle.is_active())
-          if (const LoadBreak *at =
-                controller.followed_loads().break_at(result.state.time))
-            tracker.pass_slope_discontinuity(*at, result);
-      }
-    catch (const ComputationError &error)
-      {
-        result.failure = error.what();
-      }
-    result.agree(discretization().communicator());
+    together(result, [&]() { tracker.accept(result, history_.events); });
+    const LoadBreak *const passed =
+      result.failure.empty() ? pass_break(result) : nullptr;
     if (!result.failure.empty())
       give_up(time_step, result.failure);
-    jump(result);
+    return passed;
   }
 
 
 
   template <int dim>
   const LoadBreak *
-  Simulation<dim>::jump_at(const double time) const
+  Simulation<dim>::pass_break(StepResult &result)
   {
-    const LoadBreak *at = controller.followed_loads().break_at(time);
-    return at != nullptr && at->is_jump && reset.responds_to_discontinuities() ?
-             at :
-             nullptr;
-  }
-
-
-
-  template <int dim>
-  double
-  Simulation<dim>::load_time() const
-  {
-    const LoadBreak *at = jump_at(state_.time);
-    return at != nullptr && state_.jump_time == state_.time ? at->new_time :
-                                                              state_.time;
-  }
-
-
-
-  template <int dim>
-  bool
-  Simulation<dim>::jump(StepResult &result)
-  {
-    const LoadBreak *at = jump_at(result.state.time);
+    const double     time = result.state.time;
+    const LoadBreak *at   = controller.followed_loads().break_at(time);
     if (at == nullptr)
-      return false;
-    bool has_jumped = false;
-    try
-      {
-        has_jumped = reset.pass_discontinuity(integrator->stage_solver(),
-                                              tracker.closed_nodes(result),
-                                              *at,
-                                              result);
-      }
-    catch (const ComputationError &error)
-      {
-        result.failure = error.what();
-      }
-    result.agree(discretization().communicator());
+      return nullptr;
+    passed_break = time;
+    together(result, [&]() {
+      if (body_.obstacle.is_active())
+        tracker.pass_slope_discontinuity(*at, result, history_.events);
+      if (at->is_jump &&
+          reset.pass_discontinuity(integrator->stage_solver(),
+                                   tracker.closed_nodes(result),
+                                   *at,
+                                   result) &&
+          reset.moves_at_once())
+        tracker.jump(result.state, history_.events);
+    });
     if (!result.failure.empty())
-      throw ComputationError(
-        text("the loads jump at t = ",
-             QuantityUnits(parameters()).text("time", result.state.time),
-             ": ",
-             result.failure,
-             words_of_loads(body_, result.state.time, result.state.time)));
-    if (has_jumped)
-      tracker.jump(result.state, history_.events);
-    return has_jumped;
+      result.failure = text("inputs have a discontinuity at t = ",
+                            QuantityUnits(parameters()).text("time", time),
+                            ": ",
+                            result.failure,
+                            words_of_loads(body_, time, time));
+    return at;
   }
 
 
@@ -479,7 +462,7 @@ namespace ThermoContact
   void
   Simulation<dim>::archive_progress(Archive &archive)
   {
-    archive &state_ &history_;
+    archive &state_ &history_ &passed_break;
     archive &controller &error_norm &energy_monitor &spatial_error_monitor
       &tracker;
   }
@@ -498,9 +481,10 @@ namespace ThermoContact
       const_cast<Simulation<dim> *>(this)->archive_progress(archive);
       const RetainedFactorizations retained =
         integrator->stage_solver().retained();
-      const SolverCounters of_integrator = integrator->own_counters();
-      const SolverCounters of_reset      = reset.counters();
-      archive << retained << of_integrator << of_reset;
+      const SolverCounters    of_integrator     = integrator->own_counters();
+      const SolverCounters    of_reset          = reset.counters();
+      const std::vector<bool> retained_by_reset = reset.retained();
+      archive << retained << of_integrator << of_reset << retained_by_reset;
     }
     return {stream.str(), StateSerialiser<dim>(discretization()).save(state_)};
   }
@@ -517,6 +501,7 @@ namespace ThermoContact
     const unsigned int     n = Utilities::MPI::n_mpi_processes(communicator);
     RetainedFactorizations retained;
     SolverCounters         of_integrator, of_reset;
+    std::vector<bool>      retained_by_reset;
     std::string            fault;
     const StateSerialiser<dim> values(discretization());
     std::size_t                n_set = 0, n_saved = 0;
@@ -529,7 +514,7 @@ namespace ThermoContact
         boost::archive::binary_iarchive archive(stream,
                                                 boost::archive::no_header);
         archive_progress(archive);
-        archive >> retained >> of_integrator >> of_reset;
+        archive >> retained >> of_integrator >> of_reset >> retained_by_reset;
         for (std::string nodes; next_nodes(nodes);)
           {
             n_set += values.restore(nodes, state_);
@@ -548,7 +533,7 @@ namespace ThermoContact
                        fault + "\n  remedy:  run without --resume");
     integrator->stage_solver().restore(retained);
     integrator->restore_own_counters(of_integrator);
-    reset.restore(of_reset);
+    reset.restore(retained_by_reset, of_reset);
     if (n != n_ranks)
       history_.warnings.push_back(
         text("resumed at t = ",
@@ -566,19 +551,24 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Simulation<dim>::make_up_for_jump()
+  Simulation<dim>::make_up_for_break()
   {
-    StepResult result;
-    result.state  = state_;
-    result.energy = record().energy_terms;
-    if (state_.time == state_.jump_time || !jump(result))
+    if (passed_break == state_.time ||
+        controller.followed_loads().break_at(state_.time) == nullptr)
       return;
+    const ContactMode mode = tracker.mode();
+    StepResult        result;
+    result.state                  = state_;
+    result.energy                 = record().energy_terms;
+    const LoadBreak *const passed = pass_break(result);
+    if (!result.failure.empty())
+      throw ComputationError(result.failure);
+    restart_controller(mode, passed);
     state_.swap(result.state);
-    measurements.measure(state_, load_time(), history_.record);
+    measurements.measure(state_, history_.record);
     history_.add_jump(result);
     history_.add_maxima(scene_, gap_rate());
     error_norm.add(result.energy);
-    controller.restart_after_jump();
   }
 
 

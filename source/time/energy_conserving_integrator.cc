@@ -26,6 +26,7 @@ namespace ThermoContact
       set_equal(to.displacement, from.displacement);
       set_equal(to.velocity, from.velocity);
       to.time                 = from.time;
+      to.load_time            = from.load_time;
       to.jump_time            = from.jump_time;
       to.contact_pressure     = from.contact_pressure;
       to.exchange_coefficient = from.exchange_coefficient;

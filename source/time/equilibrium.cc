@@ -31,22 +31,19 @@ namespace ThermoContact
           return;
         // a stage without length has bM_u, one of length 1 without inertia the
         // sum of elastic and viscous stiffness
-        factors =
+        auto made =
           std::make_unique<DirectSolver>(body.equations.momentum_stage_matrix(
             kind == Matrix::inertia ? 0. : 1.));
         ++counters.factorizations;
-        if (!body.law().is_active())
-          return;
-        const ContactEnd<dim> &end = body.contact_end();
-        Vector unit_load = body.discretization.make_vector(Field::displacement);
-        receptance =
-          end.response_matrix([&](const unsigned int node) -> const Vector & {
-            end.set_load_of_node(Field::displacement, node, 1., unit_load);
-            Vector &response = unit_responses.emplace_back(unit_load);
-            factors->solve(response, unit_load);
-            ++counters.responses;
-            return response;
-          });
+        if (body.law().is_active())
+          make_responses(*made);
+        factors = std::move(made);
+      }
+
+      bool
+      is_provided() const override
+      {
+        return factors != nullptr;
       }
 
       void
@@ -82,6 +79,22 @@ namespace ThermoContact
       std::unique_ptr<DirectSolver> factors;
       std::vector<Vector>           unit_responses; ///< to pressures
       FullMatrix<double>            receptance;     ///< of the contact nodes
+
+      void
+      make_responses(DirectSolver &made)
+      {
+        const ContactEnd<dim> &end = body.contact_end();
+        Vector unit_load = body.discretization.make_vector(Field::displacement);
+        unit_responses.clear();
+        receptance =
+          end.response_matrix([&](const unsigned int node) -> const Vector & {
+            end.set_load_of_node(Field::displacement, node, 1., unit_load);
+            Vector &response = unit_responses.emplace_back(unit_load);
+            made.solve(response, unit_load);
+            ++counters.responses;
+            return response;
+          });
+      }
     };
 
 
@@ -106,6 +119,12 @@ namespace ThermoContact
           solver = std::make_unique<IterativeSolver<dim>>(body);
       }
 
+      bool
+      is_provided() const override
+      {
+        return solver != nullptr;
+      }
+
       void
       solve(const Vector               *forces,
             const std::vector<NodeLaw> &laws,
@@ -114,6 +133,9 @@ namespace ThermoContact
             Vector                     &y,
             std::vector<double>        &pressure) override
       {
+        // in x/c laws are the same if they are rigid, or linear with c = 1
+        Assert(forces != nullptr && (factor == 1. || body.law().is_rigid()),
+               dealii::ExcInternalError());
         provide();
         solver->restore({});
         std::vector<double> start(position);

@@ -128,13 +128,17 @@ namespace ThermoContact
     /**
      * The velocity of the obstacle may jump where the step that was accepted
      * last ends: an impact, if a rigid one gets faster towards the nodes with
-     * mass that are in contact with it; a release, if it gets slower.
+     * mass that are in contact with it; a release, if it gets slower. Viscous
+     * nodes get the velocities and pressures with which they follow, or not.
      *
      * @param at where the step ends
      * @param result in, out: of the step, whose costs are added
+     * @param events in, out: of nodes that do not follow
      */
     void
-    pass_slope_discontinuity(const LoadBreak &at, StepResult &result);
+    pass_slope_discontinuity(const LoadBreak           &at,
+                             StepResult                &result,
+                             std::vector<ContactEvent> &events);
 
     /** What changes during a run, for checkpoints; after accept(). */
     template <class Archive>
@@ -145,21 +149,13 @@ namespace ThermoContact
     }
 
   private:
-    /** A state after an impact at its time, and what that has cost. */
-    struct Impacted
-    {
-      State       state;
-      EnergyTerms energy;
-      ResetCost   cost;
-    };
-
-    const Body<dim>        &body;
-    Reset<dim>             &reset;
-    EventLocator            locator;
-    EventLocator::Finding   finding;   ///< of the step that was judged last
-    ContactValues           next;      ///< at its end
-    std::optional<Impacted> impacted;  ///< at its start
-    unsigned int            n_retakes; ///< to the next event
+    const Body<dim>          &body;
+    Reset<dim>               &reset;
+    EventLocator              locator;
+    EventLocator::Finding     finding;   ///< of the step that was judged last
+    ContactValues             next;      ///< at its end
+    std::optional<StepResult> impacted;  ///< by an impact at its start
+    unsigned int              n_retakes; ///< to the next event
 
     void
     get_values(const State &state, ContactValues &values) const;
@@ -170,10 +166,6 @@ namespace ThermoContact
 
     ContactVerdict
     leave_to_law();
-
-    /** Adds what impacts have cost to a step. */
-    static void
-    book(const ResetCost &cost, StepResult &result);
   };
 } // namespace ThermoContact
 

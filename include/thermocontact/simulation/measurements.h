@@ -96,11 +96,9 @@ namespace ThermoContact
     /**
      * Fills the members of @p record that are functions of @p state alone: the
      * end and mid values, gap, penetration, force, heat flux, mean temperature.
-     *
-     * @param load_time at which sources are looked at
      */
     void
-    measure(const State &state, const double load_time, StepRecord &record);
+    measure(const State &state, StepRecord &record);
 
   private:
     Body<dim> &body;

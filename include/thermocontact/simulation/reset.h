@@ -17,32 +17,14 @@
 
 namespace ThermoContact
 {
-  /** What a reset costs, per unit cross-section. */
-  struct ResetCost
-  {
-    double impulse               = 0.;
-    double work                  = 0.; ///< of an obstacle that moves
-    double numerical_dissipation = 0.;
-
-    ResetCost &
-    operator+=(const ResetCost &other)
-    {
-      impulse += other.impulse;
-      work += other.work;
-      numerical_dissipation += other.numerical_dissipation;
-      return *this;
-    }
-  };
-
-
-
   /**
    * The reset map $x^+=R(x^-)$ of the hybrid system: what a state becomes where
    * contact begins or ends, where inputs have a discontinuity, and at the
-   * start. Everywhere forces are in equilibrium, $Ky+Np=r$, with the laws of
-   * the contact nodes; what y is follows from the order of the equation at the
-   * nodes: an impulse changes the velocity of inertial ones, viscous ones get a
-   * velocity, static ones a place.
+   * start, doc/contact-in-time.md section 4. Everywhere forces are in
+   * equilibrium, $Ky+Np=r$, with the laws of the contact nodes; what y is
+   * follows from the order of the equation at the nodes: an impulse changes the
+   * velocity of inertial ones, viscous ones get a velocity, static ones a
+   * place.
    */
   template <int dim>
   class Reset
@@ -68,17 +50,16 @@ namespace ThermoContact
     complete(State &state);
 
     /**
-     * True if a discontinuity of the loads changes a state at once: moves a
-     * body without inertia and viscosity or contact nodes in equilibrium, gives
-     * a body without inertia another velocity, or the fixed end another
-     * temperature.
+     * True if a body or its contact nodes answer a discontinuity of the loads
+     * by motion: without inertia and viscosity they go to another place, a body
+     * without inertia gets another velocity.
      */
     bool
-    responds_to_discontinuities() const;
+    moves_at_once() const;
 
     /**
      * The state behind a discontinuity of the loads at the end of a step,
-     * doc/contact-in-time.md section 7: the fixed end takes its new
+     * doc/contact-in-time.md section 4: the fixed end takes its new
      * temperature, with the heat for that, (C4.5); what is static goes to its
      * equilibrium with the new loads, with the contact law, and takes heat for
      * it, (C4.4); a body with viscosity and without inertia stays and gets the
@@ -96,8 +77,8 @@ namespace ThermoContact
      *   dissipation are added to, and all else, closed_nodes too, is still that
      *   of the step
      * @return false if fixed end and loads of the momentum equation are
-     *   continuous there, as at a time that is only listed; then nothing is
-     *   changed
+     *   continuous there, as at a time that is only listed, or move nothing;
+     *   then nothing is changed
      * @throw ComputationError if the new equilibrium is not found
      */
     bool
@@ -114,20 +95,24 @@ namespace ThermoContact
      * away: contact changes at all nodes together. Nodes without mass need no
      * impulse.
      *
-     * @param energy_terms out: of the new state
-     * @param cost what the impact costs is added
+     * @param result state and energy become those behind it; impulse, work of
+     *   an obstacle that moves and numerical dissipation are added to
      * @throw ComputationError if the mass matrix cannot be factorised
      */
     void
-    impact(State &state, EnergyTerms &energy_terms, ResetCost &cost);
+    impact(StepResult &result);
 
     /**
-     * Pressures and velocities at the end of a step within which nodes without
-     * mass closed at a rigid obstacle: those of the stages stand for the jump
-     * of the velocity there and have its impulse, (C4.2).
+     * Velocities and pressures of viscous nodes where nothing else has jumped:
+     * at a rigid obstacle, (C4.2) or without inertia (D5.2); at a damped one
+     * whose velocity has jumped those of (M4.2). Else nothing changes: the
+     * pressures of an elastic obstacle follow from displacements, and a body
+     * that is in equilibrium at all times follows by its velocity.
+     *
+     * @param is_closed nodes in contact
      */
     void
-    settle_closed_nodes(StepResult &result);
+    settle_velocities(const std::vector<bool> &is_closed, State &state);
 
     /**
      * The pressures become those with which nodes with mass that a rigid
@@ -138,15 +123,6 @@ namespace ThermoContact
      */
     void
     set_pressures_of_acceleration(State &state);
-
-    /**
-     * The pressures of a damped obstacle whose velocity has jumped, (M4.2): a
-     * body with inertia goes on as it was, one without it gets the velocity of
-     * (D5.2). Not of a body that is in equilibrium at all times: its pressures
-     * do not jump, the velocity does by which it follows.
-     */
-    void
-    set_pressures_of_velocity(State &state);
 
     /**
      * Pressures of a step that is accepted: none pulls, and where contact
@@ -170,12 +146,16 @@ namespace ThermoContact
       return counters_;
     }
 
+    /** What is factorised, in the order of the members. */
+    std::vector<bool>
+    retained() const;
+
     /**
-     * Makes again what was kept and goes on counting from there, for a run that
-     * goes on, whose initial state has been made. Collective.
+     * Makes that again and goes on counting from there, for a run that goes on,
+     * whose initial state has been made. Collective.
      */
     void
-    restore(const SolverCounters &counters);
+    restore(const std::vector<bool> &retained, const SolverCounters &counters);
 
   private:
     using Nodes = std::unique_ptr<NodeEquilibrium<dim>>;
@@ -196,7 +176,15 @@ namespace ThermoContact
     mutable std::vector<NodeLaw> node_laws;
     mutable std::vector<double>  node_positions;
 
-    /** Loads at the time of a state. */
+    /** $M$, made when it is needed. */
+    const HeatMass<dim> &
+    provide_heat_mass();
+
+    /** $S_{NN}$ with the heat of the motion, likewise. */
+    NodeEquilibrium<dim> &
+    provide_adiabatic_nodes();
+
+    /** The loads that act on a state. */
     Vector
     momentum_load(const State &state) const;
 
@@ -244,9 +232,16 @@ namespace ThermoContact
     double
     heat_fixed_end(const double rise, State &state);
 
-    /** (C4.4) of static nodes alone; returns the work of the loads. */
-    double
+    /** (C4.4) of static nodes alone. */
+    void
     move_static_nodes(State &state);
+
+    /**
+     * The energy of the state anew; what the loads did and it does not have is
+     * numerical dissipation.
+     */
+    void
+    book(const double work, StepResult &result) const;
 
     /** (C4.4) of a static body, in a short stage; likewise. */
     double

@@ -35,25 +35,25 @@ namespace ThermoContact
    * calls observers, which read the state from here.
    *
    * The body moves as a hybrid system: smoothly as long as contact stays as it
-   * is, while an event, where contact begins or ends, may change its velocity
-   * at once. A step goes from $x$ at time $t$ to $x'$ at $t'$; $m$ is the state
-   * of contact that it supposes (open, closed, or the law in every stage),
-   * and $x^+=I(x)$ what an impact on a rigid obstacle makes of $x$.
+   * is and inputs are smooth; where contact begins or ends, or an input has a
+   * discontinuity, what its order does not hold changes at once, by the reset
+   * $R$ (Reset). A step goes from $x$ at time $t$ to $x'$ at $t'$; $m$ is the
+   * state of contact that it supposes (open, closed, or the law in every
+   * stage).
    * @code
    * propose t'; x^+ = x
    * repeat
    *   x' = integrate x^+ from t to t' with m held
    *   not solved, or too large an error:       t' = something smaller
-   *   contact changes at t:                    m = the other; x^+ = I(x)
+   *   contact changes at t:                    m = the other; x^+ = R(x)
    *     but not at all nodes together:         m = the law
-   *     and at once back again:                m = the law;   x^+ = x
+   *     and at once back again:                m = open;      x^+ = R(x)
+   *       and again:                           m = the law;   x^+ = R(x)
    *   contact changes at s between t and t':   t' = s
    *     and s was missed too often:            m = the law
-   *   contact changes at t':                   x' = I(x'); m = the other; done
-   *     where nodes are static:                x' = their equilibrium
-   *   loads jump at t':                        x' = what is in equilibrium with
-   *                                            the new ones; done
+   *   contact changes at t':                   m = the other; x' = R(x'); done
    *   contact stays as m says:                 done
+   * an input has a discontinuity at t':        x' = R(x'); m as contact then is
    * x = x'; t = t'
    * @endcode
    * Until it is done nothing that was accepted changes.
@@ -82,7 +82,9 @@ namespace ThermoContact
      *
      * @param observers called in this order at the initial state and after
      *   each step
-     * @throw ComputationError naming step and time if a step cannot be solved
+     * @throw ComputationError naming step and time if a step cannot be solved,
+     *   the time alone if the state that was restored lies at a discontinuity
+     *   and what is behind it is not found
      */
     void
     run(const Observers &observers = {});
@@ -212,6 +214,9 @@ namespace ThermoContact
     StepResult                            result; ///< of the present attempt
     bool                                  is_restored = false;
 
+    /** The last discontinuity of inputs that the state has passed. */
+    double passed_break = -1.;
+
     void
     set_initial_state();
 
@@ -260,39 +265,49 @@ namespace ThermoContact
      * A step that is to be accepted is finished: with what events and
      * discontinuities of inputs at its end make of its state.
      *
+     * @return the discontinuity that was passed, or nullptr
      * @throw ComputationError naming step and time if that cannot be found
      */
-    void
+    const LoadBreak *
     commit(const TimeStep &time_step, StepResult &result);
 
     /** $g'$ at the first contact node; NaN where it may have a jump. */
     double
     gap_rate() const;
 
-    /** Where loads may jump and move something at once, or nullptr. */
+    /**
+     * The state behind a discontinuity of inputs at the end of a step that is
+     * accepted; its failure stands in @p result.
+     *
+     * @return the discontinuity, or nullptr
+     */
     const LoadBreak *
-    jump_at(const double time) const;
-
-    /** Time of the loads in the present state: after a jump that moves it. */
-    double
-    load_time() const;
+    pass_break(StepResult &result);
 
     /**
-     * What such a jump does at the end of a step that is accepted, if there is
-     * one.
+     * The same in the state that was restored, if the run that was saved did
+     * not see the discontinuity there, since it was to end there.
      *
-     * @return true if it changes the state
      * @throw ComputationError that says where
      */
-    bool
-    jump(StepResult &result);
+    void
+    make_up_for_break();
 
     /**
-     * The same in the state that was restored, if loads jump there and the run
-     * that was saved did not see it, since it was to end there.
+     * Sizes of steps start again behind a jump of inputs, and where the state
+     * of contact is another one.
      */
     void
-    make_up_for_jump();
+    restart_controller(const ContactMode      old_mode,
+                       const LoadBreak *const passed);
+
+    /**
+     * Does something that may fail on one rank alone: all take its failure, and
+     * the sums of rank 0. Collective.
+     */
+    template <class Action>
+    void
+    together(StepResult &result, const Action &action) const;
 
     /**
      * The step failed: the next attempt is smaller.

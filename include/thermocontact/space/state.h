@@ -42,6 +42,12 @@ namespace ThermoContact
      */
     std::vector<double> known_penetration;
 
+    /**
+     * Time of the loads that act on it: its own, but beside a discontinuity of
+     * theirs the last one before it or the first one behind it.
+     */
+    double load_time = 0.;
+
     /** Time at which a jump of the loads moved it last; negative: none did. */
     double jump_time = -1.;
 
@@ -60,6 +66,7 @@ namespace ThermoContact
     swap(State &other)
     {
       std::swap(time, other.time);
+      std::swap(load_time, other.load_time);
       std::swap(jump_time, other.jump_time);
       temperature.swap(other.temperature);
       displacement.swap(other.displacement);
@@ -76,7 +83,7 @@ namespace ThermoContact
     serialize(Archive &archive, const unsigned int)
     {
       archive &time &contact_pressure &exchange_coefficient &gap &gap_rate
-        &jump_time;
+        &load_time &jump_time;
     }
   };
 } // namespace ThermoContact

@@ -36,6 +36,9 @@ namespace ThermoContact
     virtual void
     provide() = 0;
 
+    virtual bool
+    is_provided() const = 0;
+
     /**
      * @param forces $r$, constrained rows are zero; null: there are none
      * @param laws,position of the contact nodes, $x$; empty: no contact
