@@ -15,9 +15,10 @@ namespace ThermoContact
     make_tableau(const std::string                      &name,
                  const unsigned int                      order,
                  const std::vector<std::vector<double>> &a,
-                 const std::vector<double>              &embedded_b = {})
+                 const std::vector<double>              &embedded_b = {},
+                 const std::vector<double>              &static_b   = {})
     {
-      ButcherTableau tableau{name, order, a, {}, embedded_b};
+      ButcherTableau tableau{name, order, a, {}, embedded_b, static_b};
       for (const std::vector<double> &row : a)
         {
           double sum = 0.;
@@ -56,6 +57,7 @@ namespace ThermoContact
                            {(-6. * gamma * gamma + 16. * gamma - 1.) / 4.,
                             (6. * gamma * gamma - 20. * gamma + 5.) / 4.,
                             gamma}},
+                          {1. - embedded, embedded, 0.},
                           {1. - embedded, embedded, 0.});
     }
 
@@ -72,7 +74,8 @@ namespace ThermoContact
          {17. / 50., -1. / 25., 1. / 4.},
          {371. / 1360., -137. / 2720., 15. / 544., 1. / 4.},
          {25. / 24., -49. / 48., 125. / 16., -85. / 12., 1. / 4.}},
-        {59. / 48., -17. / 96., 225. / 32., -85. / 12., 0.});
+        {59. / 48., -17. / 96., 225. / 32., -85. / 12., 0.},
+        {47. / 44., 119. / 88., -125. / 88., 0., 0.});
     }
   } // namespace
 

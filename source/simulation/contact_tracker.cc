@@ -212,6 +212,9 @@ namespace ThermoContact
         get_values(result.state, next);
       }
     locator.accept(next, finding, events);
+    if (!events.empty()) // it may have been extrapolated
+      events.back().time =
+        std::min(events.back().time, body.scene.parameters.time.end_time);
     n_retakes = 0;
     reset.finish_pressure(mode, finding, result);
     const bool is_impact = body.law().is_rigid() &&

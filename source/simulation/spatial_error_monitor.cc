@@ -179,9 +179,17 @@ namespace ThermoContact
     if (cell_sizes.empty())
       return;
     const EnergyTerms &energy = record.energy_terms;
-    max_thermal               = std::max(max_thermal, 2. * energy.thermal);
-    max_mechanical =
-      std::max(max_mechanical, 2. * std::max(energy.elastic, energy.kinetic));
+    // what is below the rounding of the values themselves is none
+    const auto rounding = [](const double value) {
+      const double size = Tolerances::rounding_of_solution * value;
+      return size * size;
+    };
+    max_thermal = std::max(
+      {max_thermal, 2. * energy.thermal, rounding(record.temperature_mean)});
+    max_mechanical = std::max({max_mechanical,
+                               2. * energy.elastic,
+                               2. * energy.kinetic,
+                               rounding(record.displacement_end)});
     time_skipped += record.step_size;
     if (++n_steps > n_first_samples && n_steps % stride != 0)
       return;

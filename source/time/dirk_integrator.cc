@@ -259,17 +259,24 @@ namespace ThermoContact
     set_zero(difference.temperature);
     set_zero(difference.displacement);
     set_zero(difference.velocity);
+    const bool is_static =
+      body.scene.fields.has_displacement && body.scene.material.is_static();
+    const auto &of_motion = is_static ? tableau->static_b : tableau->embedded_b;
+    const auto &of_heat =
+      body.equations.is_coupled() ? of_motion : tableau->embedded_b;
     for (std::vector<Multiple> &sum : rate_sums)
       sum.clear();
+    const auto add =
+      [&](const unsigned int sum, const double difference, const Vector &rate) {
+        if (difference != 0.)
+          rate_sums[sum].push_back({step_size * difference, &rate});
+      };
     for (unsigned int i = 0; i < tableau->n_stages(); ++i)
       {
-        const double factor =
-          step_size * (tableau->b()[i] - tableau->embedded_b[i]);
-        if (factor == 0.)
-          continue;
-        rate_sums[0].push_back({factor, &stages[i].temperature_rate});
-        rate_sums[1].push_back({factor, &stages[i].velocity});
-        rate_sums[2].push_back({factor, &accelerations[i]});
+        const double b = tableau->b()[i];
+        add(0, b - of_heat[i], stages[i].temperature_rate);
+        add(1, b - of_motion[i], stages[i].velocity);
+        add(2, b - of_motion[i], accelerations[i]);
       }
     const auto add_sum = [](Vector &vector, const std::vector<Multiple> &sum) {
       set_sum(vector, vector, sum.data(), sum.size());

@@ -26,6 +26,13 @@ namespace ThermoContact
     /** Weights of the embedded scheme of order - 1; empty if there is none. */
     std::vector<double> embedded_b;
 
+    /**
+     * Those for a body without inertia and viscosity, which follows its loads
+     * at once: of order 2, and for what has no equation of its own the
+     * extrapolation of the old value and the first stages, of order - 1.
+     */
+    std::vector<double> static_b;
+
     bool
     has_error_estimate() const
     {
