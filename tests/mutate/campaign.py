@@ -261,10 +261,8 @@ def tests_of(tree, costs, regex):
 
 def targets_of(tests):
     """What has to be built for the tests."""
-    programs = {match[1] or f"{match[2]}.{match[3]}" for test in tests
-                for command in test.commands for word in command
-                if (match := re.search(
-                    r"/tests/(?:\w+/(\w+_tests)|(\w+)/(?:\w+)\.\w+/(\w+\.\w+))$", word))}
+    programs = {match[1] for test in tests for command in test.commands
+                for word in command if (match := re.search(r"/tests/\w+/(\w+_tests)$", word))}
     return sorted(programs)
 
 
