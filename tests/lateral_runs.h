@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "overrides.h"
+#include "row_checks.h"
 #include "tests.h"
 
 namespace ThermoContact
@@ -45,58 +46,10 @@ namespace ThermoContact
   }
 
 
-  constexpr unsigned int n_columns = 20;
-
-  /** Those of all_columns(), and the two of the lateral exchange. */
-  inline double
-  column(const StepRecord &r, const unsigned int i)
-  {
-    const auto all = all_columns(r);
-    return i < all.size()  ? all[i] :
-           i == all.size() ? r.lateral_heat_flux :
-                             r.lateral_dissipation;
-  }
-
-
-
-  using Columns = std::vector<std::vector<double>>;
-
-  inline Columns
-  table(const std::vector<StepRecord> &rows)
-  {
-    Columns result(n_columns);
-    for (const StepRecord &r : rows)
-      for (unsigned int i = 0; i < n_columns; ++i)
-        result[i].push_back(column(r, i));
-    return result;
-  }
-
-
-
-  /** Largest difference of a column relative to its largest value, or 0.1. */
-  inline double
-  difference(const Columns &a, const Columns &b)
-  {
-    double result = 0.;
-    for (unsigned int i = 0; i < n_columns; ++i)
-      {
-        double change = a[i].size() == b[i].size() ? 0. : 1., scale = 0.1;
-        for (unsigned int j = 0; j < std::min(a[i].size(), b[i].size()); ++j)
-          {
-            raise(change, std::abs(a[i][j] - b[i][j]));
-            raise(scale, std::abs(a[i][j]));
-          }
-        raise(result, change / scale);
-      }
-    return result;
-  }
-
-
-
   inline double
   difference(const std::vector<StepRecord> &a, const std::vector<StepRecord> &b)
   {
-    return difference(table(a), table(b));
+    return difference(table_of(a), table_of(b));
   }
 
 

@@ -17,7 +17,7 @@ namespace ThermoContact
   {
     using Values = std::vector<double>;
 
-    constexpr unsigned int max_iterations = 50;
+    constexpr unsigned int max_newton_steps = 50;
 
 
 
@@ -222,7 +222,7 @@ namespace ThermoContact
       return residual.linfty_norm();
     };
     double norm = evaluate(pressure);
-    for (unsigned int iteration = 1; iteration <= max_iterations; ++iteration)
+    for (unsigned int iteration = 1; iteration <= max_newton_steps; ++iteration)
       {
         if (norm <= Tolerances::rounding_of_sum *
                       std::max(largest_entry(pressure), largest_entry(mean)))

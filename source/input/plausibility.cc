@@ -17,7 +17,7 @@ namespace ThermoContact
 {
   namespace
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
 
     /** The range of a quantity, and the unit of numbers that are not in it. */
     struct Range
@@ -30,18 +30,18 @@ namespace ThermoContact
     // softer than rubber, heavier than osmium, colder than any rod but in a
     // cryostat
     const Range ranges[] = {
-      {"Boundary/Ambient temperature", 150., infinity, "degC"},
-      {"Boundary/Fixed end temperature", 150., infinity, "degC"},
-      {"Boundary/Obstacle temperature", 150., infinity, "degC"},
-      {"Initial values/Temperature", 150., infinity, "degC"},
-      {"Rod/Density", 20., infinity, "g/cm^3"},
+      {"Boundary/Ambient temperature", 150., unbounded, "degC"},
+      {"Boundary/Fixed end temperature", 150., unbounded, "degC"},
+      {"Boundary/Obstacle temperature", 150., unbounded, "degC"},
+      {"Initial values/Temperature", 150., unbounded, "degC"},
+      {"Rod/Density", 20., unbounded, "g/cm^3"},
       {"Rod/Density", 0., 3e4, "g/m^3"},
-      {"Rod/Heat capacity", 10., infinity, "kJ/(kg K)"},
+      {"Rod/Heat capacity", 10., unbounded, "kJ/(kg K)"},
       {"Rod/Length", 0., 100., "mm"},
       {"Rod/Linear expansion", -1e-3, 1e-3, "um/(m K)"},
-      {"Rod/Reference temperature", 150., infinity, "degC"},
-      {"Rod/Young's modulus", 1e4, infinity, "GPa"},
-      {"Rod/Young's modulus", 1e8, infinity, "MPa"}};
+      {"Rod/Reference temperature", 150., unbounded, "degC"},
+      {"Rod/Young's modulus", 1e4, unbounded, "GPa"},
+      {"Rod/Young's modulus", 1e8, unbounded, "MPa"}};
 
     /** Lengths of a rod over its thickness, and stiffnesses over its own. */
     constexpr double most_slender = 1e3, stiffest = 1e4;
@@ -146,7 +146,7 @@ namespace ThermoContact
           split && split->unit.empty() &&
           !(split->number >= range.low && split->number <= range.high);
         if (const double first = split || std::string(range.unit) != "degC" ?
-                                   infinity :
+                                   unbounded :
                                    first_temperature(assignments, *last);
             first < range.low)
           doubts.push_back(

@@ -33,7 +33,7 @@ namespace ThermoContact
 
     /** That of SpaceTimeLayout::head(); @p file is not good if there is none. */
     SpaceTimeLayout
-    read_head(std::istream &file)
+    read_layout(std::istream &file)
     {
       SpaceTimeLayout     layout;
       std::vector<double> numbers(4);
@@ -168,7 +168,7 @@ namespace ThermoContact
   {
     namespace fs = std::filesystem;
     std::ifstream         columns(columns_path, std::ios::binary);
-    const SpaceTimeLayout layout = read_head(columns);
+    const SpaceTimeLayout layout = read_layout(columns);
     if (!columns)
       return columns_path + ": cannot be read";
 

@@ -146,11 +146,14 @@ namespace ThermoContact
 
 
 
-    /** Rows @p begin to @p end of @p n sums at once. */
+    /**
+     * Rows @p begin to @p end of @p n sums at once. An index as wide as a
+     * pointer: one that may wrap makes the compiler gather values one by one.
+     */
     template <std::size_t n, bool has_base>
     void
-    set_linear_rows(const unsigned int              begin,
-                    const unsigned int              end,
+    set_linear_rows(const std::size_t               begin,
+                    const std::size_t               end,
                     const std::array<LinearRow, n> &rows,
                     const double                    factor,
                     const double *__restrict__ base,
@@ -164,7 +167,7 @@ namespace ThermoContact
       const double *__restrict__ v = b.x;
       const double *__restrict__ w = c.x;
 #pragma omp simd
-      for (unsigned int i = begin; i < end; ++i)
+      for (std::size_t i = begin; i < end; ++i)
         {
           double sum = has_base ? factor * base[i] : 0.;
           sum += a.left * x[i - 1] + a.middle * x[i] + a.right * x[i + 1];
@@ -309,7 +312,8 @@ namespace ThermoContact
      * $\sum x\cdot Ax$ over the linear cells of a run. A stiffness is a sum of
      * squares of differences, the mass of one point to a cell of sums: as such
      * the energy of a displacement that is large beside its strain, or of a
-     * velocity that alternates, keeps its digits.
+     * velocity that alternates, keeps its digits. Indices are as wide as those
+     * of set_linear_rows().
      */
     template <typename Value>
     double
@@ -322,7 +326,7 @@ namespace ThermoContact
       if (std::max(std::abs(LL - size), std::abs(RR - size)) <= rounding * size)
         {
 #pragma omp simd reduction(+ : sum)
-          for (unsigned int i = run.begin; i < run.end; ++i)
+          for (std::size_t i = run.begin; i < run.end; ++i)
             {
               const double joint = x(i + 1) + sign * x(i);
               sum += joint * joint;
@@ -330,7 +334,7 @@ namespace ThermoContact
           return size * sum;
         }
 #pragma omp simd reduction(+ : sum)
-      for (unsigned int i = run.begin; i < run.end; ++i)
+      for (std::size_t i = run.begin; i < run.end; ++i)
         {
           const double left = x(i), right = x(i + 1);
           sum += right * (RR * right + LR_RL * left) + LL * left * left;
@@ -414,7 +418,7 @@ namespace ThermoContact
   double
   RodMatrices::form(const Matrix matrix, const double *x) const
   {
-    return sum_of_forms(*this, matrix, [x](const unsigned int i) {
+    return sum_of_forms(*this, matrix, [x](const std::size_t i) {
       return x[i];
     });
   }
@@ -426,7 +430,7 @@ namespace ThermoContact
                                   const double *x,
                                   const double *y) const
   {
-    return sum_of_forms(*this, matrix, [x, y](const unsigned int i) {
+    return sum_of_forms(*this, matrix, [x, y](const std::size_t i) {
       return x[i] - y[i];
     });
   }

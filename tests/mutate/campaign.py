@@ -21,10 +21,10 @@ from operators import Source
 ENCODING = "latin-1"  # a character to a byte: libclang counts bytes
 LEFT_OUT = {".git", "build", "results", "__pycache__"}
 # They read texts of the project, which the faults change, not the program.
-READERS = re.compile(r"app/driver$|documents/(links|paths|rooms|site)$")
-FIRST_HEADER = Path("source/precompiled.h")
+READERS = re.compile(r"(app|unit|verification)/build$|documents/(links|paths|rooms|site)$")
 LONGEST = 1800  # seconds
-SWITCH = """
+SWITCH_HEADER = Path("include/fault_switch.h")  # of the copy
+SWITCH = """#pragma once
 #include <cstdlib>
 #include <fcntl.h>
 #include <string>
@@ -65,18 +65,16 @@ class Failure(Exception):
 
 def copy_project(top, copy):
     """Files that are the same stay as they are, so that only what has changed is
-    built; all headers see the switch."""
-    wanted = set()
+    built."""
+    wanted = {SWITCH_HEADER}
+    write(copy / SWITCH_HEADER, SWITCH.encode())
     for directory, folders, names in os.walk(top):
         folders[:] = sorted(set(folders) - LEFT_OUT)
         for name in names:
             path = Path(directory) / name
             place = path.relative_to(top)
             wanted.add(place)
-            content = path.read_bytes()
-            if place == FIRST_HEADER:
-                content += SWITCH.encode()
-            write(copy / place, content)
+            write(copy / place, path.read_bytes())
             shutil.copymode(path, copy / place)
     for path in sorted(copy.rglob("*")):
         if path.is_file() and path.relative_to(copy) not in wanted:
@@ -142,7 +140,7 @@ def apply(text, faults):
     for begin, end, new, number in sorted(edits, reverse=True):
         new = new.replace("FAULT", f"ThermoContactFaults::is_on({number})")
         text = text[:begin] + new + text[end:]
-    return text
+    return f"#include <{SWITCH_HEADER.name}>\n{text}" if edits else text
 
 
 def equivalents(path):
@@ -263,10 +261,11 @@ def tests_of(tree, costs, regex):
 
 def targets_of(tests):
     """What has to be built for the tests."""
-    programs = {Path(word) for test in tests for command in test.commands
-                for word in command
-                if re.search(r"/tests/\w+/(\w+)\.\w+/\1\.\w+$", word)}
-    return sorted(f"{path.parent.parent.name}.{path.name}" for path in programs)
+    programs = {match[1] or f"{match[2]}.{match[3]}" for test in tests
+                for command in test.commands for word in command
+                if (match := re.search(
+                    r"/tests/(?:\w+/(\w+_tests)|(\w+)/(?:\w+)\.\w+/(\w+\.\w+))$", word))}
+    return sorted(programs)
 
 
 def try_faults(faults, tests, costs):

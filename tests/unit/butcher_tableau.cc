@@ -118,8 +118,8 @@ namespace
 
 
 
-int
-main()
+void
+main_butcher_tableau()
 {
   initlog();
   for (const ButcherTableau &t : butcher_tableaus())

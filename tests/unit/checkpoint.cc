@@ -272,10 +272,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_checkpoint()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (rank() == 0)
     {
       initlog();

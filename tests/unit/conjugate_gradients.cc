@@ -54,8 +54,8 @@ namespace
 
 
 
-int
-main()
+void
+main_conjugate_gradients()
 {
   initlog();
   deallog << "5 steps: exact " << within(largest_error(5), 1e-12) << std::endl;

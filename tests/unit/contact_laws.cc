@@ -153,8 +153,8 @@ namespace
 
 
 
-int
-main()
+void
+main_contact_laws()
 {
   initlog();
   test_laws();

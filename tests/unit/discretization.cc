@@ -328,10 +328,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_discretization()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   for (const unsigned int degree : {1, 3})
     {

@@ -373,8 +373,8 @@ namespace
 
 
 
-int
-main()
+void
+main_event_locator()
 {
   initlog();
   test_cubic();

@@ -259,8 +259,8 @@ namespace
 
 
 
-int
-main()
+void
+main_expression()
 {
   initlog();
   test_names();

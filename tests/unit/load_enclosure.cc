@@ -342,8 +342,8 @@ namespace
 
 
 
-int
-main()
+void
+main_load_enclosure()
 {
   initlog();
   check_breaks();

@@ -128,8 +128,8 @@ namespace
 
 
 
-int
-main()
+void
+main_load_history()
 {
   initlog();
   test_together();

@@ -292,10 +292,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_matrix_free()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   for (const unsigned int degree : {1, 2, 4})
     {

@@ -258,8 +258,8 @@ namespace
 
 
 
-int
-main()
+void
+main_number_text()
 {
   initlog();
   test_known_numbers();

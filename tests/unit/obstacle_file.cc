@@ -36,10 +36,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_obstacle_file()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   Parameters           parameters = read_parameters("",
                                           {"Dimension=2",

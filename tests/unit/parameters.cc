@@ -152,8 +152,8 @@ namespace
 
 
 
-int
-main()
+void
+main_parameters()
 {
   initlog();
   test_files();

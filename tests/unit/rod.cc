@@ -218,8 +218,8 @@ namespace
 
 
 
-int
-main()
+void
+main_rod()
 {
   initlog();
   test_products();

@@ -153,8 +153,8 @@ namespace
 
 
 
-int
-main()
+void
+main_rod_factors()
 {
   initlog();
   test_systems();

@@ -37,8 +37,8 @@ namespace
 
 
 
-int
-main()
+void
+main_rod_forms()
 {
   initlog();
   check(-1.);

@@ -180,10 +180,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_state_serialiser()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     initlog();
   const std::vector<std::string> graded = {"Mesh/Cells=3",

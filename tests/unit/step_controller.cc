@@ -233,8 +233,8 @@ namespace
 
 
 
-int
-main()
+void
+main_step_controller()
 {
   initlog();
   test_ladder();

@@ -55,8 +55,8 @@ namespace
 
 
 
-int
-main()
+void
+main_table()
 {
   initlog();
   std::ofstream("force.csv") << "# measured\ntime, force\n0, 2\n1, 4\n3, 0\n";

@@ -159,8 +159,8 @@ namespace
 
 
 
-int
-main()
+void
+main_trajectory()
 {
   initlog();
   test_interpolation();

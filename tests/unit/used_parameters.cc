@@ -13,11 +13,10 @@
 
 using namespace ThermoContact;
 
-int
-main(int argc, char **argv)
+void
+main_used_parameters()
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const MPI_Comm                           communicator = MPI_COMM_WORLD;
+  const MPI_Comm communicator = MPI_COMM_WORLD;
 
   Parameters               parameters;
   dealii::ParameterHandler prm;
@@ -30,7 +29,7 @@ main(int argc, char **argv)
   const unsigned int n_changed =
     dealii::Utilities::MPI::sum(before == after ? 0u : 1u, communicator);
   if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
-    return 0;
+    return;
   initlog();
   deallog << "ranks with a changed entry " << n_changed << std::endl;
   std::istringstream text(read_text("used.prm"));

@@ -121,10 +121,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_accuracy_cost()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   const Rows table = read_table();
 

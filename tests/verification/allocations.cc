@@ -116,10 +116,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_allocations()
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   {
     // the allocator is replaced

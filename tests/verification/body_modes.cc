@@ -225,10 +225,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_body_modes()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_shear_mode("off", "2", "10");
   check_shear_mode("automatic", "16", "8");

@@ -235,10 +235,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_body_solutions()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_full_contact();
   check_dundurs();

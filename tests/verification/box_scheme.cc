@@ -217,10 +217,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_box_scheme()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   for (const double inertia : {0.01, 1., 4.})
     for (const double compliance : {0., 0.1, 0.01, 1e-6})

@@ -117,10 +117,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_coarse_solver()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   const Scene                      scene(large_strip());
   const Body<2>                    body(scene, MPI_COMM_WORLD);

@@ -241,10 +241,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_contact_events()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   for (const unsigned int experiment : {1, 2, 5})
     test_random_gaps(experiment);

@@ -206,10 +206,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_contact_orders()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   const std::array<TestCase, 2> scenes = {
     {{1, 0.01, {{0.16, 0.48, 1.4, 2.}}, {{false, true, false, false}}},

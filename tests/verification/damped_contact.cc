@@ -257,10 +257,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_damped_contact()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_references();
   check_orders();

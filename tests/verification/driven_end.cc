@@ -355,10 +355,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_driven_end()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_periodic_heat();
   check_shaken_base();

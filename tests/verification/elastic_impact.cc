@@ -264,10 +264,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_elastic_impact()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   test_rigid();
   test_compliance();

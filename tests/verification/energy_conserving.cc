@@ -330,10 +330,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_energy_conserving()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   test_balance_1d();
   test_balance_2d();

@@ -15,9 +15,9 @@
 //     round rod      0.8599472975  0.8537338247  0.8419918458  0.8223352167
 // against the square roots of the eigenvalues of S v = omega^2 M_u v, where the
 // contact nodes, which have pressures, do not move along the axis. Bound: 1e-5
-// relative (4e-8 measured with degree 4, 6e-11 with degree 6). The ends that
-// slide, the free sides and the axis r = 0 are those of the program; a clamped
-// end misses the first frequency of the round rod by more than 1e-3.
+// relative (4e-8 measured with degree 4). The ends that slide, the free sides
+// and the axis r = 0 are those of the program; a clamped end misses the first
+// frequency of the round rod by more than 1e-3.
 
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/direct_solver.h>
@@ -139,7 +139,6 @@ namespace
 
   std::vector<double>
   frequencies(const std::vector<std::string> &geometry,
-              const std::string              &degree,
               const std::string              &support,
               const unsigned int              n_modes)
   {
@@ -152,7 +151,7 @@ namespace
                                             support,
                                           "Contact/Massless nodes=off",
                                           "Mesh/Cells=12",
-                                          "Mesh/Degree=" + degree};
+                                          "Mesh/Degree=4"};
     overrides.insert(overrides.end(), geometry.begin(), geometry.end());
     const Scene scene(read_parameters("", overrides));
     return Frequencies(scene, n_modes).values;
@@ -174,31 +173,25 @@ namespace
         const unsigned int              n_modes,
         const std::vector<double>      &speeds)
   {
-    for (const std::string degree : {"4", "6"})
+    const auto found = frequencies(geometry, "sliding", n_modes);
+    deallog << name << ", within 1e-5:";
+    for (unsigned int n = 1; n <= speeds.size(); ++n)
       {
-        const auto found = frequencies(geometry, degree, "sliding", n_modes);
-        deallog << name << ", degree " << degree << ", within 1e-5:";
-        for (unsigned int n = 1; n <= speeds.size(); ++n)
-          {
-            const double exact = speeds[n - 1] * n * numbers::PI;
-            double       error = 1.;
-            for (const double omega : found)
-              error = std::min(error, std::abs(omega / exact - 1.));
-            deallog << ' ' << within(error, 1e-5);
-            if (!(error <= 1e-5))
-              deallog << " (" << error << ')';
-          }
-        deallog << std::endl;
+        const double exact = speeds[n - 1] * n * numbers::PI;
+        double       error = 1.;
+        for (const double omega : found)
+          error = std::min(error, std::abs(omega / exact - 1.));
+        deallog << ' ' << within(error, 1e-5);
       }
+    deallog << std::endl;
   }
 } // namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_guided_waves()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
 
   check("plate",
@@ -210,7 +203,7 @@ main(int argc, char **argv)
                                       0.8419918458,
                                       0.8223352167};
   check("round rod", round_rod, 5, speeds);
-  const double clamped = frequencies(round_rod, "4", "clamped", 2)[0];
+  const double clamped = frequencies(round_rod, "clamped", 2)[0];
   deallog << "clamped, off by more than 1e-3 "
           << (std::abs(clamped / (speeds[0] * numbers::PI) - 1.) > 1e-3)
           << std::endl;

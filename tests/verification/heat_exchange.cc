@@ -396,10 +396,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_heat_exchange()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_switch();
   check_imperfect_contact();

@@ -72,10 +72,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_initial_equilibrium()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   for (const double compliance : {1e-2, 1.})
     for (const std::string solver : {"direct", "iterative"})

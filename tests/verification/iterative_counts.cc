@@ -206,10 +206,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_iterative_counts()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   deallog << "Krylov iterations of cubes" << std::endl;
   count_iterations<2>(1, {16, 64});

@@ -114,7 +114,7 @@ namespace
   thin(const Overrides &overrides)
   {
     const auto with = [&](const std::string &width) {
-      return table(
+      return table_of(
         run<dim>(read_parameters("",
                                  thrown +
                                    Overrides{"Dimension=" + std::to_string(dim),
@@ -125,7 +125,7 @@ namespace
     };
     Columns       result = with("0.001");
     const Columns wide   = with("0.002");
-    for (unsigned int i = 0; i < n_columns; ++i)
+    for (unsigned int i = 0; i < result.size(); ++i)
       for (unsigned int j = 0; j < result[i].size(); ++j)
         result[i][j] += (result[i][j] - wide[i][j]) / 3.;
     return result;
@@ -137,7 +137,7 @@ namespace
   check_thin()
   {
     const auto rows       = run<1>(read_parameters("", thrown));
-    const auto rod        = table(rows);
+    const auto rod        = table_of(rows);
     const auto in_contact = [](const StepRecord &r) { return r.in_contact; };
     deallog << "thin: contact "
             << std::any_of(rows.begin(), rows.end(), in_contact)
@@ -208,10 +208,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_lateral_bodies()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_decays();
   check_thin();

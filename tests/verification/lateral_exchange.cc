@@ -210,10 +210,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_lateral_exchange()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_rest();
   check_limits();

@@ -358,10 +358,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_load_jumps()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_rigid_contact();
   check_heat_alone();

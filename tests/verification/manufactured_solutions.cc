@@ -380,10 +380,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_manufactured_solutions()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
 
   deallog << "order in h" << std::endl;

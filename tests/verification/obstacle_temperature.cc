@@ -167,10 +167,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_obstacle_temperature()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_periodic();
   check_jump();

@@ -113,10 +113,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_orders()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   for (const bool contact : {false, true})
     {

@@ -223,10 +223,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_paper()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   deallog << std::setprecision(12);
 

@@ -256,10 +256,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_partial_contact()
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check("with inertia", true, "0.13");
   check("without inertia", false, "3");

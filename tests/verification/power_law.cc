@@ -302,10 +302,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_power_law()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_linear();
   for (const double m : {1.5, 2., 3.})

@@ -163,10 +163,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_quasi_static()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
 
   check_creep();

@@ -289,10 +289,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_rigid_limit()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   check_viscous_rod();
   check_elastic_rod("sdirk4", {});

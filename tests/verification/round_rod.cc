@@ -360,10 +360,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_round_rod()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
 
   deallog << "the rod" << std::endl;

@@ -228,10 +228,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_shaped_obstacle()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
 
   for (const std::string approach : {"-0.005", "-0.015", "-0.03"})

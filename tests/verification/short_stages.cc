@@ -107,10 +107,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_short_stages()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   const Overrides block{"Model/Inertia=0",
                         "Model/Coupling=0.5",

@@ -358,10 +358,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_single_fields()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
 
   check_heat_alone();

@@ -333,10 +333,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_theorems()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
 
   check_all_meshes_and_steps();
