@@ -21,6 +21,8 @@
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/scene_run.h>
 #include <thermocontact/simulation/simulation.h>
+#include <thermocontact/space/load_scan.h>
+#include <thermocontact/space/problem_data.h>
 #include <thermocontact/study/error_bars.h>
 
 #include <filesystem>
@@ -251,6 +253,49 @@ namespace ThermoContact
       write_summary(
         summary, "done", simulation, times, errors ? &*errors : nullptr);
     }
+    /**
+     * A body of more unknowns is not set up by --check: that takes seconds, and
+     * its expressions are tried without.
+     */
+    constexpr double most_unknowns_of_check = 2e4;
+
+
+
+    /** True if the solution depends on x and t alone. */
+    template <int dim>
+    bool
+    is_rod(const Scene &scene, const ProblemData<dim> &data)
+    {
+      return (!scene.fields.has_displacement || scene.has_rollers) &&
+             !scene.heat.has_lateral_exchange() &&
+             (!scene.contact.law->is_active() ||
+              scene.contact.has_uniform_gap()) &&
+             data.is_along_axis();
+    }
+
+
+
+    /** Prints what is known before anything is set up. */
+    template <int dim>
+    void
+    report_plan(const Request &request, const MPI_Comm communicator, Log &log)
+    {
+      const Scene            scene(request.parameters);
+      const ProblemData<dim> data(scene); // whose expressions have to be right
+      std::vector<std::string> warnings;  // of set-up, which gives them
+      const LoadHistory        loads = load_history(scene, data, warnings);
+      report_scene(scene, loads, communicator, log);
+      if (dim > 1 && is_rod(scene, data))
+        log.line("  rod       Dimension = 1 has the same solution: nothing "
+                 "depends on what is across");
+      for (const std::string &doubt : implausible_numbers(request.assignments))
+        log.line("  doubt     " + doubt);
+      check_cost(scene,
+                 loads,
+                 free_bytes(request.output_directory()),
+                 request.command.is_forced,
+                 log);
+    }
   } // namespace
 
 
@@ -318,24 +363,24 @@ namespace ThermoContact
                      memory.bytes,
                      memory.share);
       }
+    if (!checkpoint)
+      check_output_directory(directory, communicator);
+    if (!command.check_only)
+      {
+        report_program(Utilities::MPI::n_mpi_processes(communicator), log);
+        if (checkpoint)
+          report_resumption(*checkpoint, parameters, log);
+      }
+    report_plan<dim>(request, communicator, log);
+    if (command.check_only && dim > 1 &&
+        Scene(parameters).n_unknowns() > most_unknowns_of_check)
+      return;
     Simulation<dim> simulation(parameters, communicator);
     if (checkpoint)
       restore(simulation, *checkpoint);
-    else
-      check_output_directory(directory, communicator);
-    const auto report = [&]() {
-      report_scene(simulation, log);
-      for (const std::string &doubt : implausible_numbers(request.assignments))
-        log.line("  doubt     " + doubt);
-      check_cost(simulation.scene(),
-                 simulation.discretization().n_active_cells(),
-                 simulation.loads(),
-                 free_bytes(directory),
-                 command.is_forced,
-                 log);
-    };
+    report_set_up(simulation, since_start.wall_time(), log);
     if (command.check_only)
-      return report();
+      return;
 
     if (!checkpoint)
       {
@@ -352,10 +397,6 @@ namespace ThermoContact
     throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",
                                                      checkpoint.has_value()),
                                        communicator);
-    report_program(Utilities::MPI::n_mpi_processes(communicator), log);
-    if (checkpoint)
-      report_resumption(*checkpoint, parameters, log);
-    report();
     try
       {
         run_observed(simulation,

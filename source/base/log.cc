@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <iostream>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -49,6 +50,8 @@ namespace ThermoContact
   {
     if (is_writer)
       file.open(file_name, append ? std::ios::app : std::ios::out);
+    if (file.is_open())
+      file << std::exchange(early_lines, "") << std::flush;
     return file ?
              "" :
              file_name +
@@ -75,6 +78,8 @@ namespace ThermoContact
   {
     if (file.is_open())
       file << text << std::endl;
+    else
+      early_lines += text + '\n';
   }
 
 

@@ -5,6 +5,7 @@
 #include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/time/monolithic_solver.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ThermoContact
@@ -12,7 +13,8 @@ namespace ThermoContact
   namespace
   {
     // Measured, doc/bodies.md.
-    constexpr double bytes_of_process   = 1.7e8;
+    constexpr double seconds_of_process = 0.4;
+    constexpr double bytes_of_process   = 1.85e8;
     constexpr double bytes_by_iteration = 700.; // per unknown
 
 
@@ -33,16 +35,6 @@ namespace ThermoContact
       return dim == 2 ? 330. * std::pow(n_unknowns, 1.22) :
                         92. * std::pow(n_unknowns, 1.54);
     }
-
-
-
-    double
-    expected_unknowns(const Scene &scene)
-    {
-      const unsigned int dim = scene.parameters.dimension;
-      return scene.parameters.mesh.n_nodes(dim) *
-             scene.fields.n_components(dim);
-    }
   } // namespace
 
 
@@ -51,7 +43,7 @@ namespace ThermoContact
   expected_memory(const Scene &scene, const unsigned int n_ranks)
   {
     const unsigned int dim        = scene.parameters.dimension;
-    const double       n_unknowns = expected_unknowns(scene);
+    const double       n_unknowns = scene.n_unknowns();
     const double       processes  = n_ranks * bytes_of_process;
     if (dim == 1)
       return processes; // its matrices are small
@@ -64,7 +56,71 @@ namespace ThermoContact
         n_kept_factorizations(dim, static_cast<std::size_t>(n_unknowns)) :
         1.;
     return processes + std::pow(width, dim) * matrix_bytes(dim) * n_unknowns +
-           std::pow(width, dim - 1.) * n_kept * factor_bytes(n_unknowns, dim);
+           n_kept * factor_bytes(n_unknowns, dim);
+  }
+
+
+
+  namespace
+  {
+    /**
+     * Krylov iterations of a stage beside those of cubes with $\nu=0.3$: flat
+     * and graded cells and $\nu\to1/2$ take more, less so with inertia.
+     */
+    double
+    relative_iterations(const Scene &scene)
+    {
+      const double aspect   = scene.parameters.mesh.cell_aspect();
+      const double softness = std::max(1., 0.57 / scene.material.two_mu);
+      const double exponent = scene.material.has_inertia() ? 0.6 : 1.;
+      return std::pow(std::pow(aspect, 0.6) * std::pow(softness, 0.35),
+                      exponent) *
+             (scene.material.has_inertia() ? 1. : 1.4);
+    }
+
+
+
+    /** Steps of different sizes, of those that a tolerance chooses. */
+    double
+    n_step_sizes(const Scene &scene, const double n_steps)
+    {
+      return scene.parameters.time.has_error_control() ?
+               std::min(1. + 0.25 * n_steps, 20.) :
+               1.;
+    }
+  } // namespace
+
+
+
+  double
+  expected_cpu_seconds(const Scene &scene, const double n_steps)
+  {
+    const unsigned int dim      = scene.parameters.dimension;
+    const double       n        = scene.n_unknowns();
+    const double       degree   = scene.parameters.mesh.degree;
+    const double       n_stages = n_steps * scene.scheme.n_stages;
+    const double       n_sizes  = n_step_sizes(scene, n_steps);
+    if (scene.linear_solver.is_iterative)
+      {
+        const double set_up = (dim == 2 ? 1e-5 : 2.5e-5) *
+                              std::max(1., std::pow(degree / 2., dim - 1.));
+        const double stage =
+          (degree == 1. ? 4e-6 : 2e-6) * relative_iterations(scene);
+        return seconds_of_process +
+               n * (set_up + stage * (n_stages + 0.1 * n_sizes));
+      }
+    const double set_up =
+      (dim == 2 ? 1e-5 : 3e-5) * std::pow((degree + 1.) / 3., dim) * n;
+    const double factor =
+      dim == 2 ? 1e-8 * std::pow(n, 1.6) : 2e-8 * std::pow(n, 2.);
+    const double stage =
+      dim == 2 ? 2e-8 * std::pow(n, 1.4) : 2e-8 * std::pow(n, 1.54);
+    const double n_responses = scene.parameters.time.has_error_control() &&
+                                   scene.contact.law->is_active() ?
+                                 n_sizes * std::pow(n, (dim - 1.) / dim) / 2. :
+                                 0.;
+    return seconds_of_process + set_up + n_sizes * factor +
+           (n_stages + n_responses) * stage;
   }
 
 
@@ -82,7 +138,7 @@ namespace ThermoContact
     throw InputError(
       text(is_iterative ? "Mesh/Cells" : "Solver/Linear solver",
            ": with ",
-           significant(expected_unknowns(scene), 3),
+           significant(scene.n_unknowns(), 3),
            " unknowns, ",
            scene.linear_solver.name(),
            ", the run takes about ",

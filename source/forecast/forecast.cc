@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/method/bracketed_root.h>
 
@@ -69,7 +70,7 @@ namespace ThermoContact
     {
       const MeshParameters &mesh = parameters.mesh;
       const double          n_along =
-        std::ldexp(mesh.cells_across * mesh.degree, mesh.refinements);
+        std::ldexp(mesh.n_cells_across() * mesh.degree, mesh.refinements);
       return 1900. + 8. * std::pow(2. * n_along, parameters.dimension - 1.);
     }
 
@@ -152,9 +153,7 @@ namespace ThermoContact
 
 
   std::optional<ExpectedCost>
-  expected_cost(const Scene             &scene,
-                const double             n_cells,
-                const LoadHistory *const loads)
+  expected_cost(const Scene &scene, const LoadHistory *const loads)
   {
     const Parameters       &parameters = scene.parameters;
     const TimeParameters   &time       = parameters.time;
@@ -202,9 +201,9 @@ namespace ThermoContact
                                                            195.);
     if (output.fields_interval > 0.)
       {
-        const unsigned int dim = parameters.dimension;
-        const double       points =
-          n_cells * std::pow(parameters.mesh.degree + 1., dim);
+        const unsigned int dim    = parameters.dimension;
+        const double       points = parameters.mesh.n_cells(dim) *
+                              std::pow(parameters.mesh.degree + 1., dim);
         cost.snapshots = n_outputs(output.fields_interval, T, cost.steps);
         cost.snapshot_bytes =
           cost.snapshots *
@@ -213,6 +212,8 @@ namespace ThermoContact
         if (dim > 1 && scene.contact.law->is_active())
           cost.face_bytes = cost.snapshots * contact_face_bytes(parameters);
       }
+    if (parameters.dimension > 1)
+      cost.cpu_seconds = expected_cpu_seconds(scene, cost.steps);
     return cost;
   }
 } // namespace ThermoContact

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/patterns.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ThermoContact
@@ -59,8 +60,9 @@ namespace ThermoContact
     entry("Width", width, Double(1e-3, 1e3))
       .means("Width (and height) of the body, for Dimension > 1; its length is "
              "1. With Geometry = axisymmetric its radius.");
-    entry("Cells across", cells_across, Integer(1, 100000))
-      .means("Number of cells across the body, for Dimension > 1.");
+    entry("Cells across", cells_across, Integer(0, 100000))
+      .means("Number of cells across the body, for Dimension > 1; 0: as many "
+             "as make them squares or cubes.");
     entry("Grading across", grading_across, Double(1e-8, 1e8))
       .means("Size of the first cell across the body, at y = 0, over size of "
              "the last, in geometric progression; for Dimension > 1.");
@@ -79,7 +81,37 @@ namespace ThermoContact
   std::vector<double>
   MeshParameters::cell_sizes_across() const
   {
-    return geometric_progression(cells_across, grading_across, width);
+    return geometric_progression(n_cells_across(), grading_across, width);
+  }
+
+
+
+  unsigned int
+  MeshParameters::n_cells_across() const
+  {
+    return cells_across > 0 ? cells_across :
+                              std::max(1., std::round(cells * width));
+  }
+
+
+
+  double
+  MeshParameters::n_cells(const unsigned int dim) const
+  {
+    return std::ldexp(cells * std::pow(n_cells_across(), dim - 1.),
+                      static_cast<int>(dim * refinements));
+  }
+
+
+
+  double
+  MeshParameters::cell_aspect() const
+  {
+    const auto [min, max] =
+      std::minmax({cell_sizes().front(), cell_sizes().back()});
+    const auto [min_across, max_across] =
+      std::minmax({cell_sizes_across().front(), cell_sizes_across().back()});
+    return std::max(max, max_across) / std::min(min, min_across);
   }
 
 
@@ -89,7 +121,7 @@ namespace ThermoContact
   {
     unsigned int n = 0;
     while (grading == 1. && grading_across == 1. && cells % (2U << n) == 0 &&
-           cells_across % (2U << n) == 0)
+           n_cells_across() % (2U << n) == 0)
       ++n;
     return n;
   }
@@ -102,7 +134,7 @@ namespace ThermoContact
     const auto along = [this](const unsigned int n_cells) {
       return degree * std::ldexp(n_cells, refinements) + 1.;
     };
-    return along(cells) * std::pow(along(cells_across), dim - 1.);
+    return along(cells) * std::pow(along(n_cells_across()), dim - 1.);
   }
 
 

@@ -95,9 +95,10 @@ namespace ThermoContact
              "area of the cross-section over its perimeter.");
     entry("Ambient temperature", ambient_temperature, any_number)
       .means("Temperature theta_inf of the surroundings.");
-    entry("Lateral support", lateral_support, Selection("rollers|free"))
+    entry("Lateral support", lateral_support, Selection("rollers|free|symmetric"))
       .means("Lateral faces, for Dimension > 1: rollers (no normal "
-             "displacement) or free.");
+             "displacement), free, or symmetric: rollers at y = 0 and z = 0 "
+             "alone, a half or a quarter of a body with free faces.");
     entry("Fixed end support", fixed_end_support, Selection("clamped|sliding"))
       .means("The fixed end x = 0, for Dimension > 1: clamped (no "
              "displacement) or sliding (no axial displacement, no shear "

@@ -14,30 +14,13 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    /** Matrices up to this size are factorised; factors of blocks fill. */
-    template <int dim>
-    constexpr types::global_dof_index max_factorized = dim == 2 ? 6000 : 2000;
-  } // namespace
-
-
-
-  template <int dim>
-  bool
-  CoarseSolver<dim>::is_factorised(const types::global_dof_index n_rows)
-  {
-    return n_rows <= max_factorized<dim>;
-  }
-
-
-
   template <int dim>
   CoarseSolver<dim>::CoarseSolver(const DoFHandler<dim> &space,
                                   const Field::Block     field,
-                                  SparseMatrix         &&matrix)
+                                  SparseMatrix         &&matrix,
+                                  const bool             has_factors)
   {
-    if (is_factorised(matrix.m()))
+    if (has_factors)
       factors = std::make_unique<DirectSolver>(std::move(matrix));
     else
       {

@@ -20,8 +20,8 @@ namespace ThermoContact
         --mesh.refinements;
       else if (mesh.n_halvings() > 0)
         {
+          mesh.cells_across = mesh.n_cells_across() / 2;
           mesh.cells /= 2;
-          mesh.cells_across /= 2;
         }
       else
         return {};
@@ -30,18 +30,30 @@ namespace ThermoContact
 
 
 
-    /** The scenes of all levels but the finest, the coarsest first. */
+    /** Matrices up to this size are factorised; factors of blocks fill. */
+    template <int dim>
+    constexpr types::global_dof_index max_factorized = dim == 2 ? 6000 : 2000;
+
+
+
+    /**
+     * The scenes of all levels but the finest, the coarsest first.
+     *
+     * @param is_body the body itself, once more
+     */
     std::vector<Parameters>
-    coarse_scenes(const Scene &scene)
+    coarse_scenes(const Scene &scene, const bool is_body)
     {
       Parameters finest           = scene.parameters;
       finest.solver.linear_solver = "iterative";
 
       std::vector<Parameters> result;
-      for (std::optional<Parameters> next = coarsened(finest); next;
-           next                           = coarsened(*next))
+      for (std::optional<Parameters> next = is_body ? std::nullopt :
+                                                      coarsened(finest);
+           next;
+           next = coarsened(*next))
         {
-                                    // A coarse node stands for nodes with mass, too: without, residuals
+          // A coarse node stands for nodes with mass, too: without, residuals
           // of those would move it without resistance in a short stage
           next->contact.massless_nodes = "off";
           result.insert(result.begin(), *next);
@@ -49,6 +61,12 @@ namespace ThermoContact
       if (result.empty())
         {
           result.push_back(finest);
+          // refined from the same cells as the body, which a transfer needs
+          MeshParameters    &mesh = result.back().mesh;
+          const unsigned int n    = mesh.n_halvings();
+          mesh.cells_across       = mesh.n_cells_across() >> n;
+          mesh.cells >>= n;
+          mesh.refinements += n;
           result.back().contact.massless_nodes =
             scene.contact.has_massless_nodes ? "on" : "off";
         }
@@ -60,10 +78,13 @@ namespace ThermoContact
 
 
   template <int dim, typename Number>
-  MultigridLevels<dim, Number>::MultigridLevels(const Body<dim> &body)
+  MultigridLevels<dim, Number>::MultigridLevels(const Body<dim> &body,
+                                                const bool has_factors_of_body)
     : body(body)
+    , has_factors_of_body_(has_factors_of_body)
   {
-    const std::vector<Parameters> scenes = coarse_scenes(body.scene);
+    const std::vector<Parameters> scenes =
+      coarse_scenes(body.scene, has_factors_of_body);
     levels = std::vector<Level>(scenes.size() + 1);
     make_level(scenes[0], levels[0]);
     coarse_operator_ = std::make_unique<const ThermoviscoelasticOperator<dim>>(
@@ -83,6 +104,16 @@ namespace ThermoContact
         make_vectors(level);
         connect(levels[l - 1], level);
       }
+  }
+
+
+
+  template <int dim, typename Number>
+  bool
+  MultigridLevels<dim, Number>::is_factorised(
+    const types::global_dof_index n_rows) const
+  {
+    return has_factors_of_body_ || n_rows <= max_factorized<dim>;
   }
 
 

@@ -16,7 +16,7 @@ namespace ThermoContact
   template <int dim>
   StageHierarchies<dim>::StageHierarchies(
     const MultigridLevels<dim, float> &levels)
-    : levels(levels)
+    : levels(&levels)
   {}
 
 
@@ -38,16 +38,16 @@ namespace ThermoContact
       hierarchies.pop_back();
     hierarchies.push_front({tau, nullptr, nullptr, {}, {}, {}});
     Hierarchy         &hierarchy = hierarchies.front();
-    const unsigned int finest    = levels.n_levels() - 1;
+    const unsigned int finest    = levels->n_levels() - 1;
     for (const Field::Block field : all_fields)
-      if (levels.discretization(finest).has_field(field))
+      if (levels->discretization(finest).has_field(field))
         {
           auto &multigrid =
             field == Field::temperature ? hierarchy.heat : hierarchy.momentum;
           multigrid =
-            std::make_unique<StageMultigrid<dim, float>>(levels, field, tau);
+            std::make_unique<StageMultigrid<dim, float>>(*levels, field, tau);
           hierarchy.diagonals[field] =
-            StageBlock<dim, float>(levels, finest, field, tau).diagonal();
+            StageBlock<dim, float>(*levels, finest, field, tau).diagonal();
         }
     ++n_made_;
   }

@@ -93,7 +93,8 @@ namespace ThermoContact
       field,
       field == Field::temperature ?
         levels.coarse_operator().heat_stage_matrix(tau) :
-        levels.coarse_operator().momentum_stage_matrix(tau));
+        levels.coarse_operator().momentum_stage_matrix(tau),
+      levels.is_factorised(levels.spaces(0).dof_handler(field).n_dofs()));
   }
 
 
@@ -136,7 +137,8 @@ namespace ThermoContact
     coarse_with_contact = std::make_unique<CoarseSolver<dim>>(
       levels.spaces(0).dof_handler(field),
       field,
-      with_contact(coarse_without_contact->matrix(), coarse_rows));
+      with_contact(coarse_without_contact->matrix(), coarse_rows),
+      levels.is_factorised(levels.spaces(0).dof_handler(field).n_dofs()));
   }
 
 

@@ -24,40 +24,55 @@ namespace ThermoContact
 
 
 
-    template <int dim>
     std::string
-    describe_body(const Simulation<dim> &simulation)
+    describe_body(const Scene &scene)
     {
-      const MeshParameters &mesh = simulation.parameters().mesh;
-      const unsigned int    n    = simulation.discretization().n_active_cells();
+      const MeshParameters &mesh = scene.parameters.mesh;
+      const unsigned int    dim  = scene.parameters.dimension;
       return join_words(
-        {simulation.scene().geometry->description(),
-         text(n, " cells of degree ", mesh.degree),
+        {scene.geometry->description(),
+         text(significant(mesh.n_cells(dim), 12),
+              " cells of degree ",
+              mesh.degree,
+              dim == 1 ? "" :
+                         text(", sides 1 : ",
+                              significant(mesh.cell_aspect(), few_digits))),
          dim == 1 ?
            "" :
-           "lateral faces: " + simulation.parameters().boundary.lateral_support,
-         simulation.scene().has_sliding_end ? "fixed end: sliding" : ""});
+           "lateral faces: " + scene.parameters.boundary.lateral_support,
+         scene.has_sliding_end ? "fixed end: sliding" : "",
+         scene.has_pins() ? "held across, without force, at corners of it" :
+                            ""});
     }
 
 
 
+    std::string
+    describe_unknowns(const Scene &scene)
+    {
+      const unsigned int dim = scene.parameters.dimension;
+      const double       n   = scene.parameters.mesh.n_nodes(dim);
+      std::string        line;
+      if (scene.fields.has_temperature)
+        line = significant(n, 12) + " temperature";
+      if (scene.fields.has_displacement)
+        line += (line.empty() ? "" : " + ") + significant(dim * n, 12) +
+                " displacement";
+      return line;
+    }
+
+
+
+    /** What of a body that is set up is factorised. */
     template <int dim>
     std::string
-    describe_unknowns(const Simulation<dim> &simulation)
+    describe_factors(const Simulation<dim> &simulation)
     {
-      const auto &space = simulation.discretization();
-      std::string line;
-      if (space.has_field(Field::temperature))
-        line = text(space.n_temperature_dofs(), " temperature");
-      if (space.has_field(Field::displacement))
-        line += text(line.empty() ? "" : " + ",
-                     space.n_displacement_dofs(),
-                     " displacement");
       const types::global_dof_index n = simulation.n_factorized_unknowns();
-      if (!simulation.scene().linear_solver.is_iterative)
-        return line + text("; factorised at once: ", n);
-      return line + "; on the coarsest level, factorised: " +
-             (n > 0 ? text(n) : "none, algebraic multigrid instead");
+      return !simulation.scene().linear_solver.is_iterative ?
+               text("factorised at once: ", n) :
+             n > 0 ? text("factorised on the coarsest level: ", n) :
+                     "algebraic multigrid on the coarsest level";
     }
 
 
@@ -95,38 +110,31 @@ namespace ThermoContact
 
 
     /** A formula with its values at t = 0, or a length. */
-    template <int dim>
     std::string
-    describe_gap(const Simulation<dim> &simulation, const OutputUnits &units)
+    describe_gap(const Scene &scene, const OutputUnits &units)
     {
-      const Scene &scene  = simulation.scene();
-      const bool   moves  = scene.sources.has_moving_obstacle;
-      const bool   is_one = scene.contact.has_uniform_gap();
+      const bool is_one = scene.contact.has_uniform_gap();
+      const bool moves  = scene.sources.has_moving_obstacle;
       if (is_one && !moves)
         return units.text("length", scene.contact.gap);
-      const auto [smallest, largest] =
-        simulation.discretization().contact_end().range_of_gap();
-      return text(scene.parameters.contact.gap_expression,
-                  " (",
-                  units.text("length", smallest),
-                  is_one ? "" : " to " + units.text("length", largest),
-                  is_one ? "" : " at the contact nodes",
-                  moves ? " at t = 0)" : ")");
+      return scene.parameters.contact.gap_expression +
+             (is_one ?
+                " (" + units.text("length", scene.contact.gap) + " at t = 0)" :
+                "");
     }
 
 
 
-    template <int dim>
     std::string
-    describe_contact(const Simulation<dim> &simulation)
+    describe_contact(const Scene &scene)
     {
-      const SceneContact &contact = simulation.scene().contact;
-      const OutputUnits   units(simulation.parameters());
+      const SceneContact &contact = scene.contact;
+      const OutputUnits   units(scene.parameters);
       if (!contact.law->is_active())
         return contact.law->description();
       return join_words(
         {contact.law->description(),
-         "g = " + describe_gap(simulation, units),
+         "g = " + describe_gap(scene, units),
          contact.is_two_sided() ?
            "g_2 = " + units.text("length", contact.rear_gap) :
            "",
@@ -279,6 +287,10 @@ namespace ThermoContact
                 describe_bytes(cost.snapshot_bytes);
       if (cost.face_bytes > 0.)
         line += "; contact face: as many, " + describe_bytes(cost.face_bytes);
+      if (cost.cpu_seconds > 0.)
+        line += "; processor time: about " + (cost.cpu_seconds < 100. ?
+                                                about(cost.cpu_seconds) + " s" :
+                                                clock_time(cost.cpu_seconds));
       return line;
     }
 
@@ -286,10 +298,7 @@ namespace ThermoContact
 
     /** What can be said of a run before it is made. */
     void
-    report_forecast(const Scene       &scene,
-                    const double       n_cells,
-                    const LoadHistory &loads,
-                    Log               &log)
+    report_forecast(const Scene &scene, const LoadHistory &loads, Log &log)
     {
       log.line("  scales    " + describe_scales(scene));
       log.line("  at rest   " + describe_rest(scene));
@@ -298,7 +307,7 @@ namespace ThermoContact
                  describe_impact(*impact, OutputUnits(scene.parameters)));
       if (const auto critical = critical_step_size(scene))
         log.line("  limit     " + describe_critical_step(*critical, scene));
-      if (const auto cost = expected_cost(scene, n_cells, &loads))
+      if (const auto cost = expected_cost(scene, &loads))
         log.line("  expected  " + describe_cost(*cost));
       if (scene.parameters.output.has_error_bars)
         log.line("  repeats   " + describe_repeats(scene.parameters));
@@ -337,23 +346,25 @@ namespace ThermoContact
 
 
 
-  template <int dim>
   void
-  report_scene(const Simulation<dim> &simulation, Log &log)
+  report_scene(const Scene       &scene,
+               const LoadHistory &loads,
+               const MPI_Comm     communicator,
+               Log               &log)
   {
-    const Scene      &scene    = simulation.scene();
-    const Material   &material = scene.material;
-    const OutputUnits units(scene.parameters);
+    const Material    &material = scene.material;
+    const unsigned int dim      = scene.parameters.dimension;
+    const OutputUnits  units(scene.parameters);
     if (!scene.parameters.title.empty())
       log.line(scene.parameters.title);
     if (units.is_si())
       log.line("  units     " + units.description());
-    log.line("  body      " + describe_body(simulation));
-    log.line("  unknowns  " + describe_unknowns(simulation));
+    log.line("  body      " + describe_body(scene));
+    log.line("  unknowns  " + describe_unknowns(scene));
     if (dim > 1)
       {
         log.line("  solver    " + describe_linear_solver(scene.linear_solver));
-        report_memory(scene, simulation.discretization().communicator(), log);
+        report_memory(scene, communicator, log);
       }
     log.line("  terms     " + join_words(scene_terms(scene)));
     if (scene.fields.has_displacement)
@@ -389,14 +400,34 @@ namespace ThermoContact
     if (scene.sources.has_moving_end)
       log.line("  fixed end u_A = " + scene.fixed_end_motion->text());
     if (scene.fields.has_displacement)
-      log.line("  contact   " + describe_contact(simulation));
+      log.line("  contact   " + describe_contact(scene));
     log.line("  time      " + describe_time(scene));
-    if (!simulation.loads().is_empty())
-      log.line("  loads     " + describe_loads(simulation.loads(), units));
-    report_forecast(scene,
-                    simulation.discretization().n_active_cells(),
-                    simulation.loads(),
-                    log);
+    if (!loads.is_empty())
+      log.line("  loads     " + describe_loads(loads, units));
+    report_forecast(scene, loads, log);
+  }
+
+
+
+  template <int dim>
+  void
+  report_set_up(const Simulation<dim> &simulation,
+                const double           seconds,
+                Log                   &log)
+  {
+    const Scene      &scene = simulation.scene();
+    const OutputUnits units(scene.parameters);
+    if (dim > 1)
+      log.line("  set up    in " + significant(seconds, 2) + " s, " +
+               describe_factors(simulation));
+    if (scene.contact.law->is_active() && !scene.contact.has_uniform_gap())
+      {
+        const auto [smallest, largest] =
+          simulation.discretization().contact_end().range_of_gap();
+        log.line("  gap       " + units.text("length", smallest) + " to " +
+                 units.text("length", largest) + " at the contact nodes" +
+                 (scene.sources.has_moving_obstacle ? ", at t = 0" : ""));
+      }
     report_warnings(simulation.history().warnings, 0, log);
   }
 
@@ -404,13 +435,12 @@ namespace ThermoContact
 
   void
   check_cost(const Scene       &scene,
-             const double       n_cells,
              const LoadHistory &loads,
              const double       free_bytes,
              const bool         is_forced,
              Log               &log)
   {
-    const auto cost = expected_cost(scene, n_cells, &loads);
+    const auto cost = expected_cost(scene, &loads);
     if (!cost)
       return;
     const double bytes =
@@ -435,9 +465,9 @@ namespace ThermoContact
 
 
   template void
-  report_scene<1>(const Simulation<1> &, Log &);
+  report_set_up<1>(const Simulation<1> &, const double, Log &);
   template void
-  report_scene<2>(const Simulation<2> &, Log &);
+  report_set_up<2>(const Simulation<2> &, const double, Log &);
   template void
-  report_scene<3>(const Simulation<3> &, Log &);
+  report_set_up<3>(const Simulation<3> &, const double, Log &);
 } // namespace ThermoContact

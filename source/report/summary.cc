@@ -63,9 +63,7 @@ namespace ThermoContact
      * was.
      */
     nlohmann::ordered_json
-    predictions(const Scene       &scene,
-                const StepRecord  &record,
-                const unsigned int n_cells)
+    predictions(const Scene &scene, const StepRecord &record)
     {
       constexpr double  nan      = std::numeric_limits<double>::quiet_NaN();
       const auto        forecast = steady_state(scene);
@@ -74,7 +72,7 @@ namespace ThermoContact
         states.empty() ? SteadyState{nan, nan, nan, false} :
                          states[nearest_state(states, final_state(record))];
       const auto impact = first_impact(scene);
-      const auto cost   = expected_cost(scene, n_cells);
+      const auto cost   = expected_cost(scene);
 
       nlohmann::ordered_json entries = {
         {"final_contact_force", record.contact_force},
@@ -206,7 +204,7 @@ namespace ThermoContact
 
     for (const std::string &warning : step_warnings(scene, history))
       summary["warnings"].push_back(warning);
-    summary.update(predictions(scene, record, space.n_active_cells()));
+    summary.update(predictions(scene, record));
     if (errors != nullptr)
       add_errors(*errors, summary);
     if (const OutputUnits units(scene.parameters); units.is_si())

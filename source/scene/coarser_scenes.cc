@@ -88,13 +88,13 @@ namespace ThermoContact
         }
       else
         {
-          changes    = mesh.cells > 1;
-          mesh.cells = (mesh.cells + 1) / 2;
+          changes = mesh.cells > 1;
           if (parameters.dimension > 1)
             {
-              changes           = changes || mesh.cells_across > 1;
-              mesh.cells_across = (mesh.cells_across + 1) / 2;
+              changes           = changes || mesh.n_cells_across() > 1;
+              mesh.cells_across = (mesh.n_cells_across() + 1) / 2;
             }
+          mesh.cells = (mesh.cells + 1) / 2;
         }
       if (changes && has_joined_steps_and_cells(parameters) &&
           parameters.time.step_size)
@@ -118,7 +118,9 @@ namespace ThermoContact
       add("Mesh/Degree", mesh.degree, original.mesh.degree);
       add("Mesh/Refinements", mesh.refinements, original.mesh.refinements);
       add("Mesh/Cells", mesh.cells, original.mesh.cells);
-      add("Mesh/Cells across", mesh.cells_across, original.mesh.cells_across);
+      add("Mesh/Cells across",
+          mesh.n_cells_across(),
+          original.mesh.n_cells_across());
       if (scene.time.step_size)
         add("Time/Step size", *scene.time.step_size, *original.time.step_size);
       return words;

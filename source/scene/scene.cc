@@ -399,6 +399,7 @@ namespace ThermoContact
                               scheme,
                               has_prescribed_start))
     , has_rollers(parameters.boundary.lateral_support == "rollers")
+    , has_symmetry(parameters.boundary.lateral_support == "symmetric")
     , has_sliding_end(parameters.boundary.fixed_end_support == "sliding")
     , has_lumped_mass(parameters.mesh.mass_matrix == "lumped")
     , has_midpoint_mass(parameters.mesh.mass_matrix == "midpoint")

@@ -385,7 +385,7 @@ namespace ThermoContact
                     ", Mesh/Refinements = ",
                     mesh.refinements,
                     dim > 1 ?
-                      text(", Mesh/Cells across = ", mesh.cells_across) :
+                      text(", Mesh/Cells across = ", mesh.n_cells_across()) :
                       ""),
                "a coarser mesh");
       if (mesh.n_nodes(1) == 2. && scene.contact.law->is_active() &&
@@ -400,17 +400,35 @@ namespace ThermoContact
 
 
 
-    /** Something has to keep the body from moving across its axis. */
+    /** Nothing may push across its axis a body that nothing holds there. */
     void
     check_support(const Scene &scene)
     {
-      Refusal{"Boundary/Fixed end support", "sliding", "clamped"}.since(
-        scene.fields.has_displacement && scene.has_sliding_end &&
-          !scene.has_rollers && !scene.geometry->has_axis_at_side() &&
-          !scene.material.has_inertia(),
-        "Boundary/Lateral support = free and " + no_inertia,
-        "clamped, or Boundary/Lateral support = rollers: without inertia "
-        "nothing holds the body across its axis");
+      const Parameters &parameters = scene.parameters;
+      if (scene.has_symmetry && scene.heat.has_lateral_exchange())
+        refuse("Boundary/Lateral heat exchange",
+               scene.heat.lateral_exchange,
+               "0, since Boundary/Lateral support = symmetric",
+               "the whole body, whose lateral faces exchange heat alike");
+      if (!scene.has_pins() || !scene.sources.has_body_force)
+        return;
+      const std::string path = "Sources/Body force";
+      ExpressionNames   names =
+        parameters.names(path, parameters.coordinates(true), "20*x*(x-1)^2");
+      names.constants["theta_A"]          = scene.heat.fixed_end_temperature;
+      const std::vector<Expression> force = read_components(
+        path, parameters.sources.body_force, parameters.dimension, names);
+      const double no_variables[4] = {};
+      for (unsigned int d = 1; d < parameters.dimension; ++d)
+        if (!force[d].is_constant() || force[d].evaluate(no_variables) != 0.)
+          refuse(path,
+                 parameters.sources.body_force,
+                 "a force along the axis, since Boundary/Fixed end support = "
+                 "sliding, Boundary/Lateral support = free and Model/Inertia = "
+                 "0",
+                 "Boundary/Lateral support = symmetric or rollers, or "
+                 "Boundary/Fixed end support = clamped: nothing holds the body "
+                 "across its axis");
     }
 
 

@@ -12,7 +12,9 @@ namespace ThermoContact
     , fields(scene.fields)
     , material(scene.material)
     , has_rollers(scene.has_rollers)
+    , has_symmetry(scene.has_symmetry)
     , has_sliding_end(scene.has_sliding_end)
+    , has_pins(scene.has_pins())
     , has_lumped_mass(scene.has_lumped_mass)
     , has_midpoint_mass(scene.has_midpoint_mass)
     , has_massless_nodes(scene.contact.has_massless_nodes)
@@ -89,7 +91,9 @@ namespace ThermoContact
                    fields,
                    material,
                    rollers,
+                   symmetry,
                    sliding,
+                   pins,
                    lumped,
                    midpoint,
                    massless,
@@ -104,7 +108,9 @@ namespace ThermoContact
                             members(material),
                             std::tie(dimension,
                                      rollers,
+                                     symmetry,
                                      sliding,
+                                     pins,
                                      lumped,
                                      midpoint,
                                      massless,

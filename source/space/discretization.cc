@@ -29,6 +29,7 @@ namespace ThermoContact
                       scene.fields.n_components(dim))
     , mapping_(1)
     , dof_handler_(*triangulation)
+    , has_pins(scene.has_pins)
     , constrained_entries_(2)
   {
     make_grid(scene.mesh, scene.has_matrices ? 0 : scene.mesh.n_halvings());
@@ -59,7 +60,8 @@ namespace ThermoContact
   Discretization<dim>::make_grid(const MeshParameters &mesh,
                                  const unsigned int    n_halvings)
   {
-    std::vector<unsigned int> repetitions(dim, mesh.cells_across >> n_halvings);
+    std::vector<unsigned int> repetitions(dim,
+                                          mesh.n_cells_across() >> n_halvings);
     repetitions[0]          = mesh.cells >> n_halvings;
     const Point<dim> corner = geometry_.corner();
 
@@ -130,8 +132,33 @@ namespace ThermoContact
             VectorTools::interpolate_boundary_values(
               mapping_, dof_handler_, face, zero, constraints, normal);
       }
+    if (has_sliding_end && has_pins)
+      add_pins(constraints);
     constraints.close();
     return constraints;
+  }
+
+
+
+  template <int dim>
+  void
+  Discretization<dim>::add_pins(AffineConstraints<double> &constraints) const
+  {
+    const unsigned int first = first_component(Field::displacement);
+    for (const auto &cell : dof_handler_.active_cell_iterators())
+      if (!cell->is_artificial())
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const Point<dim> &place = cell->vertex(v);
+            // no translation across; and of a block, no rotation about x
+            const bool is_origin = place.norm() == 0.;
+            const bool is_other  = dim == 3 && place[0] == 0. &&
+                                  place[1] == geometry_.corner()[1] &&
+                                  place[dim - 1] == 0.;
+            for (unsigned int d = 1; d < dim; ++d)
+              if (is_origin || (is_other && d == 2))
+                constraints.add_line(cell->vertex_dof_index(v, first + d));
+          }
   }
 
 

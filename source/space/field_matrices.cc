@@ -69,6 +69,22 @@ namespace ThermoContact
 
 
 
+    /**
+     * True if the integrals over this cell are those over the one before: in a
+     * body, whose products are many, not in a rod, which joins equal cells.
+     */
+    template <int dim>
+    bool
+    has_last_integrals(const Discretization<dim> &discretization,
+                       const FEValues<dim>       &fe_values)
+    {
+      return dim > 1 && discretization.geometry().has_uniform_weight() &&
+             fe_values.get_cell_similarity() ==
+               dealii::CellSimilarity::translation;
+    }
+
+
+
     /** Integrals of products of the basis functions of a cell. */
     template <int dim>
     void
@@ -226,6 +242,7 @@ namespace ThermoContact
                                    discretization.geometry().weight(values, q);
           }
     };
+    bool had_axial_rule = false;
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
@@ -233,17 +250,22 @@ namespace ThermoContact
           const bool has_axial_rule =
             scene.has_midpoint_mass ||
             (scene.has_massless_nodes && touches_contact_end<dim>(cell));
-          cell_mass = 0.;
           fe_values.reinit(cell);
-          integrate(fe_values, [&](const unsigned int c) {
-            return !(has_axial_rule && c == axial);
-          });
-          if (has_axial_rule)
+          if (!has_last_integrals(discretization, fe_values) ||
+              has_axial_rule != had_axial_rule)
             {
-              axial_values.reinit(cell);
-              integrate(axial_values,
-                        [&](const unsigned int c) { return c == axial; });
+              cell_mass = 0.;
+              integrate(fe_values, [&](const unsigned int c) {
+                return !(has_axial_rule && c == axial);
+              });
+              if (has_axial_rule)
+                {
+                  axial_values.reinit(cell);
+                  integrate(axial_values,
+                            [&](const unsigned int c) { return c == axial; });
+                }
             }
+          had_axial_rule = has_axial_rule;
           cell->get_dof_indices(dofs);
           unconstrained.distribute_local_to_global(cell_mass, dofs, mass);
           if (rod_cells)
@@ -285,12 +307,13 @@ namespace ThermoContact
       if (cell->is_locally_owned())
         {
           fe_values.reinit(cell);
-          integrate_products(scene.material,
-                             discretization,
-                             fe_values,
-                             basis,
-                             cell_stiffness,
-                             cell_coupling);
+          if (!has_last_integrals(discretization, fe_values))
+            integrate_products(scene.material,
+                               discretization,
+                               fe_values,
+                               basis,
+                               cell_stiffness,
+                               cell_coupling);
           cell->get_dof_indices(dofs);
           unconstrained.distribute_local_to_global(cell_stiffness,
                                                    dofs,

@@ -11,6 +11,7 @@ namespace ThermoContact
   Geometry<dim>::Geometry(const SpatialScene &scene)
     : body(geometry(scene.mesh.geometry).make(dim, scene.mesh.width))
     , has_rollers(scene.has_rollers)
+    , has_symmetry(scene.has_symmetry)
     , width(scene.mesh.width)
     , cross_section_(body->cross_section())
   {}
@@ -59,7 +60,7 @@ namespace ThermoContact
   Geometry<dim>::is_held(const dealii::types::boundary_id lateral_face) const
   {
     constexpr dealii::types::boundary_id side_at_zero = 2; // y = 0
-    return has_rollers ||
+    return has_rollers || (has_symmetry && lateral_face % 2 == 0) ||
            (lateral_face == side_at_zero && body->has_axis_at_side());
   }
 

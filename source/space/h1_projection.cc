@@ -22,31 +22,44 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Adds $(w-w_h,\text{test})$ over a cell or a face. */
+    /**
+     * Adds $(w-w_h,\text{test})$ over a cell or a face.
+     *
+     * @param fe of all components
+     * @param values of the element of one component, of which all are
+     */
     template <int dim, typename Test>
     void
-    add_difference(const Function<dim>     &function,
-                   const SystemVector      &interpolant,
-                   const FEValuesBase<dim> &values,
-                   const Test              &test,
-                   dealii::Vector<double>  &cell_rhs)
+    add_difference(const Function<dim>                        &function,
+                   const SystemVector                         &interpolant,
+                   const FiniteElement<dim>                   &fe,
+                   const std::vector<types::global_dof_index> &dofs,
+                   const FEValuesBase<dim>                    &values,
+                   const Test                                 &test,
+                   dealii::Vector<double>                     &cell_rhs)
     {
-      const FiniteElement<dim> &fe           = values.get_fe();
-      const unsigned int        n_components = fe.n_components();
-
-      std::vector<dealii::Vector<double>> differences(
-        values.n_quadrature_points, dealii::Vector<double>(n_components));
-      values.get_function_values(interpolant, differences);
-      for (const unsigned int q : values.quadrature_point_indices())
-        for (unsigned int c = 0; c < n_components; ++c)
-          differences[q](c) =
-            values.JxW(q) *
-            (function.value(values.quadrature_point(q), c) - differences[q](c));
-      for (const unsigned int i : values.dof_indices())
+      std::vector<double> differences(values.n_quadrature_points);
+      std::vector<types::global_dof_index> own(values.dofs_per_cell);
+      std::vector<unsigned int>            rows(values.dofs_per_cell);
+      for (unsigned int c = 0; c < fe.n_components(); ++c)
         {
-          const unsigned int c = fe.system_to_component_index(i).first;
+          for (unsigned int i = 0; i < fe.dofs_per_cell; ++i)
+            if (const auto [component, k] = fe.system_to_component_index(i);
+                component == c)
+              {
+                rows[k] = i;
+                own[k]  = dofs[i];
+              }
+          values.get_function_values(interpolant,
+                                     dealii::make_array_view(own),
+                                     differences);
           for (const unsigned int q : values.quadrature_point_indices())
-            cell_rhs(i) += differences[q](c) * test(i, q);
+            differences[q] =
+              values.JxW(q) *
+              (function.value(values.quadrature_point(q), c) - differences[q]);
+          for (const unsigned int i : values.dof_indices())
+            for (const unsigned int q : values.quadrature_point_indices())
+              cell_rhs(rows[i]) += differences[q] * test(i, q);
         }
     }
 
@@ -193,13 +206,15 @@ namespace ThermoContact
     const FiniteElement<dim> &fe = discretization.finite_element();
     // The data are no polynomials: more points than the products need.
     const unsigned int n_points = fe.degree + 3;
-    FEValues<dim>      fe_values(discretization.mapping(),
-                            fe,
+    // tables of all components would be larger than the body
+    const FiniteElement<dim> &of_component = fe.base_element(0);
+    FEValues<dim>             fe_values(discretization.mapping(),
+                            of_component,
                             QGauss<dim>(n_points),
                             update_values | update_hessians |
                               update_quadrature_points | update_JxW_values);
-    FEFaceValues<dim>  face_values(discretization.mapping(),
-                                  fe,
+    FEFaceValues<dim>         face_values(discretization.mapping(),
+                                  of_component,
                                   QGauss<dim - 1>(n_points),
                                   update_values | update_gradients |
                                     update_normal_vectors |
@@ -218,11 +233,15 @@ namespace ThermoContact
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
+          const typename dealii::Triangulation<dim>::cell_iterator place = cell;
+          cell->get_dof_indices(dofs);
           cell_rhs = 0.;
-          fe_values.reinit(cell);
+          fe_values.reinit(place);
           add_difference(
             function,
             ghosted,
+            fe,
+            dofs,
             fe_values,
             [&](const unsigned int i, const unsigned int q) {
               return -trace(fe_values.shape_hessian(i, q));
@@ -230,10 +249,12 @@ namespace ThermoContact
             cell_rhs);
           for (const unsigned int f : cell->face_indices())
             {
-              face_values.reinit(cell, f);
+              face_values.reinit(place, f);
               add_difference(
                 function,
                 ghosted,
+                fe,
+                dofs,
                 face_values,
                 [&](const unsigned int i, const unsigned int q) {
                   return face_values.shape_grad(i, q) *
@@ -241,7 +262,6 @@ namespace ThermoContact
                 },
                 cell_rhs);
             }
-          cell->get_dof_indices(dofs);
           constraints.distribute_local_to_global(cell_rhs, dofs, rhs);
         }
     rhs.compress(VectorOperation::add);

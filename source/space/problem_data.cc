@@ -191,6 +191,36 @@ namespace ThermoContact
 
 
   template <int dim>
+  bool
+  ProblemData<dim>::is_along_axis() const
+  {
+    for (const ExpressionFunction<dim> *function : {initial_fields_.get(),
+                                                    initial_velocity_.get(),
+                                                    heat_source_.get(),
+                                                    body_force_.get(),
+                                                    end_traction_.get(),
+                                                    end_heat_flux_.get(),
+                                                    obstacle_warming_.get()})
+      if (function != nullptr)
+        {
+          const std::vector<Expression> &components = function->components();
+          const std::size_t              n          = components.size();
+          for (std::size_t c = 0; c < n; ++c)
+            {
+              const bool is_across = n >= dim && c > n - dim;
+              if (components[c].depends_on("y") ||
+                  components[c].depends_on("z") ||
+                  (is_across && !(components[c].is_constant() &&
+                                  function->value(Point<dim>(), c) == 0.)))
+                return false;
+            }
+        }
+    return true;
+  }
+
+
+
+  template <int dim>
   void
   ProblemData<dim>::set_time(const double time)
   {

@@ -76,8 +76,7 @@ namespace ThermoContact
             const LoadHistory  loads = dim == 1 ? loads_of<1>(scene) :
                                        dim == 2 ? loads_of<2>(scene) :
                                                   loads_of<3>(scene);
-            if (const auto cost =
-                  expected_cost(scene, scene.parameters.mesh.cells, &loads))
+            if (const auto cost = expected_cost(scene, &loads))
               {
                 forecast.steps += cost->steps;
                 ++forecast.n_known;

@@ -20,6 +20,7 @@ namespace ThermoContact
         Scheme scheme;
         scheme.name               = tableau.name;
         scheme.order              = tableau.order;
+        scheme.n_stages           = tableau.n_stages();
         scheme.has_error_estimate = tableau.has_error_estimate();
         scheme.is_of_paper        = tableau.n_stages() == 1;
         scheme.can_create_energy  = !scheme.is_of_paper;

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/number_text.h>
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/time/iterative_solver.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ThermoContact
 {
-  namespace
-  {} // namespace
-
-
-
   template <int dim>
   IterativeSolver<dim>::IterativeSolver(const Body<dim> &body)
     : body(body)
@@ -33,7 +31,7 @@ namespace ThermoContact
     types::global_dof_index largest = 0;
     for (const types::global_dof_index n :
          {coarsest.n_temperature_dofs(), coarsest.n_displacement_dofs()})
-      if (CoarseSolver<dim>::is_factorised(n))
+      if (stage.multigrid_levels().is_factorised(n))
         largest = std::max(largest, n);
     return largest;
   }
@@ -45,7 +43,8 @@ namespace ThermoContact
   IterativeSolver<dim>::retained() const
   {
     RetainedFactorizations retained;
-    retained.counters = counters_;
+    retained.counters           = counters_;
+    retained.has_refused_blocks = has_factors;
     for (const auto &hierarchy : stage.preconditioners().all())
       {
         retained.taus.push_back(hierarchy.tau);
@@ -62,6 +61,9 @@ namespace ThermoContact
   IterativeSolver<dim>::restore(const RetainedFactorizations &retained)
   {
     stage.preconditioners().clear();
+    has_factors = retained.has_refused_blocks;
+    if (has_factors)
+      stage.factorise();
     for (unsigned int i = retained.taus.size(); i-- > 0;)
       stage.restore(retained.taus[i], retained.active_sets[i]);
     counters_ = retained.counters;
@@ -87,6 +89,33 @@ namespace ThermoContact
   {
     count(stage.solve(tolerance));
     stage.get_pressures(pressure);
+    warn();
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeSolver<dim>::warn()
+  {
+    if (stage.multigrid_levels().has_factors_of_body() &&
+        !std::exchange(has_factors, true))
+      warnings.push_back(
+        text("multigrid does not converge in a stage of length ",
+             significant(stage.length(), few_digits),
+             ": the body has sparse factors from then on, which take more "
+             "memory and time"));
+    if (stage.largest_rounding() > 2. * rounding)
+      {
+        rounding = stage.largest_rounding();
+        warnings.push_back(
+          text("Solver/Linear tolerance = ",
+               body.scene.linear_solver.tolerance,
+               ": rounding leaves ",
+               significant(rounding, 2),
+               " of the forces and heat flows in a stage of length ",
+               significant(stage.length(), few_digits)));
+      }
   }
 
 

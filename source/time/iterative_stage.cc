@@ -19,6 +19,9 @@ namespace ThermoContact
   {
     /** Directions of a Krylov space that are kept. */
     constexpr unsigned int max_directions = 60;
+
+    /** Of a body that gets factors where multigrid does not converge. */
+    constexpr double most_unknowns_of_factors = 1e5;
   } // namespace
 
 
@@ -26,8 +29,8 @@ namespace ThermoContact
   template <int dim>
   IterativeStage<dim>::IterativeStage(const Body<dim> &body)
     : body(body)
-    , levels(body)
-    , hierarchies(levels)
+    , levels(std::make_unique<const MultigridLevels<dim, float>>(body))
+    , hierarchies(*levels)
     , krylov(max_directions)
   {
     rhs.reinit(2);
@@ -286,14 +289,44 @@ namespace ThermoContact
     // is left is computed, and once more is tried
     for (unsigned int attempt = 0; attempt < 2; ++attempt)
       {
-        n_iterations += add_correction(allowed);
+        const FlexibleGmres::Result result = add_correction(allowed);
+        n_iterations += result.n_iterations;
         rounding = compute_scaled_residual();
         reached  = scaled_residual.l2_norm();
-        if (reached <= 2. * allowed + rounding +
-                         Tolerances::rounding_of_sum * largest_residual)
+        if (reached <=
+            2. * allowed + rounding +
+              Tolerances::rounding_of_sum * std::max(1., largest_residual))
           return n_iterations;
+        if (result.residual <= allowed)
+          continue;
+        if (levels->has_factors_of_body() ||
+            body.scene.n_unknowns() > most_unknowns_of_factors)
+          give_up(reached, allowed, n_iterations);
+        factorise();
+        attempt = 0;
       }
-    give_up(reached, allowed, n_iterations);
+    // nothing but rounding is left
+    if (reached > Tolerances::loose_residual)
+      give_up(reached, allowed, n_iterations);
+    if (measure == Measure::of_terms)
+      rounding_floor = std::max(rounding_floor, reached);
+    return n_iterations;
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::factorise()
+  {
+    auto factors =
+      std::make_unique<const MultigridLevels<dim, float>>(body, true);
+    hierarchies.set_levels(*factors);
+    levels = std::move(factors);
+    if (tau == 0.)
+      return;
+    hierarchies.provide(tau);
+    hierarchies.set_contact(is_active, contact);
   }
 
 
@@ -429,7 +462,7 @@ namespace ThermoContact
         size = std::max(size, tau * norm(flow));
         flow.copy_locally_owned_data_from(known.temperature);
         scale_by(
-          levels.field(levels.n_levels() - 1, Field::temperature).stiffness,
+          levels->field(levels->n_levels() - 1, Field::temperature).stiffness,
           flow);
         size = std::max(size,
                         tau * epsilon / body.scene.linear_solver.tolerance *
@@ -472,7 +505,7 @@ namespace ThermoContact
     const Material &material = body.scene.material;
     const Vector   &diagonal =
       hierarchies.current().diagonals[Field::displacement];
-    const unsigned int finest = levels.n_levels() - 1;
+    const unsigned int finest = levels->n_levels() - 1;
 
     // Forces that move something: those beside the pressure that is there.
     Sizes  sizes{};
@@ -505,7 +538,7 @@ namespace ThermoContact
     raise_to(sizes, {{0., momentum_sizes(rows)[1]}});
     // Nothing is solved for that is rounding of the right-hand side.
     rows.copy_locally_owned_data_from(known.displacement);
-    scale_by(levels.field(finest, Field::displacement).stiffness, rows);
+    scale_by(levels->field(finest, Field::displacement).stiffness, rows);
     raise_to(sizes,
              momentum_sizes(rows),
              tau * epsilon / body.scene.linear_solver.tolerance);
@@ -618,7 +651,7 @@ namespace ThermoContact
 
 
   template <int dim>
-  unsigned int
+  FlexibleGmres::Result
   IterativeStage<dim>::add_correction(const double tolerance)
   {
     has_residual = false; // its place is used
@@ -629,10 +662,8 @@ namespace ThermoContact
                    max_iterations,
                    scaled_residual,
                    correction);
-    if (!(result.residual <= tolerance))
-      give_up(result.residual, tolerance, result.n_iterations);
     solution += correction;
-    return result.n_iterations;
+    return result;
   }
 
 

@@ -32,7 +32,8 @@ namespace ThermoContact
     operator=(const Log &) = delete;
 
     /**
-     * Also writes to @p file_name from now on, or at its end.
+     * Also writes to @p file_name, or at its end: what was printed so far, and
+     * all that follows.
      *
      * @return what is wrong, with path and remedy, or nothing
      */
@@ -74,6 +75,7 @@ namespace ThermoContact
     const bool    has_live_line_;
     bool          is_live; ///< a live line is on the screen
     std::ofstream file;
+    std::string   early_lines; ///< before there is a file
 
     /** Writes @p text and a line break to the file alone. */
     void

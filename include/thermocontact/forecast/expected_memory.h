@@ -17,6 +17,16 @@ namespace ThermoContact
   expected_memory(const Scene &scene, const unsigned int n_ranks);
 
   /**
+   * Processor time of all ranks, seconds, in two and three dimensions within a
+   * factor of about two, doc/bodies.md; as measured on the processors of
+   * doc/performance.md.
+   *
+   * @param n_steps of the run
+   */
+  double
+  expected_cpu_seconds(const Scene &scene, const double n_steps);
+
+  /**
    * Refuses a body that would not fit if its forecast were twice too large.
    *
    * @param available bytes, the same on all ranks: so is the decision

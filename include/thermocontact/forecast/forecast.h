@@ -47,6 +47,7 @@ namespace ThermoContact
     double snapshots      = 0.;
     double snapshot_bytes = 0.; ///< of all of them, about
     double face_bytes     = 0.; ///< of the contact face, if there is one
+    double cpu_seconds    = 0.; ///< of all processes; 0: a rod
   };
 
 
@@ -54,17 +55,14 @@ namespace ThermoContact
   /**
    * Number of steps, exact if they are fixed and nothing shortens them, for
    * error-controlled ones within a factor of about two (doc/accuracy.md); size
-   * of the files that grow with time.
+   * of the files that grow with time; processor time of a body.
    *
-   * @param n_cells of the mesh
    * @param loads what error-controlled steps follow of sources, which makes
    *   their number one within a factor of about three; null: not known
    * @return nothing for error-controlled steps under sources that are not known
    */
   std::optional<ExpectedCost>
-  expected_cost(const Scene       &scene,
-                const double       n_cells,
-                const LoadHistory *loads = nullptr);
+  expected_cost(const Scene &scene, const LoadHistory *loads = nullptr);
 } // namespace ThermoContact
 
 #endif

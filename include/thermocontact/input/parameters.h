@@ -113,7 +113,7 @@ namespace ThermoContact
     std::string  mass_matrix    = "consistent";
     std::string  geometry       = geometries().front().name;
     double       width          = 0.1;
-    unsigned int cells_across   = 4;
+    unsigned int cells_across   = 0; ///< 0: n_cells_across() by the width
     double       grading_across = 1.;
 
     void
@@ -125,6 +125,18 @@ namespace ThermoContact
      */
     unsigned int
     n_halvings() const;
+
+    /** Cells across before the refinements: for cubes, if none are given. */
+    unsigned int
+    n_cells_across() const;
+
+    /** Number of cells of a body of this dimension. */
+    double
+    n_cells(const unsigned int dim) const;
+
+    /** The longest side over the shortest of the flattest cell; dim > 1. */
+    double
+    cell_aspect() const;
 
     /** Number of nodes of a field in a body of this dimension. */
     double

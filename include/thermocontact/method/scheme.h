@@ -21,6 +21,9 @@ namespace ThermoContact
     std::string  text; ///< what it is, for the parameter reference
     unsigned int order = 1;
 
+    /** Systems to solve in a step. */
+    unsigned int n_stages = 1;
+
     /** Its steps can follow a tolerance. */
     bool has_error_estimate = false;
 

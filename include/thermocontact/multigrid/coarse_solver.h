@@ -27,7 +27,7 @@ namespace ThermoContact
 
   /**
    * The coarsest level of a V-cycle: a matrix and its sparse factors or, if it
-   * is large, one cycle of algebraic multigrid. Symmetric for a symmetric
+   * has none, one cycle of algebraic multigrid. Symmetric for a symmetric
    * matrix, and the same whenever it is made for the same matrix.
    */
   template <int dim>
@@ -36,15 +36,13 @@ namespace ThermoContact
   public:
     /**
      * @param space of the matrix
+     * @param has_factors else a cycle of algebraic multigrid
      * @throw ComputationError if the matrix cannot be factorised
      */
     CoarseSolver(const DoFHandler<dim> &space,
                  const Field::Block     field,
-                 SparseMatrix         &&matrix);
-
-    /** Whether a matrix of that many rows gets factors. */
-    static bool
-    is_factorised(const types::global_dof_index n_rows);
+                 SparseMatrix         &&matrix,
+                 const bool             has_factors);
 
     void
     solve(Vector &x, const Vector &b) const;

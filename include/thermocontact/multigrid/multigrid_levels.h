@@ -43,7 +43,8 @@ namespace ThermoContact
    * The body on coarser spaces: half the degree as long as there is one, then
    * half the cells, until the number of cells in some direction is odd. Each
    * level but the coarsest computes its products without matrices; the coarsest
-   * has matrices.
+   * has matrices. Where that does not converge there is one coarse level, the
+   * body itself with factors.
    *
    * @tparam Number of vectors: a preconditioner needs few digits, and float
    *   has half the size and twice the lanes
@@ -52,8 +53,22 @@ namespace ThermoContact
   class MultigridLevels
   {
   public:
-    /** @param body borrowed; it is the finest level */
-    explicit MultigridLevels(const Body<dim> &body);
+    /**
+     * @param body borrowed; it is the finest level
+     * @param has_factors_of_body instead of coarser spaces
+     */
+    explicit MultigridLevels(const Body<dim> &body,
+                             const bool       has_factors_of_body = false);
+
+    /** Whether the coarsest level has factors of a matrix of so many rows. */
+    bool
+    is_factorised(const types::global_dof_index n_rows) const;
+
+    bool
+    has_factors_of_body() const
+    {
+      return has_factors_of_body_;
+    }
 
     /** The coarsest one is 0. */
     unsigned int
@@ -115,6 +130,7 @@ namespace ThermoContact
     };
 
     const Body<dim>                                       &body;
+    const bool                                             has_factors_of_body_;
     std::vector<Level>                                     levels;
     std::unique_ptr<const ThermoviscoelasticOperator<dim>> coarse_operator_;
 

@@ -75,8 +75,16 @@ namespace ThermoContact
       hierarchies.clear();
     }
 
+    /** Forgets what has been made, and goes on with others; borrowed. */
+    void
+    set_levels(const MultigridLevels<dim, float> &new_levels)
+    {
+      clear();
+      levels = &new_levels;
+    }
+
   private:
-    const MultigridLevels<dim, float> &levels;
+    const MultigridLevels<dim, float> *levels;
     std::list<Hierarchy>               hierarchies;
     unsigned int                       n_made_ = 0;
   };

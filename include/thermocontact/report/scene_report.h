@@ -27,12 +27,28 @@ namespace ThermoContact
   describe_steady_state(const SteadyState &state, const Scene &scene);
 
   /**
-   * Prints what is going to be computed, what is known of the result, and the
-   * warnings so far.
+   * Prints what is going to be computed, what that takes and what is known of
+   * the result, before anything is set up. Collective.
+   *
+   * @param loads that steps follow
+   * @param communicator of the ranks that share the body
+   */
+  void
+  report_scene(const Scene       &scene,
+               const LoadHistory &loads,
+               const MPI_Comm     communicator,
+               Log               &log);
+
+  /**
+   * Prints what set-up adds to that, and the warnings so far.
+   *
+   * @param seconds since the start of the program, printed of a body
    */
   template <int dim>
   void
-  report_scene(const Simulation<dim> &simulation, Log &log);
+  report_set_up(const Simulation<dim> &simulation,
+                const double           seconds,
+                Log                   &log);
 
   /**
    * Warns of a run that would take more than 1e8 steps or write more than 10
@@ -45,7 +61,6 @@ namespace ThermoContact
    */
   void
   check_cost(const Scene       &scene,
-             const double       n_cells,
              const LoadHistory &loads,
              const double       free_bytes,
              const bool         is_forced,

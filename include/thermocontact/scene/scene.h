@@ -359,6 +359,9 @@ namespace ThermoContact
     /** Lateral faces have no normal displacement; dim > 1. */
     const bool has_rollers;
 
+    /** Those at y = 0 and z = 0 have none: planes of symmetry; dim > 1. */
+    const bool has_symmetry;
+
     /** The fixed end may move across the axis; dim > 1. */
     const bool has_sliding_end;
 
@@ -371,6 +374,26 @@ namespace ThermoContact
     const bool is_fixed_point;
 
     const LinearSolver linear_solver;
+
+    /**
+     * Nothing holds the body across its axis and no inertia resists, so that
+     * corners of the fixed end do, which needs no force.
+     */
+    bool
+    has_pins() const
+    {
+      return parameters.dimension > 1 && fields.has_displacement &&
+             has_sliding_end && !has_rollers && !has_symmetry &&
+             !geometry->has_axis_at_side() && !material.has_inertia();
+    }
+
+    /** Of both fields, held ones among them. */
+    double
+    n_unknowns() const
+    {
+      const unsigned int dim = parameters.dimension;
+      return parameters.mesh.n_nodes(dim) * fields.n_components(dim);
+    }
 
     /**
      * True if anything does work: sources, heat that drives the body, or an

@@ -24,7 +24,9 @@ namespace ThermoContact
     SceneFields    fields;
     Material       material;
     bool           has_rollers;
+    bool           has_symmetry;
     bool           has_sliding_end;
+    bool           has_pins;
     bool           has_lumped_mass;
     bool           has_midpoint_mass;
     bool           has_massless_nodes;

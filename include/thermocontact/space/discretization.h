@@ -283,6 +283,7 @@ namespace ThermoContact
     SystemVector                                 system_prototype;
     std::unique_ptr<const ContactEnd<dim>>       contact_end_;
     std::unique_ptr<const MatrixFreeSpaces<dim>> matrix_free_;
+    const bool                                   has_pins;
     std::vector<IndexSet>                        constrained_;
     std::vector<std::vector<unsigned int>>       constrained_entries_;
 
@@ -298,6 +299,10 @@ namespace ThermoContact
 
     AffineConstraints<double>
     make_constraints(const bool has_sliding_end) const;
+
+    /** Holds across the axis what is left of a body that nothing holds. */
+    void
+    add_pins(AffineConstraints<double> &constraints) const;
 
     /** Finds the constrained degrees of freedom of each field. */
     void

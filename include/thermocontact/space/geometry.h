@@ -128,6 +128,7 @@ namespace ThermoContact
   private:
     const std::unique_ptr<const BodyGeometry> body;
     const bool                                has_rollers;
+    const bool                                has_symmetry;
     const double                              width;
     const double                              cross_section_;
   };

@@ -80,6 +80,13 @@ namespace ThermoContact
     bool
     has_sources() const;
 
+    /**
+     * Nothing depends on the coordinates across the axis, and no vector has
+     * components across.
+     */
+    bool
+    is_along_axis() const;
+
     /** Sets the time at which the sources are evaluated. */
     void
     set_time(const double time);

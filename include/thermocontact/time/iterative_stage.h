@@ -9,6 +9,7 @@
 #include <thermocontact/time/flexible_gmres.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace ThermoContact
@@ -112,12 +113,14 @@ namespace ThermoContact
     restore(const double stage_length, const std::vector<bool> &last_contact);
 
     /**
-     * Solves for the present set.
+     * Solves for the present set. Where multigrid does not converge, a body of
+     * up to 1e5 unknowns gets factors from then on.
      *
-     * @param tolerance relative residual, (D8.4)
+     * @param tolerance relative residual, (D8.4); what rounding leaves may be
+     *   more
      * @return number of iterations
-     * @throw ComputationError if there are too many, or if the residual of the
-     *   solution is above twice the tolerance
+     * @throw ComputationError if there are too many, or if rounding leaves more
+     *   than 1e-5
      */
     unsigned int
     solve(const double tolerance, const Measure measure = Measure::of_terms);
@@ -151,15 +154,26 @@ namespace ThermoContact
       return tau;
     }
 
+    /** The largest residual that rounding has left above the tolerance. */
+    double
+    largest_rounding() const
+    {
+      return rounding_floor;
+    }
+
+    /** Puts factors of the body in the place of its coarser levels. */
+    void
+    factorise();
+
     const MultigridLevels<dim, float> &
     multigrid_levels() const
     {
-      return levels;
+      return *levels;
     }
 
   private:
-    const Body<dim>                  &body;
-    const MultigridLevels<dim, float> levels;
+    const Body<dim>                                   &body;
+    std::unique_ptr<const MultigridLevels<dim, float>> levels;
 
     StageHierarchies<dim> hierarchies;
 
@@ -183,6 +197,7 @@ namespace ThermoContact
     FlexibleGmres krylov;
 
     double largest_residual = 0.; ///< of the present stage, at the start
+    double rounding_floor   = 0.; ///< of all stages so far
 
     /** Local rows of contact nodes without mass; empty: none, or all are. */
     std::vector<bool> massless_rows;
@@ -235,7 +250,7 @@ namespace ThermoContact
     compute_scaled_residual();
 
     /** Improves the solution until the estimate of GMRES is small enough. */
-    unsigned int
+    FlexibleGmres::Result
     add_correction(const double tolerance);
 
     [[noreturn]] void

@@ -109,7 +109,10 @@ namespace ThermoContact
     /** The set of contact nodes that is factorised, too; empty: none. */
     std::vector<std::vector<bool>> active_sets;
 
-    /** Whether a stage had sparse factors since the blocks of its rod grew. */
+    /**
+     * Whether a stage had sparse factors since the blocks of its rod grew, or
+     * the multigrid of its body did not converge.
+     */
     bool has_refused_blocks = false;
 
     template <class Archive>
