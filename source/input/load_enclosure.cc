@@ -196,7 +196,7 @@ namespace ThermoContact
       last_like(double a, double b, const Quantity &quantity)
       {
         const double old  = quantity(a);
-        const double near = 0.1 * std::abs(quantity(b) - old);
+        const double near = 0.001 * std::abs(quantity(b) - old); // no tie
         while (true)
           {
             const double middle = 0.5 * (a + b);

@@ -493,7 +493,7 @@ namespace ThermoContact
                (name == "x" && assignment.path == "Contact/Gap");
       return assignment.path == "Contact/Gap" ||
              ((name == "y" ? dim > 1 : dim > 2) &&
-              assignment.path.rfind("Boundary/Fixed end", 0) != 0);
+              assignment.path.find("Fixed end") == std::string::npos);
     };
     ExpressionNames names;
     names.constants = constants;

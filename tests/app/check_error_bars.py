@@ -89,9 +89,14 @@ def gap_rate(overrides):
 
 def has_limit(key, overrides):
     """The force of a viscous rod behind an impact on a rigid stop is that of a jump of the
-    velocity, V (b zeta/(pi t))^(1/2)"""
-    return (key != "max_contact_force" or "Contact/Condition=rigid" not in overrides
-            or "Model/Viscosity=0" in overrides)
+    velocity, V (b zeta/(pi t))^(1/2); the compliance 0.01 gives way within the 0.02837 of
+    (D7.3), in which viscosity reaches (0.2 0.02837)^(1/2) = 0.0753 far."""
+    given = dict(entry.split("=", 1) for entry in overrides)
+    nodes = (int(given.get("Mesh/Cells", 8)) * 2 ** int(given.get("Mesh/Refinements", 0)) *
+             int(given.get("Mesh/Degree", 4)))
+    condition = given.get("Contact/Condition", "normal compliance")
+    return (key != "max_contact_force" or given.get("Model/Viscosity") == "0" or
+            condition == "power law" or (condition != "rigid" and 1 / nodes <= 0.0753))
 
 
 def exponent(overrides):
@@ -127,8 +132,12 @@ def peak(rows, _):
     return f1 - slope ** 2 / (4 * curvature) if curvature < 0 else f1
 
 
+def signed_difference(a, b):
+    return 0.0 if math.isnan(a) and math.isnan(b) else b - a
+
+
 def difference(a, b):
-    return 0.0 if math.isnan(a) and math.isnan(b) else abs(a - b)
+    return abs(signed_difference(a, b))
 
 
 def time_bars(summary, values, in_time, weights):
@@ -145,12 +154,14 @@ def time_bars(summary, values, in_time, weights):
 
 def space_bars(values, in_space, time, smallest):
     """(D9.4)"""
-    near, far = ({key: difference(values[key], repeat[key]) for key in KEYS}
-                 for repeat in in_space)
-    rates = {key: max(near[key] / far[key], smallest) if far[key] > near[key] else 1
+    first, second = ({key: signed_difference(values[key], repeat[key]) for key in KEYS}
+                     for repeat in in_space)
+    near = {key: abs(first[key]) for key in KEYS}
+    coarser = {key: abs(second[key] - first[key]) for key in KEYS}
+    rates = {key: max(near[key] / coarser[key], smallest) if coarser[key] > near[key] else 1
              for key in KEYS}
     largest = max((rates[key] for key in KEYS
-                   if near[key] > 2 * time[key] and far[key] > 0), default=0)
+                   if near[key] > 2 * time[key] and second[key] != 0), default=0)
     bars = {}
     for key in KEYS:
         rate = max(rates[key], math.sqrt(rates[key] * largest))
@@ -187,7 +198,7 @@ def check_errors(number):
     summary = results(number, overrides, True)[0]
     return "; ".join(
         f"{key} is {summary[key]} of {exact[key]}" for key in KEYS
-        if abs(summary[key] - exact[key]) > 3 * (summary[f"{key}_time_error"] +
+        if has_limit(key, overrides) and abs(summary[key] - exact[key]) > 3 * (summary[f"{key}_time_error"] +
                                                  summary[f"{key}_space_error"]))
 
 

@@ -241,8 +241,8 @@ def check_other_rods():
         faults.append(f"study of rods: {message}")
     table = Run("rods").tables["study.csv"]
     for number, rod in enumerate(rods):
-        run("--output", "rod", *settings((rod,)), file)
-        alone = json.loads(Path("rod/summary.json").read_text(encoding="utf-8"))
+        run("--output", "alone", *settings((rod,)), file)
+        alone = json.loads(Path("alone/summary.json").read_text(encoding="utf-8"))
         names = [name for name in table.names if isinstance(alone.get(name), float) and
                  "seconds" not in name]
         if len(names) < 7:

@@ -207,7 +207,7 @@ namespace
                 << end.coefficient[1] * 18. / 5. << ", flux "
                 << end.flux[0] * 15. << ' ' << end.flux[1] * 6.
                 << ", pressure below 1e-12 "
-                << (std::max(end.pressure[0], end.pressure[1]) < 1e-12)
+                << within(std::max(end.pressure[0], end.pressure[1]), 1e-12)
                 << std::endl;
       }
   }

@@ -195,9 +195,9 @@ namespace ThermoContact
   /**
    * The law of one contact node in one problem, made of the above: which
    * obstacle it meets, on one side or on two, held or not, damped or not.
-   * Problems of contact know sides and branches by it alone. Positions are measured from the
-   * obstacle that is local to the node, in the direction of the displacement in
-   * front of it and behind it alike.
+   * Problems of contact know sides and branches by it alone. Positions are
+   * measured from the obstacle that is local to the node, in the direction of
+   * the displacement in front of it and behind it alike.
    */
   struct NodeLaw : public InterfaceLaw
   {
