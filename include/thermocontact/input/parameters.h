@@ -113,7 +113,7 @@ namespace ThermoContact
     std::string  mass_matrix    = "consistent";
     std::string  geometry       = geometries().front().name;
     double       width          = 0.1;
-    unsigned int cells_across   = 0; ///< 0: n_cells_across() by the width
+    unsigned int cells_across   = 4; ///< 0: by the width, n_cells_across()
     double       grading_across = 1.;
 
     void
