@@ -234,10 +234,9 @@ namespace
 
 
 
-int
-main(int argc, char **argv)
+void
+main_supports()
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   initlog();
   for (const std::string solver : {"direct", "iterative"})
     for (const bool is_bent : {true, false})
