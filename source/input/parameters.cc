@@ -95,7 +95,9 @@ namespace ThermoContact
              "area of the cross-section over its perimeter.");
     entry("Ambient temperature", ambient_temperature, any_number)
       .means("Temperature theta_inf of the surroundings.");
-    entry("Lateral support", lateral_support, Selection("rollers|free|symmetric"))
+    entry("Lateral support",
+          lateral_support,
+          Selection("rollers|free|symmetric"))
       .means("Lateral faces, for Dimension > 1: rollers (no normal "
              "displacement), free, or symmetric: rollers at y = 0 and z = 0 "
              "alone, a half or a quarter of a body with free faces.");

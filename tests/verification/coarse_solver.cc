@@ -127,10 +127,9 @@ main_coarse_solver()
   const MultigridLevels<2, float>  rounded(body);
   const Discretization<2>         &coarsest = levels.discretization(0);
   deallog << "factors of " << coarsest.n_temperature_dofs() << " temperatures "
-          << levels.is_factorised(coarsest.n_temperature_dofs())
-          << ", of " << coarsest.n_displacement_dofs() << " displacements "
-          << levels.is_factorised(coarsest.n_displacement_dofs())
-          << std::endl;
+          << levels.is_factorised(coarsest.n_temperature_dofs()) << ", of "
+          << coarsest.n_displacement_dofs() << " displacements "
+          << levels.is_factorised(coarsest.n_displacement_dofs()) << std::endl;
   for (const double tau : {1e-3, 0.1})
     {
       const ContactRows springs = contact_rows(body, false, tau);
