@@ -275,16 +275,25 @@ namespace ThermoContact
 
 
 
-    /** Prints what is known before anything is set up. */
+    /** Prints what is known before anything is set up, or @p is_set_up. */
     template <int dim>
     void
-    report_plan(const Request &request, const MPI_Comm communicator, Log &log)
+    report_plan(const Request &request,
+                const bool     is_set_up,
+                const MPI_Comm communicator,
+                Log           &log)
     {
       const Scene            scene(request.parameters);
       const ProblemData<dim> data(scene); // whose expressions have to be right
-      std::vector<std::string> warnings;  // of set-up, which gives them
+      std::vector<std::string> warnings;  // of loads
       const LoadHistory        loads = load_history(scene, data, warnings);
       report_scene(scene, loads, communicator, log);
+      if (!is_set_up) // which gives them
+        {
+          report_warnings(warnings, 0, log);
+          log.line("  check     so large a body is not set up: its initial "
+                   "state is not checked");
+        }
       if (dim > 1 && is_rod(scene, data))
         log.line("  rod       Dimension = 1 has the same solution: nothing "
                  "depends on what is across");
@@ -371,9 +380,11 @@ namespace ThermoContact
         if (checkpoint)
           report_resumption(*checkpoint, parameters, log);
       }
-    report_plan<dim>(request, communicator, log);
-    if (command.check_only && dim > 1 &&
-        Scene(parameters).n_unknowns() > most_unknowns_of_check)
+    const bool is_set_up =
+      !command.check_only || dim == 1 ||
+      Scene(parameters).n_unknowns() <= most_unknowns_of_check;
+    report_plan<dim>(request, is_set_up, communicator, log);
+    if (!is_set_up)
       return;
     Simulation<dim> simulation(parameters, communicator);
     if (checkpoint)

@@ -267,7 +267,7 @@ namespace ThermoContact
     locator.set_present(next);
     if (is_held && towards <= continuous && away > continuous)
       locator.switch_at_start(state.time); // what has inertia does not follow
-    else if (body.law().is_rigid() &&
+    else if (std::max(towards, away) > continuous && body.law().is_rigid() &&
              body.scene.contact.order == NodeOrder::viscous)
       jump(state, events);
   }

@@ -282,23 +282,22 @@ namespace ThermoContact
     Vector rate(state.velocity);
     body.equations.stiffness().vmult(rate, state.velocity);
     rate *= -1.;
-    Vector heat, load;
-    if (body.loads.has_sources())
+    Vector       heat, load;
+    const double end_time = body.scene.parameters.time.end_time;
+    if (body.loads.has_sources() && end_time > 0.)
       {
         // a parabola through three instants on the side where the loads are
-        const double end_time = body.scene.parameters.time.end_time;
-        const double width =
-          Tolerances::load_difference *
-          (state.load_time > state.time || state.load_time == 0. ? end_time :
-                                                                   -end_time);
+        const double size      = Tolerances::load_difference * end_time;
+        const bool   is_behind = state.load_time > state.time ||
+                               state.was_moved_at_once() ||
+                               state.load_time < 2. * size;
+        const double width     = is_behind ? size : -size;
         const double weights[] = {-1.5, 2., -0.5};
         for (unsigned int i = 0; i < 3; ++i)
           {
             heat = body.discretization.make_vector(Field::temperature);
             load = body.discretization.make_vector(Field::displacement);
-            body.loads.assemble(std::max(state.load_time + i * width, 0.),
-                                heat,
-                                load);
+            body.loads.assemble(state.load_time + i * width, heat, load);
             rate.add(weights[i] / width, load);
           }
       }

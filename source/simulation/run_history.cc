@@ -59,7 +59,6 @@ namespace ThermoContact
     record.lateral_dissipation += result.lateral_dissipation;
     record.algebraic += result.algebraic;
     record.contact_dissipation += result.contact_dissipation;
-    record.contact_impulse += result.impulse;
     if (!result.is_prescribed)
       max_energy_increase =
         std::max(max_energy_increase, record.energy - old_energy - result.work);
@@ -74,5 +73,6 @@ namespace ThermoContact
     record.energy       = result.energy.sum();
     record.work += result.work;
     record.numerical_dissipation += result.numerical_dissipation;
+    record.contact_impulse += result.impulse;
   }
 } // namespace ThermoContact

@@ -277,13 +277,19 @@ namespace ThermoContact
     if (const std::string warning = spatial_error_monitor.take_warning();
         !warning.empty())
       history_.warnings.push_back(warning);
-    if (const double spacing = spacing_of_largest_force(scene_);
-        spacing > 0. && is_largest_force_of_mesh(scene_, events()))
-      history_.warnings.push_back(
-        text("the largest force is that of the mesh: it needs nodes at most ",
-             QuantityUnits(parameters()).text("position", spacing),
-             " apart at the obstacle; remedy: a larger Mesh/Grading, or more "
-             "Mesh/Cells"));
+    const double spacing = spacing_of_largest_force(scene_);
+    if (!(spacing > 0.) || !is_largest_force_of_mesh(scene_, events()))
+      return;
+    const std::string warning =
+      text("the largest force is that of the mesh: it needs nodes at most ",
+           QuantityUnits(parameters()).text("position", spacing),
+           " apart at the obstacle; remedy: a larger Mesh/Grading, or more "
+           "Mesh/Cells");
+    // a run that goes on may have it already
+    if (std::find(history_.warnings.begin(),
+                  history_.warnings.end(),
+                  warning) == history_.warnings.end())
+      history_.warnings.push_back(warning);
   }
 
 
@@ -347,6 +353,15 @@ namespace ThermoContact
                          "initial values and sources, or a smaller Time/Step "
                          "size";
     });
+    take_warnings();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::take_warnings()
+  {
     for (std::string &warning : integrator->stage_solver().take_warnings())
       history_.warnings.push_back(std::move(warning));
   }
@@ -408,6 +423,7 @@ namespace ThermoContact
           reset.moves_at_once())
         tracker.jump(result.state, history_.events);
     });
+    take_warnings();
     if (!result.failure.empty())
       result.failure = text("inputs have a discontinuity at t = ",
                             QuantityUnits(parameters()).text("time", time),

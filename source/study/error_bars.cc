@@ -168,7 +168,7 @@ namespace ThermoContact
     {
       double largest = 0.;
       for (const KeyResult::Name k : results_with_error_bars)
-        if (std::abs(near[k]) > 2. * time[k] && far[k] != 0.)
+        if (std::abs(near[k]) > 2. * time[k] && std::abs(far[k]) > 0.)
           largest = std::max(largest, rate(near[k], far[k], smallest));
       return largest;
     }

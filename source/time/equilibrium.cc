@@ -134,7 +134,8 @@ namespace ThermoContact
             std::vector<double>        &pressure) override
       {
         // in x/c laws are the same if they are rigid, or linear with c = 1
-        Assert(forces != nullptr && (factor == 1. || body.law().is_rigid()),
+        Assert(forces != nullptr &&
+                 (laws.empty() || factor == 1. || body.law().is_rigid()),
                dealii::ExcInternalError());
         provide();
         solver->restore({});

@@ -143,7 +143,7 @@ def same_bytes(name, *directories, but=()):
             texts = ["\n".join(line.rpartition(",")[0] if file.endswith("steps.csv") else line
                                for line in text.decode().split("\n")
                                if not COSTS.match(line) and not re.search(
-                                   r"us per step|files  |seconds", line))
+                                   r"us per step|files  |seconds|  set up  ", line))
                      for text in texts]
         if texts[0] != texts[1]:
             faults.append(f"{name}: {file} differs")

@@ -293,6 +293,10 @@ namespace ThermoContact
     void
     make_up_for_break();
 
+    /** What the solver of stages has to say. */
+    void
+    take_warnings();
+
     /**
      * Sizes of steps start again behind a jump of inputs, and where the state
      * of contact is another one.
