@@ -18,7 +18,12 @@ namespace ThermoContact
                  const std::vector<double>              &embedded_b = {},
                  const std::vector<double>              &static_b   = {})
     {
-      ButcherTableau tableau{name, order, a, {}, embedded_b, static_b};
+      ButcherTableau tableau{name,
+                             order,
+                             a,
+                             {},
+                             embedded_b,
+                             static_b.empty() ? embedded_b : static_b};
       for (const std::vector<double> &row : a)
         {
           double sum = 0.;
@@ -57,7 +62,6 @@ namespace ThermoContact
                            {(-6. * gamma * gamma + 16. * gamma - 1.) / 4.,
                             (6. * gamma * gamma - 20. * gamma + 5.) / 4.,
                             gamma}},
-                          {1. - embedded, embedded, 0.},
                           {1. - embedded, embedded, 0.});
     }
 

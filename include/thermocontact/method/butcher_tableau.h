@@ -28,8 +28,9 @@ namespace ThermoContact
 
     /**
      * Those for a body without inertia and viscosity, which follows its loads
-     * at once: of order 2, and for what has no equation of its own the
-     * extrapolation of the old value and the first stages, of order - 1.
+     * at once, doc/discretisation.md section 3: embedded_b, or of sdirk4 of
+     * order 2, and for what has no equation of its own the extrapolation of the
+     * old value and the first stages, of order 3.
      */
     std::vector<double> static_b;
 

@@ -146,7 +146,7 @@ namespace ThermoContact
       return counters_;
     }
 
-    /** What is factorised, in the order of the members. */
+    /** Whether inertia, stiffness, heat and adiabatic nodes are factorised. */
     std::vector<bool>
     retained() const;
 
@@ -214,7 +214,8 @@ namespace ThermoContact
 
     /**
      * How fast the forces on a body change that moves with its velocities,
-     * without those of contact: by stiffness, loads and the heat that flows.
+     * without those of contact: the right-hand side of (C4.3), by stiffness,
+     * loads and the heat that flows. No heat at the start and behind a jump.
      */
     Vector
     rate_of_forces(const State &state);
@@ -245,13 +246,18 @@ namespace ThermoContact
     move_static_nodes(State &state);
 
     /**
-     * The energy of the state anew; what the loads did and it does not have is
-     * numerical dissipation.
+     * The energy (M2.2) of the state anew; @p work, per unit cross-section, is
+     * added to, and what it does and the energy does not have is numerical
+     * dissipation.
      */
     void
     book(const double work, StepResult &result) const;
 
-    /** (C4.4) of a static body, in a short stage; likewise. */
+    /**
+     * (C4.4) of a static body, in a short stage; returns the work of the loads.
+     *
+     * @throw ComputationError if the stage is not solved
+     */
     double
     move_static_body(StageSolver &solver, State &state);
 
