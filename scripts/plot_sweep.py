@@ -3,8 +3,8 @@
 import argparse
 import math
 
-from plot_common import (fail, in_unit, looks, new_figure, plain, read_rows,
-                         title_of, units_of)
+from plot_common import (fail, in_unit, label_axis, looks, new_figure, plain, prefix_of,
+                         read_rows, title_of, units_of)
 from plot_study import MARKERS, NO_WORD
 
 RESULTS = {"first_contact_time": "time of the first contact",
@@ -93,8 +93,18 @@ def whole_numbers(sweep, result):
     return range(low, high + 1, 1 + (high - low) // 10)
 
 
-def entry_label(sweep, name):
-    return in_unit(name.split("/")[-1].lower(), sweep.units.get(name))
+def label_entry(axis, sweep, name):
+    """Label and ticks of an axis for a varied entry."""
+    label_numbers(axis, name.split("/")[-1].lower(), sweep, name)
+
+
+def label_numbers(axis, label, sweep, name):
+    """Label and ticks of an axis for a column."""
+    unit = sweep.units.get(name)
+    if axis.get_scale() == "log":
+        axis.set_label_text(in_unit(label, unit))
+    else:
+        label_axis(axis, label, unit, [number(run[name]) for run in sweep.runs])
 
 
 def differs(sweep, result):
@@ -123,8 +133,8 @@ def draw_curves(figure, sweep, results, axis):
                        label=plain(label, 90), markersize=4,
                        marker=MARKERS[i % len(MARKERS)], **looks(i))
         panel.set_xscale(scale_of([number(run[axis]) for run in sweep.runs]))
-        panel.set_xlabel(entry_label(sweep, axis))
-        panel.set_ylabel(in_unit(RESULTS[name], sweep.units.get(name)))
+        label_entry(panel.xaxis, sweep, axis)
+        label_numbers(panel.yaxis, RESULTS[name], sweep, name)
         if name in WHOLE:
             panel.set_yticks(whole_numbers(sweep, name))
     legend = figure.add_subplot(grid[rows, :])
@@ -151,16 +161,21 @@ def draw_maps(figure, sweep, results, axes):
                                  shading="nearest", cmap="viridis",
                                  rasterized=True)
         panel.grid(False)
-        for ticks, words, vertical in ((panel.set_xticks, xs, len(xs) > 6),
-                                       (panel.set_yticks, ys, False)):
-            shown = range(0, len(words), 1 + len(words) // 20)
-            ticks(shown, [words[i] for i in shown], rotation=90 * vertical)
-        if k + columns >= len(results):
-            panel.set_xlabel(entry_label(sweep, axes[0]))
-        if k % columns == 0:
-            panel.set_ylabel(entry_label(sweep, axes[1]))
-        panel.set_title(in_unit(RESULTS[name], sweep.units.get(name)), fontsize=11)
+        for axis, entry, words, is_labelled in (
+                (panel.xaxis, axes[0], xs, k + columns >= len(results)),
+                (panel.yaxis, axes[1], ys, k % columns == 0)):
+            unit, shown = sweep.units.get(entry), range(0, len(words), 1 + len(words) // 20)
+            prefix, power = prefix_of(unit, map(number, words))
+            axis.set_ticks(shown, [f"{number(words[i]) / 10.**power:g}" if power else words[i]
+                                   for i in shown],
+                           rotation=90 * (axis is panel.xaxis and len(xs) > 6))
+            if is_labelled:
+                axis.set_label_text(in_unit(entry.split("/")[-1].lower(),
+                                            prefix + unit if unit else None))
         bar = figure.colorbar(cells, ax=panel)
+        label_numbers(bar.ax.yaxis, RESULTS[name], sweep, name)
+        panel.set_title(bar.ax.get_ylabel(), fontsize=11)
+        bar.set_label("")
         if name in WHOLE:
             bar.set_ticks(whole_numbers(sweep, name))
     for panel in list(panels.flat)[len(results):]:
