@@ -125,8 +125,13 @@ def draw_history(axes, column, label, runs):
         axes.plot(run.data["time"], run.data[column], zorder=3, **run.looks)
     if column == "gap" and any(math.isfinite(run.rear) for run in runs):
         label = "gap to the nearer obstacle"
-    label_axis(axes.yaxis, label, runs[0].units.get(column),
-               [value for run in runs for value in run.data[column]])
+    values = [value for run in runs for value in run.data[column]]
+    if column == "gap":  # of an end that stays on a rigid obstacle it is rounding
+        size = max(abs(u) for run in runs for u in run.data["displacement_end"] if math.isfinite(u))
+        if max(abs(gap) for gap in values if math.isfinite(gap)) < 1e-12 * size:
+            values = [size]
+            axes.set_ylim(-size, size)
+    label_axis(axes.yaxis, label, runs[0].units.get(column), values)
     if column == "displacement_end":
         for g in {run.obstacle for run in runs if not run.moves}:
             draw_obstacle(axes, g, "$g$" if g else "")

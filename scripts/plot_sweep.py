@@ -86,11 +86,10 @@ def curves_of(sweep, axis):
     return curves
 
 
-def whole_numbers(sweep, result):
-    """Ticks at some ten of the whole numbers that a result is between."""
-    values = [number(run[result]) for run in sweep.runs]
-    low, high = (int(limit(v for v in values if not math.isnan(v))) for limit in (min, max))
-    return range(low, high + 1, 1 + (high - low) // 10)
+def whole_numbers(result):
+    """Where the ticks of a result that has no values between them are; else None."""
+    from matplotlib.ticker import MaxNLocator
+    return MaxNLocator(integer=True, min_n_ticks=1) if result in WHOLE else None
 
 
 def label_entry(axis, sweep, name):
@@ -135,8 +134,8 @@ def draw_curves(figure, sweep, results, axis):
         panel.set_xscale(scale_of([number(run[axis]) for run in sweep.runs]))
         label_entry(panel.xaxis, sweep, axis)
         label_numbers(panel.yaxis, RESULTS[name], sweep, name)
-        if name in WHOLE:
-            panel.set_yticks(whole_numbers(sweep, name))
+        if ticks := whole_numbers(name):
+            panel.yaxis.set_major_locator(ticks)
     legend = figure.add_subplot(grid[rows, :])
     legend.axis("off")
     if below:
@@ -165,19 +164,17 @@ def draw_maps(figure, sweep, results, axes):
                 (panel.xaxis, axes[0], xs, k + columns >= len(results)),
                 (panel.yaxis, axes[1], ys, k % columns == 0)):
             unit, shown = sweep.units.get(entry), range(0, len(words), 1 + len(words) // 20)
-            prefix, power = prefix_of(unit, map(number, words))
+            prefix, power = prefix_of(unit, [number(words[len(words) // 2])])
             axis.set_ticks(shown, [f"{number(words[i]) / 10.**power:g}" if power else words[i]
                                    for i in shown],
                            rotation=90 * (axis is panel.xaxis and len(xs) > 6))
             if is_labelled:
                 axis.set_label_text(in_unit(entry.split("/")[-1].lower(),
                                             prefix + unit if unit else None))
-        bar = figure.colorbar(cells, ax=panel)
+        bar = figure.colorbar(cells, ax=panel, ticks=whole_numbers(name))
         label_numbers(bar.ax.yaxis, RESULTS[name], sweep, name)
         panel.set_title(bar.ax.get_ylabel(), fontsize=11)
         bar.set_label("")
-        if name in WHOLE:
-            bar.set_ticks(whole_numbers(sweep, name))
     for panel in list(panels.flat)[len(results):]:
         panel.remove()
     figure.align_ylabels()
