@@ -104,9 +104,9 @@ def raised(unit):
 
 def prefix_of(unit, values):
     """The prefix of SI, and its power of ten, with which the largest of these values is
-    from 1 to 1000; none for a unit that takes none."""
+    from 1 to 1000; none for a unit that takes none, as those of times and temperatures."""
     largest = max((abs(value) for value in values if math.isfinite(value)), default=0.)
-    if not re.match(r"(m|s|N|Pa|J|W)(?![\w^])", unit or "") or not 1e-12 <= largest < 1e12:
+    if not re.match(r"(m|N|Pa|J|W)(?![\w^])", unit or "") or not 1e-12 <= largest < 1e12:
         return "", 0
     thousands = math.floor(math.log10(largest * (1 + 1e-9)) / 3)
     return PREFIXES[thousands + 4], 3 * thousands

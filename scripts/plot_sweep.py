@@ -3,8 +3,8 @@
 import argparse
 import math
 
-from plot_common import (fail, in_unit, label_axis, looks, new_figure, plain, prefix_of,
-                         read_rows, title_of, units_of)
+from plot_common import (fail, in_prefix, in_unit, label_axis, looks, new_figure, plain,
+                         prefix_of, read_rows, title_of, units_of)
 from plot_study import MARKERS, NO_WORD
 
 RESULTS = {"first_contact_time": "time of the first contact",
@@ -72,13 +72,19 @@ def scale_of(values):
     return "log" if low > 0 and high > 30 * low else "linear"
 
 
+def value_of(sweep, name, run):
+    """A varied entry of a run, as text."""
+    unit = sweep.units.get(name)
+    return in_prefix(number(run[name]), unit) if unit else run[name]
+
+
 def curves_of(sweep, axis):
     """Runs by label, a curve for each combination of the other entries."""
     others = [name for name in sweep.varied if name != axis
               and len({run[name] for run in sweep.runs}) > 1]
     curves = {}
     for run in sweep.runs:
-        words = [f"{name.split('/')[-1].lower()} {run[name]}"
+        words = [f"{name.split('/')[-1].lower()} {value_of(sweep, name, run)}"
                  if NO_WORD.match(run[name]) else run[name] for name in others]
         curves.setdefault(", ".join(words), []).append(run)
     for runs in curves.values():
