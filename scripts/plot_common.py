@@ -164,11 +164,13 @@ def need_matplotlib():
     os.environ["MPLBACKEND"] = "Agg"  # no display
     installer = Path(__file__).resolve().parent / "install_packages"
     is_system = sys.executable == "/usr/bin/python3"
-    if not find_spec("matplotlib") and is_system and installer.exists():
-        subprocess.run([installer, "--only", "python3-matplotlib"], check=False)
-        invalidate_caches()
-    if not find_spec("matplotlib"):
-        fail(sys.executable, "it has no matplotlib", "install Debian's python3-matplotlib"
+    try:
+        if not find_spec("matplotlib") and is_system and installer.exists():
+            subprocess.run([installer, "--only", "python3-matplotlib"], check=False)
+            invalidate_caches()
+        import matplotlib  # noqa: F401
+    except ImportError as error:
+        fail(sys.executable, error, "install Debian's python3-matplotlib"
              if is_system else "run it by /usr/bin/python3")
 
 
