@@ -147,10 +147,12 @@ namespace ThermoContact
       if (smallest + body.scene.contact.rear_gap > 0.)
         return;
       const QuantityUnits units(body.scene.parameters);
-      throw InputError(entry_of_gap(body.scene, -1) + "\n  allowed: above " +
-                       units.text_for_entry("length", -smallest) +
-                       ", minus the smallest Contact/Gap\n  remedy:  a larger "
-                       "one: the stops overlap");
+      throw InputError(
+        "Contact/Rear gap = " +
+        units.text_for_entry("length", body.scene.contact.rear_gap) +
+        "\n  allowed: above " + units.text_for_entry("length", -smallest) +
+        ", minus the smallest Contact/Gap\n  remedy:  a larger "
+        "one: the stops overlap");
     }
 
 
