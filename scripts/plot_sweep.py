@@ -139,7 +139,7 @@ def draw_curves(figure, sweep, results, axis):
                        marker=MARKERS[i % len(MARKERS)], **looks(i))
         panel.set_xscale(scale_of([number(run[axis]) for run in sweep.runs]))
         label_entry(panel.xaxis, sweep, axis)
-        label_numbers(panel.yaxis, RESULTS[name], sweep, name)
+        label_numbers(panel.yaxis, RESULTS.get(name, name), sweep, name)
         if ticks := whole_numbers(name):
             panel.yaxis.set_major_locator(ticks)
     legend = figure.add_subplot(grid[rows, :])
@@ -178,7 +178,7 @@ def draw_maps(figure, sweep, results, axes):
                 axis.set_label_text(in_unit(entry.split("/")[-1].lower(),
                                             prefix + unit if unit else None))
         bar = figure.colorbar(cells, ax=panel, ticks=whole_numbers(name))
-        label_numbers(bar.ax.yaxis, RESULTS[name], sweep, name)
+        label_numbers(bar.ax.yaxis, RESULTS.get(name, name), sweep, name)
         panel.set_title(bar.ax.get_ylabel(), fontsize=11)
         bar.set_label("")
     for panel in list(panels.flat)[len(results):]:
