@@ -14,11 +14,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {} // namespace
-
-
-
   template <int dim>
   std::vector<Place<dim>>
   places_on_axis(const Discretization<dim> &discretization)
