@@ -122,10 +122,7 @@ namespace ThermoContact
     record.stress_end = mean_traction() - record.contact_force;
 
     if (dim > 1)
-      {
-        measure_face(state, record.face);
-        record.face.min_gap = record.gap;
-      }
+      measure_face(state, record);
 
     record.displacement_mid =
       axis[PointValues<dim>::displacement * on_axis->n_places()];
@@ -135,22 +132,24 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Measurements<dim>::measure_face(const State &state, FaceRecord &face)
+  Measurements<dim>::measure_face(const State &state, StepRecord &record)
   {
     const ContactEnd<dim> &end  = body.contact_end();
     const Point<dim>       axis = body.discretization.geometry().on_axis(1.);
     const bool is_axis_inside   = !body.scene.geometry->has_axis_at_side();
-    face                        = FaceRecord();
+    record.contact_area = record.max_pressure = record.moment_y =
+      record.moment_z                         = 0.;
+    record.min_gap                            = record.gap;
     for (unsigned int i = 0; i < end.n_nodes(); ++i)
       if (const double p = state.contact_pressure[i]; p != 0.)
         {
-          face.contact_area += end.share(i);
-          face.max_pressure = std::max(face.max_pressure, std::abs(p));
+          record.contact_area += end.share(i);
+          record.max_pressure = std::max(record.max_pressure, std::abs(p));
           if (!is_axis_inside)
             continue;
           const Tensor<1, dim> arm = end.nodes()[i].position - axis;
-          face.moment_y += end.share(i) * p * (dim > 1 ? arm[dim > 1] : 0.);
-          face.moment_z += end.share(i) * p * (dim > 2 ? arm[dim - 1] : 0.);
+          record.moment_y += end.share(i) * p * (dim > 1 ? arm[dim > 1] : 0.);
+          record.moment_z += end.share(i) * p * (dim > 2 ? arm[dim - 1] : 0.);
         }
   }
 

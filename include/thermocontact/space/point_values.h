@@ -64,6 +64,10 @@ namespace ThermoContact
       n_quantities
     };
 
+    /** Of the quantities, in the order of the enumeration. */
+    static constexpr std::array<const char *, n_quantities> names = {
+      {"temperature", "displacement", "velocity", "stress"}};
+
     /**
      * The references are borrowed.
      *
