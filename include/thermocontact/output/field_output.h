@@ -84,7 +84,7 @@ namespace ThermoContact
     std::optional<SnapshotSeries> contact_face;       ///< if there is one
     std::optional<SnapshotSeries> obstacle;           ///< if it moves
     const std::shared_ptr<dealii::Function<dim>> gap; ///< of an obstacle
-    std::chrono::steady_clock::time_point last_lists;
+    std::chrono::steady_clock::time_point        last_lists;
 
     /** All, as far as they are there. */
     std::vector<SnapshotSeries *>
