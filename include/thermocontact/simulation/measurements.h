@@ -4,10 +4,11 @@
 #define thermocontact_simulation_measurements_h
 
 #include <thermocontact/space/body.h>
+#include <thermocontact/space/point_values.h>
 #include <thermocontact/space/state.h>
 
+#include <memory>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace ThermoContact
@@ -145,32 +146,17 @@ namespace ThermoContact
   private:
     Body<dim> &body;
 
-    /** Position in the local vector and weight; empty on other ranks. */
-    using Weights = std::vector<std::pair<unsigned int, double>>;
+    /**
+     * In the middle of the body and, where nodes do not have the velocity, of
+     * the last cell.
+     */
+    std::unique_ptr<PointValues<dim>> on_axis;
 
-    Weights mid_weights; ///< of the middle of the body
-
-    /** Of the middle of the last cell, where nodes do not have the velocity. */
-    Weights              last_cell_weights;
     Vector               mean_weights;
     Vector               lateral_weights;  ///< of the temperature in the loss
     double               lateral_sum = 0.; ///< their sum
     std::vector<double>  contact_values;
     std::vector<NodeLaw> contact_laws;
-
-    /** Of the axial displacement at @p position on the axis. Collective. */
-    Weights
-    find_weights(const double position) const;
-
-    /** What they weigh, on all ranks. */
-    double
-    value(const Weights &weights, const Vector &vector) const;
-
-    /** Weights of the displacements of a cell in that at @p point. */
-    std::vector<std::pair<types::global_dof_index, double>>
-    weights_at(
-      const Point<dim>                                     &point,
-      const typename DoFHandler<dim>::active_cell_iterator &cell) const;
 
     void
     measure_displacement(const State &state, StepRecord &record);

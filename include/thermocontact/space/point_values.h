@@ -85,6 +85,12 @@ namespace ThermoContact
     const std::vector<double> &
     evaluate(const State &state);
 
+    unsigned int
+    n_places() const
+    {
+      return n_places_;
+    }
+
   private:
     /** Linear form of the nodal values of a field. */
     enum Form
@@ -121,7 +127,7 @@ namespace ThermoContact
 
     const Scene                           &scene;
     const Discretization<dim>             &discretization;
-    const unsigned int                     n_places;
+    const unsigned int                     n_places_;
     std::array<std::vector<Term>, n_forms> terms;
     std::vector<double>                    values;
 
