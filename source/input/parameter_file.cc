@@ -54,11 +54,9 @@ namespace ThermoContact
     class Assigner
     {
     public:
-      Assigner(const std::vector<DeclaredEntry>    &entries,
-               const std::map<std::string, double> &constants,
+      Assigner(const std::map<std::string, double> &constants,
                ParameterHandler                    &prm)
-        : entries(entries)
-        , constants(constants)
+        : constants(constants)
         , prm(prm)
       {}
 
@@ -94,7 +92,7 @@ namespace ThermoContact
       bool
       knows(const Assignment &assignment) const
       {
-        return find_entry(entries, assignment.path) != nullptr &&
+        return find_entry(assignment.path) != nullptr &&
                !is_constant_path(assignment.path);
       }
 
@@ -103,9 +101,7 @@ namespace ThermoContact
       check_name(const Assignment &assignment)
       {
         if (assignment.is_section())
-          return check_section(assignment.place,
-                               section_of(assignment.path),
-                               entries);
+          return check_section(assignment.place, section_of(assignment.path));
         if (!is_constant_path(assignment.path))
           entry_of(assignment);
         // The command line may override what a file sets, and itself; so may a
@@ -124,7 +120,6 @@ namespace ThermoContact
       }
 
     private:
-      const std::vector<DeclaredEntry>    &entries;
       const std::map<std::string, double> &constants;
       ParameterHandler                    &prm;
       std::map<std::string, std::string>   places;
@@ -170,9 +165,9 @@ namespace ThermoContact
       const DeclaredEntry &
       entry_of(const Assignment &assignment) const
       {
-        const DeclaredEntry *const entry = find_entry(entries, assignment.path);
+        const DeclaredEntry *const entry = find_entry(assignment.path);
         if (entry == nullptr)
-          refuse_entry(assignment, entries);
+          refuse_entry(assignment);
         return *entry;
       }
     };
@@ -180,19 +175,28 @@ namespace ThermoContact
 
 
 
-  void
-  assign_entries(const std::vector<Assignment> &assignments,
-                 ParameterHandler              &prm)
+  namespace
   {
-    assign_entries(assignments, declared_entries(prm), prm);
-  }
+    /** Reads the value of an entry that may be an expression. */
+    void
+    check_expression(const Assignment  &assignment,
+                     const unsigned int dim,
+                     ExpressionNames    names)
+    {
+      names.variables = entry_of_program(assignment.path).variables(dim);
+      const std::string &text = assignment.value;
+      if (!names.variables.empty() && !parse_number(text))
+        read_components(assignment.path,
+                        text,
+                        1 + std::count(text.begin(), text.end(), ';'),
+                        names);
+    }
+  } // namespace
 
 
 
   void
-  assign_entries(const std::vector<Assignment>    &given,
-                 const std::vector<DeclaredEntry> &entries,
-                 ParameterHandler                 &prm)
+  assign_entries(const std::vector<Assignment> &given, ParameterHandler &prm)
   {
     const auto with_places = [&](const auto &action) {
       try
@@ -205,19 +209,18 @@ namespace ThermoContact
         }
     };
     std::map<std::string, double> constants;
-    with_places([&]() { constants = assign_constants(given, entries, prm); });
-    Assigner                      assigner(entries, constants, prm);
+    with_places([&]() { constants = assign_constants(given, prm); });
+    Assigner                      assigner(constants, prm);
     std::vector<std::string>      faults;
-    const std::vector<Assignment> assignments =
-      with_numbers(given, entries, constants);
-    const auto collect = [&faults](const auto &action) {
+    const std::vector<Assignment> assignments = with_numbers(given, constants);
+    const auto                    collect     = [&](const auto &action) {
       try
         {
           action();
         }
       catch (const InputError &error)
         {
-          faults.emplace_back(error.what());
+          faults.push_back(complete_message(error.what(), given, prm));
         }
     };
     std::string unknown_section; // what stands in it is no fault of its own
@@ -242,23 +245,33 @@ namespace ThermoContact
     };
     if (!is_in_si(assignments))
       {
-        assign_if([](const Assignment &) { return true; },
-                  [](const Assignment &assignment) {
-                    refuse_units({assignment});
-                    return assignment.value;
-                  });
+        const auto is_dimension = [](const Assignment &assignment) {
+          return assignment.path == "Dimension";
+        };
+        assign_if(is_dimension, [](const Assignment &assignment) {
+          return assignment.value;
+        });
+        ExpressionNames names;
+        names.constants     = constants;
+        names.folder        = folder_of_tables(given);
+        names.checks_values = false;
+        assign_if(
+          [&](const Assignment &assignment) {
+            return !is_dimension(assignment);
+          },
+          [&](const Assignment &assignment) {
+            refuse_units({assignment});
+            check_expression(assignment,
+                             parse_number(prm.get("Dimension")).value(),
+                             names);
+            return assignment.value;
+          });
         return throw_faults(faults);
       }
     assign_if(is_of_rod, without_unit);
     throw_faults(faults);
-    RodParameters    rod;
-    ParameterHandler rod_prm;
-    rod.add_parameters(rod_prm);
-    for (const Assignment &assignment : assignments)
-      if (is_of_rod(assignment) && !assignment.is_section())
-        set_entry({"", assignment.path, without_unit(assignment)}, rod_prm);
     std::optional<SiScene> scene;
-    with_places([&]() { scene.emplace(assignments, entries, rod, constants); });
+    with_places([&]() { scene.emplace(assignments, constants); });
     assign_if(
       [&](const Assignment &assignment) { return !is_of_rod(assignment); },
       [&](const Assignment &assignment) { return scene->value(assignment); });

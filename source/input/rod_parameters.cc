@@ -18,28 +18,32 @@ namespace ThermoContact
     entry("Length", length, positive)
       .means(
         "Length L of the body, m. A file with this section is in SI units; "
-        "0: there is none.");
+        "0: there is none.",
+        "length");
     entry("Cross-section area", area, positive)
-      .means("Area A of the cross-section, m^2.");
-    entry("Density", density, positive).means("Density rho, kg/m^3.");
+      .means("Area A of the cross-section, m^2.", "area");
+    entry("Density", density, positive)
+      .means("Density rho, kg/m^3.", "density");
     entry("Young's modulus", youngs_modulus, positive)
-      .means("Young's modulus E, Pa.");
+      .means("Young's modulus E, Pa.", "stress");
     entry("Poisson ratio", poisson_ratio, Double(-0.999, 0.4999))
       .means("Poisson ratio nu, for confined lateral sides and Dimension > 1.");
     entry("Lateral sides", lateral_sides, Selection("free|confined"))
       .means("For Dimension = 1: free, a thin rod, whose stiffness is Young's "
              "modulus; or confined, no lateral strain: that of P-waves.");
     entry("Viscosity", viscosity, positive)
-      .means("Kelvin-Voigt viscosity eta, Pa s: stress eta u_xt.");
+      .means("Kelvin-Voigt viscosity eta, Pa s: stress eta u_xt.", "viscosity");
     entry("Linear expansion", linear_expansion, Double(-1., 1.))
-      .means("Coefficient alpha of linear thermal expansion, 1/K.");
+      .means("Coefficient alpha of linear thermal expansion, 1/K.",
+             "thermal expansion");
     entry("Conductivity", conductivity, positive)
-      .means("Heat conductivity kappa, W/(m K).");
+      .means("Heat conductivity kappa, W/(m K).", "conductivity");
     entry("Heat capacity", heat_capacity, positive)
-      .means("Specific heat capacity c, J/(kg K).");
+      .means("Specific heat capacity c, J/(kg K).", "heat capacity");
     entry("Reference temperature", reference_temperature, positive)
       .means("Temperature of the body without stress, K; that of the body, the "
-             "obstacle and the surroundings unless they are given.");
+             "obstacle and the surroundings unless they are given.",
+             "temperature");
     entry("Small terms", small_terms, Selection("automatic|kept|dropped"))
       .means(
         "Inertia and viscosity: kept, dropped, or automatic: dropped where "

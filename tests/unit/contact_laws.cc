@@ -35,7 +35,7 @@ namespace
   {
     for (const ContactLawKind &kind : contact_laws())
       {
-        const auto   law   = kind.make(ContactLawParameters());
+        const auto   law   = kind.make(default_law_parameters());
         const double chi   = 0.3;
         double       worst = 0.;
         for (const double p : {0.1, 1., 3.})
