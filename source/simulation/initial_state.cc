@@ -203,7 +203,7 @@ namespace ThermoContact
                                    velocity[i],
                                scene.contact.rear_gap);
       std::vector<double> penetration;
-      body.contact_end().get_penetrations(state, penetration);
+      body.contact_end().get_penetrations(state, 1, penetration);
       const unsigned int deepest =
         std::max_element(penetration.begin(), penetration.end()) -
         penetration.begin();

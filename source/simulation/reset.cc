@@ -212,9 +212,9 @@ namespace ThermoContact
                                        state.contact_pressure,
                                        1.,
                                        load);
-    position.assign(laws.size(), 0.);
-    for (unsigned int i = 0; i < position.size(); ++i)
-      position[i] -= state.gap_rate[i];
+    position.clear();
+    for (const NodeLaw &law : laws)
+      position.push_back(0. - law.local_rate());
     const Vector r = forces(state, load);
     stiffness->solve(
       &r, laws, position, factor, state.velocity, state.contact_pressure);
@@ -333,7 +333,9 @@ namespace ThermoContact
 
     std::vector<double> rate_load, rate;
     end.get_all_values(Field::displacement, rate_of_forces(state), rate_load);
-    end.get_relative_velocities(state, rate);
+    end.get_values(Field::displacement, state.velocity, rate);
+    for (unsigned int i = 0; i < p.size(); ++i)
+      rate[i] -= p[i] < 0. && end.is_two_sided() ? 0. : state.gap_rate[i];
     const std::vector<double> acceleration =
       static_nodes->solve_rates(rate_load, rate);
 
@@ -369,12 +371,14 @@ namespace ThermoContact
     for (unsigned int i = 0; i < p.size(); ++i)
       if (!is_closed[i] || node_laws[i].side * p[i] <= 0.)
         p[i] = 0.;
-    end.get_relative_velocities(state, rate);
+    end.get_values(Field::displacement, state.velocity, rate);
+    for (unsigned int i = 0; i < rate.size(); ++i)
+      rate[i] -= node_laws[i].local_rate();
     const std::vector<double> change = viscous_nodes->solve(
       node_forces(state, &state.velocity), node_laws, rate, p);
     end.get_all_values(Field::displacement, state.velocity, velocity);
     for (unsigned int i = 0; i < velocity.size(); ++i)
-      velocity[i] = i < p.size() && p[i] != 0. ? state.gap_rate[i] :
+      velocity[i] = i < p.size() && p[i] != 0. ? node_laws[i].local_rate() :
                                                  velocity[i] + change[i];
     end.set_all_values(Field::displacement, velocity, state.velocity);
   }
@@ -611,14 +615,16 @@ namespace ThermoContact
     double                 work  = 0.;
     if (body.scene.contact.has_mass())
       {
-        std::vector<double> velocity, impulses;
-        end.get_relative_velocities(state, velocity);
+        const std::vector<NodeLaw> laws = held_laws(body, state);
+        std::vector<double>        velocity, impulses;
+        end.get_values(Field::displacement, state.velocity, velocity);
+        for (unsigned int i = 0; i < laws.size(); ++i)
+          velocity[i] -= laws[i].local_rate();
         Vector change(state.velocity);
-        inertia->solve(
-          nullptr, held_laws(body, state), velocity, 1., change, impulses);
+        inertia->solve(nullptr, laws, velocity, 1., change, impulses);
         state.velocity += change;
         for (unsigned int i = 0; i < impulses.size(); ++i)
-          work -= end.share(i) * impulses[i] * state.gap_rate[i];
+          work -= end.share(i) * impulses[i] * laws[i].local_rate();
         result.impulse += end.mean(impulses);
       }
     put_on_obstacle(body, state);
@@ -634,17 +640,14 @@ namespace ThermoContact
   {
     const Vector r = forces(state, momentum_load(state), &state.velocity);
     Vector       acceleration(r);
+    const std::vector<NodeLaw>   laws = held_laws(body, state);
     std::vector<double>          relative;
     std::vector<TimeDerivatives> obstacle;
     body.obstacle.get_derivatives(state.load_time, obstacle);
-    for (const TimeDerivatives &gap : obstacle)
-      relative.push_back(-gap.second);
-    inertia->solve(&r,
-                   held_laws(body, state),
-                   relative,
-                   1.,
-                   acceleration,
-                   state.contact_pressure);
+    for (unsigned int i = 0; i < obstacle.size(); ++i)
+      relative.push_back(laws[i].side > 0 ? -obstacle[i].second : 0.);
+    inertia->solve(
+      &r, laws, relative, 1., acceleration, state.contact_pressure);
     ++counters_.solves;
     set_exchange_of_law(body, state);
   }
