@@ -289,23 +289,12 @@ namespace ThermoContact
 
   /**
    * Section Rod: the body in SI units, doc/units.md. A file that has it is read
-   * in SI units; without_units() makes a scene of it. Numbers are 0 if they are
-   * not given.
+   * in SI units; SiScene, which makes a scene of it, asks for its entries by
+   * their names.
    */
   struct RodParameters
   {
-    double      length                = 0.; ///< m
-    double      area                  = 0.; ///< m^2
-    double      density               = 0.; ///< kg/m^3
-    double      youngs_modulus        = 0.; ///< Pa
-    double      poisson_ratio         = 0.; ///< 1
-    std::string lateral_sides         = "free";
-    double      viscosity             = 0.; ///< Pa s
-    double      linear_expansion      = 0.; ///< 1/K
-    double      conductivity          = 0.; ///< W/(m K)
-    double      heat_capacity         = 0.; ///< J/(kg K)
-    double      reference_temperature = 0.; ///< K
-    std::string small_terms           = "automatic";
+    double length = 0.; ///< m; 0: there is no such section
 
     void
     add_parameters(ParameterHandler &prm);

@@ -124,6 +124,17 @@ namespace ThermoContact
                double             &value,
                const NumberOrText &pattern);
 
+    /** One without a variable. */
+    Entry
+    unbound(const std::string                   &name,
+            const std::string                   &default_value,
+            const dealii::Patterns::PatternBase &pattern)
+    {
+      return {[this, name, default_value, &pattern](const std::string &text) {
+        prm.declare_entry(name, default_value, pattern, text);
+      }};
+    }
+
     /** A number that has no variable of its own. */
     Entry
     operator()(const std::string                 &name,
