@@ -70,14 +70,14 @@ namespace ThermoContact
 
 
 
-    /** The law of that name; the default one if there is none. */
+    /** The default law without a name, none for one that there is not. */
     const ContactLawKind &
     law_of(const std::optional<std::string> &name)
     {
       for (const ContactLawKind &law : contact_laws())
-        if (law.name == name)
+        if (!name || law.name == name)
           return law;
-      return contact_laws().front();
+      return contact_law(no_obstacle().name);
     }
 
 

@@ -549,24 +549,4 @@ namespace ThermoContact
     check_linear_solver(scene);
     check_error_bars(parameters);
   }
-
-
-
-  void
-  check_assignments(const std::vector<Assignment> &assignments)
-  {
-    Parameters       parameters;
-    ParameterHandler prm;
-    parameters.add_parameters(prm);
-    assign_entries(assignments, prm);
-    try
-      {
-        check_unused_entries(parameters, prm);
-        check_scene(parameters);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(complete_message(error.what(), assignments, prm));
-      }
-  }
 } // namespace ThermoContact
