@@ -265,12 +265,13 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Reset<dim>::set_static_equilibrium(State &state)
+  Reset<dim>::set_static_equilibrium(State                           &state,
+                                     const std::vector<unsigned int> &closing)
   {
     if (body.scene.material.is_static())
       set_static_displacement(state);
     else if (body.scene.contact.is_in_equilibrium())
-      settle_static_nodes(state);
+      settle_static_nodes(state, closing);
   }
 
 
@@ -311,6 +312,20 @@ namespace ThermoContact
         Vector right(heat), unused(load);
         body.equations.stage_rhs(state, 0., heat, load, right, unused);
         body.equations.subtract_heating(state.velocity, right);
+        if (!body.scene.heat.exchange->is_constant())
+          {
+            std::vector<double> flux;
+            body.contact_end().get_values(Field::temperature,
+                                          state.temperature,
+                                          flux);
+            for (unsigned int i = 0; i < flux.size(); ++i)
+              flux[i] =
+                body.scene.heat.flux(state.exchange_coefficient[i], flux[i]);
+            body.contact_end().subtract_load(Field::temperature,
+                                             flux,
+                                             1.,
+                                             right);
+          }
         provide_heat_mass().solve(heat, right);
         body.equations.add_thermal_stress(heat, 1., rate);
       }
@@ -321,7 +336,8 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Reset<dim>::settle_static_nodes(State &state)
+  Reset<dim>::settle_static_nodes(State                           &state,
+                                  const std::vector<unsigned int> &closing)
   {
     const ContactEnd<dim> &end = body.contact_end();
     std::vector<double>   &p   = state.contact_pressure;
@@ -337,7 +353,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < p.size(); ++i)
       rate[i] -= p[i] < 0. && end.is_two_sided() ? 0. : state.gap_rate[i];
     const std::vector<double> acceleration =
-      static_nodes->solve_rates(rate_load, rate);
+      static_nodes->solve_rates(rate_load, rate, closing);
 
     std::vector<double> displacement, velocity;
     end.get_all_values(Field::displacement, state.displacement, displacement);
@@ -710,8 +726,13 @@ namespace ThermoContact
         body.law().damping() == 0.) // else velocities carry pressure, too
       {
         changed = true;
+        std::vector<unsigned int> closing; // the others know it by pressure
+        if (mode == ContactMode::open)
+          for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
+            if (finding.is_of_all_nodes || i == finding.node)
+              closing.push_back(i);
         Vector motion(state.displacement);
-        set_static_equilibrium(state);
+        set_static_equilibrium(state, closing);
         motion.sadd(-1., 1., state.displacement);
         work = body.energy.work_of_motion(momentum_load(state), state, motion);
       }
