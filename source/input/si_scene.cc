@@ -181,7 +181,8 @@ namespace ThermoContact
     for (const Assignment &assignment : assignments)
       {
         const auto split = split_unit(assignment.value);
-        if (!kind_of(assignment.path).empty() && split &&
+        const auto entry = find_entry(assignment.path);
+        if (entry != nullptr && !entry->kind.empty() && split &&
             !split->unit.empty() && is_unit(split->unit))
           refuse_value(assignment,
                        "a unit, and the file has no section Rod, from which "
@@ -237,19 +238,20 @@ namespace ThermoContact
   void
   SiScene::check_complete() const
   {
-    const auto need = [this](const bool         is_needed,
-                             const std::string &path,
-                             const bool         is_positive = false) {
+    std::vector<std::string> faults;
+    const auto               need = [&](const bool         is_needed,
+                          const std::string &path,
+                          const bool         is_positive = false) {
       if (!is_needed)
         return;
       const DeclaredEntry &entry = entry_of_program(path);
       if (!given(path))
-        throw InputError(
+        faults.push_back(
           path + " is not given\n  allowed: " +
           describe_pattern(entry.pattern) + "\n  meaning: " + entry.text +
           "\n  remedy:  give it: a scene in SI units has no default of it");
-      if (is_positive && !(number(path) > 0.))
-        throw InputError(path + " = " + *given(path) +
+      else if (is_positive && !(number(path) > 0.))
+        faults.push_back(path + " = " + *given(path) +
                          "\n  allowed: a positive number");
     };
     need(true, "Rod/Length", true);
@@ -279,6 +281,7 @@ namespace ThermoContact
                                           "Contact/" + entry.name);
     need(dim > 1, "Mesh/Width");
     need(true, "Time/End time");
+    throw_faults(faults);
   }
 
 
