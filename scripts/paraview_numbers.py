@@ -135,7 +135,8 @@ def remarks_on(pictures, marks):
                     if pictures.get(name) == time] for time in pictures.values()}
     remarks += [f"{' and '.join(same)} are one snapshot, t = {time:g}"
                 for time, same in sorted(names.items()) if len(same) > 1]
-    return [f"{remark}; a shorter Output/Fields interval has more" for remark in remarks]
+    return [remark + "; a shorter Output/Fields interval makes more" * (
+        "first-contact" in remark) for remark in remarks]
 
 
 def scale_label(scale):

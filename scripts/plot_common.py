@@ -4,8 +4,12 @@ import csv
 import math
 import os
 import re
+import subprocess
 import sys
 import textwrap
+from importlib import invalidate_caches
+from importlib.util import find_spec
+from pathlib import Path
 
 CONVERT = {"kind": {"begin": 1, "end": 0}.__getitem__,  # the rest: float
            "run": str, "status": str, "reason": str}
@@ -156,13 +160,18 @@ def plain(text, width):
 
 
 def need_matplotlib():
-    """Ends if it is not there, before anything of it is used."""
+    """Before anything of it is used: installs it if it is missing, or ends."""
     os.environ["MPLBACKEND"] = "Agg"  # no display
+    installer = Path(__file__).resolve().parent / "install_packages"
+    is_system = sys.executable == "/usr/bin/python3"
     try:
+        if not find_spec("matplotlib") and is_system and installer.exists():
+            subprocess.run([installer, "--only", "python3-matplotlib"], check=False)
+            invalidate_caches()
         import matplotlib  # noqa: F401
     except ImportError as error:
-        fail(sys.executable, error, "install Debian's python3-matplotlib, or run it by "
-             "/usr/bin/python3")
+        fail(sys.executable, error, "install Debian's python3-matplotlib"
+             if is_system else "run it by /usr/bin/python3")
 
 
 def new_figure(width, height):
