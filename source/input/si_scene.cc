@@ -528,7 +528,8 @@ namespace ThermoContact
                    (is_confined ? (1. + nu) / (1. - nu) : 1.));
     if (has_temperature && !given("Initial values/Temperature"))
       set("Initial values/Temperature", "0");
-    if (given("Contact/Stiffness"))
+    if (has_displacement && law.uses("Compliance") &&
+        given("Contact/Stiffness"))
       set_number("Contact/Compliance",
                  std::pow(*scales.stress * *scales.area /
                             number("Contact/Stiffness"),
