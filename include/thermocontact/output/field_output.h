@@ -9,8 +9,6 @@
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
 
-#include <deal.II/base/data_out_base.h>
-
 #include <chrono>
 #include <optional>
 #include <string>
@@ -94,20 +92,16 @@ namespace ThermoContact
     std::vector<SnapshotSeries *>
     all_series();
 
-    /**
-     * Writes the fields from this rank's pieces; returns what is wrong, on all
-     * ranks. Collective.
-     */
+    /** Writes the file of the fields; returns what is wrong. Collective. */
     std::string
-    write_fields(const std::vector<std::string>      &pieces,
-                 const dealii::DataOutBase::VtkFlags &flags) const;
+    write_fields(const State &state);
 
     /**
      * Writes what is small: contact end, obstacle, PVD files. Rank 0 does;
      * returns what is wrong, or nothing. Collective.
      */
     std::string
-    write_others(const State &state, const DataOutBase::VtkFlags &flags);
+    write_others(const State &state);
   };
 } // namespace ThermoContact
 
