@@ -126,7 +126,8 @@ read_parameters(const std::string              &name,
 inline std::unique_ptr<const ThermoContact::ContactLaw>
 make_law(const double compliance)
 {
-  const ThermoContact::ContactLawParameters parameters{compliance};
+  auto parameters             = ThermoContact::default_law_parameters();
+  parameters.at("Compliance") = compliance;
   return compliance == 0. ? ThermoContact::rigid_obstacle().make(parameters) :
                             ThermoContact::normal_compliance().make(parameters);
 }

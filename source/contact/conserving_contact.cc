@@ -115,8 +115,8 @@ namespace ThermoContact
     const ContactLaw                 &law,
     const dealii::FullMatrix<double> &receptance)
     : static_receptance(receptance)
-    , law_of_node(contact_law("normal compliance")
-                    .make({law.tangent(0.) + receptance(0, 0), 1., 0.}))
+    , law_of_node(normal_compliance().make(
+        {{"Compliance", law.tangent(0.) + receptance(0, 0)}, {"Damping", 0.}}))
   {}
 
 

@@ -41,6 +41,11 @@ namespace ThermoContact
 
 
 
+  ContactLawKind
+  power_law();
+
+
+
   const std::vector<ContactLawKind> &
   contact_laws()
   {
@@ -63,5 +68,72 @@ namespace ThermoContact
       });
     Assert(kind != kinds.end(), dealii::ExcInternalError());
     return *kind;
+  }
+
+
+
+  bool
+  ContactLawKind::uses(const std::string &entry) const
+  {
+    return std::any_of(entries.begin(),
+                       entries.end(),
+                       [&](const ContactLawEntry &own) {
+                         return own.name == entry;
+                       });
+  }
+
+
+
+  std::vector<ContactLawEntry>
+  contact_law_entries()
+  {
+    ContactLawKind all;
+    for (const ContactLawKind &law : contact_laws())
+      for (const ContactLawEntry &entry : law.entries)
+        if (!all.uses(entry.name))
+          all.entries.push_back(entry);
+    return all.entries;
+  }
+
+
+
+  ContactLawParameters
+  default_law_parameters()
+  {
+    ContactLawParameters parameters;
+    for (const ContactLawEntry &entry : contact_law_entries())
+      parameters[entry.name] = entry.default_value;
+    return parameters;
+  }
+
+
+
+  ContactLawEntry
+  compliance_entry()
+  {
+    return {"Compliance",
+            "compliance",
+            0.01,
+            0.,
+            1e15,
+            true,
+            "Compliance epsilon > 0 of an elastic obstacle: pressure = "
+            "penetration / epsilon, or a power of it."};
+  }
+
+
+
+  ContactLawEntry
+  damping_entry()
+  {
+    return {"Damping",
+            "damping",
+            0.,
+            0.,
+            1e15,
+            false,
+            "Damping c >= 0 of an elastic obstacle (Hunt and Crossley): its "
+            "pressure is multiplied by 1 + c times the velocity into it, and "
+            "never negative."};
   }
 } // namespace ThermoContact

@@ -93,11 +93,11 @@ namespace ThermoContact
   {
     return {"normal compliance",
             "elastic obstacle",
-            {"Compliance", "Damping"},
+            {compliance_entry(), damping_entry()},
             [](const ContactLawParameters &parameters) {
               return with_damping(std::make_unique<NormalCompliance>(
-                                    parameters.compliance),
-                                  parameters.damping);
+                                    parameters.at("Compliance")),
+                                  parameters.at("Damping"));
             }};
   }
 } // namespace ThermoContact

@@ -127,14 +127,25 @@ namespace ThermoContact
   {
     return {"power law",
             "elastic obstacle, pressure = (penetration / epsilon)^m",
-            {"Compliance", "Exponent", "Damping"},
+            {compliance_entry(),
+             {"Exponent",
+              "",
+              1.5,
+              1.,
+              10.,
+              false,
+              "Exponent m >= 1 of a power law: pressure = (penetration / "
+              "epsilon)^m; 1.5 is Hertz's contact of a rounded end, 1 is "
+              "normal compliance."},
+             damping_entry()},
             [](const ContactLawParameters &parameters)
               -> std::unique_ptr<const ContactLaw> {
-              if (parameters.exponent == 1.)
+              const double exponent = parameters.at("Exponent");
+              if (exponent == 1.)
                 return normal_compliance().make(parameters);
               return with_damping(std::make_unique<PowerLaw>(
-                                    parameters.compliance, parameters.exponent),
-                                  parameters.damping);
+                                    parameters.at("Compliance"), exponent),
+                                  parameters.at("Damping"));
             }};
   }
 } // namespace ThermoContact

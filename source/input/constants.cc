@@ -5,6 +5,7 @@
 #include <thermocontact/input/constants.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/measured_table.h>
+#include <thermocontact/input/parameters.h>
 #include <thermocontact/input/section_of_entries.h>
 #include <thermocontact/input/unknown_names.h>
 
@@ -84,16 +85,15 @@ namespace ThermoContact
 
 
   std::map<std::string, double>
-  assign_constants(const std::vector<Assignment>    &assignments,
-                   const std::vector<DeclaredEntry> &entries,
-                   dealii::ParameterHandler         &prm)
+  assign_constants(const std::vector<Assignment> &assignments,
+                   dealii::ParameterHandler      &prm)
   {
-    const SectionOfEntries             section(prm, constants_section);
     std::map<std::string, std::string> texts;
-    for (const DeclaredEntry &entry : entries)
+    for (const DeclaredEntry &entry : declared_entries(prm))
       if (is_constant_path(entry.path) &&
           constant_name(entry.path) != name_of_constants)
         texts[constant_name(entry.path)] = entry.value;
+    const SectionOfEntries section(prm, constants_section);
     for (const Assignment &assignment : assignments)
       {
         if (!is_constant_path(assignment.path))
@@ -160,9 +160,7 @@ namespace ThermoContact
       {
         item = dealii::Utilities::trim(item);
         if (!parse_number(item))
-          item = significant(Expression(assignment.path,
-                                        item,
-                                        {{}, constants, "2*pi/3"})
+          item = significant(Expression(assignment.path, item, {{}, constants})
                                .evaluate<double>(nullptr),
                              all_digits);
         numbers += (numbers.empty() ? "" : "; ") + item;
@@ -183,12 +181,10 @@ namespace ThermoContact
 
   std::vector<Assignment>
   with_numbers(std::vector<Assignment>              assignments,
-               const std::vector<DeclaredEntry>    &entries,
                const std::map<std::string, double> &constants)
   {
     for (Assignment &assignment : assignments)
-      if (const DeclaredEntry *const entry =
-            find_entry(entries, assignment.path);
+      if (const DeclaredEntry *const entry = find_entry(assignment.path);
           entry != nullptr && is_of_numbers(*entry) &&
           !parse_number(assignment.value) &&
           assignment.value.find_first_not_of(" \t") != std::string::npos)

@@ -10,48 +10,40 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    using namespace dealii::Patterns;
-
-    // Beyond 1e15 a coefficient leaves nothing of the others in a sum.
-    const Double coefficient_of_contact(0., 1e15);
-  } // namespace
-
-
-
   void
   ContactParameters::add_parameters(ParameterHandler &prm)
   {
+    using namespace dealii::Patterns;
     SectionOfEntries entry(prm, "Contact");
     entry("Condition", condition, Selection(names_of(contact_laws())))
       .means("Contact end x = 1: " +
              in_words(contact_laws(),
                       [](const auto &law) { return " (" + law.text + ")"; }) +
              ".");
-    entry("Compliance", compliance, coefficient_of_contact)
-      .means("Compliance epsilon > 0 of an elastic obstacle: pressure = "
-             "penetration / epsilon, or a power of it.");
+    for (const ContactLawEntry &one : contact_law_entries())
+      entry(one.name,
+            one.default_value,
+            Double(one.smallest, one.largest),
+            [this, name = one.name](const double value) { law[name] = value; })
+        .means(one.text, one.kind);
     entry("Stiffness", stiffness, NumberOrText::word("none"))
       .means("The other word for Compliance in a file with section Rod: force "
-             "over penetration, N/m, or over its power Exponent, N/m^m.");
-    entry("Exponent", exponent, Double(1., 10.))
-      .means("Exponent m >= 1 of a power law: pressure = (penetration / "
-             "epsilon)^m; 1.5 is Hertz's contact of a rounded end, 1 is normal "
-             "compliance.");
-    entry("Damping", damping, coefficient_of_contact)
-      .means("Damping c >= 0 of an elastic obstacle (Hunt and Crossley): its "
-             "pressure is multiplied by 1 + c times the velocity into it, and "
-             "never negative.");
-    entry("Gap", gap, gap_expression, NumberOrText::expression("y, z, t", true))
+             "over penetration, N/m, or over its power Exponent, N/m^m.",
+             "stiffness");
+    entry("Gap",
+          gap,
+          gap_expression,
+          NumberOrText::number_or_expression("y, z, t", true))
       .means("Gap g between the undeformed rod and the obstacle; negative is a "
              "preload. An expression in t moves the obstacle, e.g. "
              "0.1-0.02*sin(3*t); one in y, z, for Dimension > 1, is its shape, "
-             "at each contact node its gap, e.g. 0.1+(y-0.05)^2/2.");
+             "at each contact node its gap, e.g. 0.1+(y-0.05)^2/2.",
+             "length");
     entry("Rear gap", rear_gap, NumberOrText::word("none"))
       .means("Gap g_2 to a second obstacle behind the end x = 1, u(1) >= -g_2, "
              "with the same law; none: no such obstacle. Its pressures are "
-             "negative.");
+             "negative.",
+             "length");
     entry("Massless nodes", massless_nodes, Selection("automatic|on|off"))
       .means(
         "The mass of the contact nodes is moved to their neighbours, for "

@@ -7,6 +7,7 @@
 #include <boost/property_tree/ptree.hpp>
 
 #include <cstring>
+#include <sstream>
 
 namespace ThermoContact
 {
@@ -69,16 +70,46 @@ namespace ThermoContact
         for (const auto &[name, item] : node)
           if (const auto value = item.find("value");
               value != item.not_found() && item.count("pattern") > 0)
-            entries.push_back({prefix + declared_name(name),
-                               value->second.data(),
-                               item.get<std::string>("default_value"),
-                               item.get<std::string>("documentation"),
-                               item.get<std::string>("pattern_description")});
+            {
+              std::string text = item.get<std::string>("documentation"), kind;
+              if (const auto bracket = text.rfind(" [");
+                  bracket != std::string::npos && text.back() == ']')
+                {
+                  kind = text.substr(bracket + 2, text.size() - bracket - 3);
+                  text.erase(bracket);
+                }
+              entries.push_back({prefix + declared_name(name),
+                                 value->second.data(),
+                                 item.get<std::string>("default_value"),
+                                 text,
+                                 item.get<std::string>("pattern_description"),
+                                 kind});
+            }
           else
             collect(item, prefix + declared_name(name) + "/");
       }
     };
   } // namespace
+
+
+
+  std::vector<std::string>
+  DeclaredEntry::variables(const unsigned int dim) const
+  {
+    const std::string        words = "an expression in ";
+    const auto               begin = pattern.find(words);
+    std::vector<std::string> known;
+    if (begin == std::string::npos)
+      return known;
+    std::istringstream names(pattern.substr(begin + words.size()));
+    for (std::string name; std::getline(names, name, ',');)
+      {
+        name = dealii::Utilities::trim(name.substr(0, name.find(']')));
+        if (!((name == "y" && dim < 2) || (name == "z" && dim < 3)))
+          known.push_back(name);
+      }
+    return known;
+  }
 
 
 

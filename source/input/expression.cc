@@ -2,7 +2,6 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/input/elementary_functions.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/parameter_text.h>
@@ -17,251 +16,29 @@
 #include <charconv>
 #include <cstring>
 #include <functional>
-#include <type_traits>
 
 namespace ThermoContact
 {
-  enum class Expression::Operation
-  {
-    number,
-    variable,
-    function, ///< an elementary one
-    table,
-    // of one operand
-    minus_sign,
-    negation,
-    abs,
-    // of two
-    plus,
-    minus,
-    times,
-    over,
-    power,
-    angle,
-    less,
-    less_equal,
-    equal,
-    both,
-    any,
-    smaller,
-    larger,
-    choice ///< of three, the first one is a condition
-  };
-
-
-
-  namespace
-  {
-    constexpr double least = std::numeric_limits<double>::denorm_min();
-
-
-
-    // ---------------------------------------------------- powers and angles
-
-    /** Whole powers that are small are products. */
-    double
-    power(const double a, const double b)
-    {
-      return b == 2. ? a * a :
-             b == 3. ? a * a * a :
-             b == 4. ? a * a * a * a :
-                       std::pow(a, b);
-    }
-
-    template <typename Number>
-    Jet<Number>
-    power(const Jet<Number> &a, const Jet<Number> &b)
-    {
-      using std::exp;
-      if (Interval(b.value).width() == 0. && Interval(b.first).width() == 0. &&
-          Interval(b.first).contains(0.))
-        return constant_power(a, Interval(b.value).low);
-      const Number slope = 1. / a.value;
-      const auto   exponent =
-        b *
-        chain(a, monotone(std::log, a.value), slope, Number(-square(slope)));
-      const Number value  = exp(exponent.value);
-      Jet<Number>  result = chain(exponent, value, value, value);
-      if constexpr (std::is_same_v<Number, double>)
-        result.value = std::pow(a.value, b.value);
-      return result;
-    }
-
-    double
-    angle(const double y, const double x)
-    {
-      return std::atan2(y, x);
-    }
-
-    Interval
-    angle(const Interval &y, const Interval &x)
-    {
-      if (x.low <= 0. && y.contains(0.))
-        return Interval::everything(); // the origin, or the branch cut
-      return hull(widened(std::atan2(y.low, x.low), std::atan2(y.high, x.high)),
-                  widened(std::atan2(y.low, x.high),
-                          std::atan2(y.high, x.low)));
-    }
-
-    template <typename Number>
-    Jet<Number>
-    angle(const Jet<Number> &y, const Jet<Number> &x)
-    {
-      const Number n  = x.value * y.first - y.value * x.first;
-      const Number n1 = x.value * y.second - y.value * x.second;
-      const Number r  = square(x.value) + square(y.value);
-      const Number r1 = 2. * (x.value * x.first + y.value * y.first);
-      return {angle(y.value, x.value), n / r, (n1 * r - n * r1) / square(r)};
-    }
-
-
-
-    // ------------------------------------------------------- jumps and kinks
-
-    double
-    value_of(const double x)
-    {
-      return x;
-    }
-
-    template <typename Number>
-    const Number &
-    value_of(const Jet<Number> &x)
-    {
-      return x.value;
-    }
-
-    /** What is one or the other in a span of time; numbers decide. */
-    template <typename Number>
-    Number
-    either(const Number &a, const Number &b)
-    {
-      if constexpr (std::is_same_v<Number, IntervalJet>)
-        return {hull(a.value, b.value),
-                Interval::everything(),
-                Interval::everything()};
-      return a;
-    }
-
-    /** The smaller or the larger one of two. */
-    template <typename Number>
-    Number
-    extremum(const Number &a, const Number &b, const bool is_larger)
-    {
-      const Truth takes_b = is_larger ? is_less(value_of(a), value_of(b)) :
-                                        is_less(value_of(b), value_of(a));
-      if constexpr (std::is_same_v<Number, IntervalJet>)
-        if (takes_b == Truth::undecided)
-          {
-            const auto of = [is_larger](const double x, const double y) {
-              return is_larger ? std::max(x, y) : std::min(x, y);
-            };
-            return {{of(a.value.low, b.value.low),
-                     of(a.value.high, b.value.high)},
-                    hull(a.first, b.first),
-                    Interval::everything()};
-          }
-      return takes_b == Truth::yes ? b : a;
-    }
-
-    template <typename Number>
-    Number
-    number_of(const Truth truth)
-    {
-      return truth == Truth::undecided ? either(Number(0.), Number(1.)) :
-                                         Number(truth == Truth::yes ? 1. : 0.);
-    }
-
-    /** Whether the absolute value is at least @p threshold. */
-    Truth
-    is_at_least(const double x, const double threshold)
-    {
-      return std::abs(x) >= threshold ? Truth::yes : Truth::no;
-    }
-
-    Truth
-    is_at_least(const Interval &x, const double threshold)
-    {
-      return x.low >= threshold || x.high <= -threshold ? Truth::yes :
-             x.magnitude() < threshold                  ? Truth::no :
-                                                          Truth::undecided;
-    }
-
-    Truth
-    both(const Truth a, const Truth b)
-    {
-      return a == Truth::no || b == Truth::no   ? Truth::no :
-             a == Truth::yes && b == Truth::yes ? Truth::yes :
-                                                  Truth::undecided;
-    }
-  } // namespace
-
-
-
   template <typename Number>
   Number
   Expression::evaluate_part(const unsigned int index,
                             const Number      *variables) const
   {
     const Part &part = parts[index];
-    const auto a = [&]() { return evaluate_part(part.operands[0], variables); };
-    const auto b = [&]() { return evaluate_part(part.operands[1], variables); };
-    const auto choose = [&](const Truth truth) {
-      return truth == Truth::undecided ?
-               either(b(), evaluate_part(part.operands[2], variables)) :
-             truth == Truth::yes ? b() :
-                                   evaluate_part(part.operands[2], variables);
-    };
-    const auto is_true = [&](const Number &x) {
-      return is_at_least(value_of(x), part.number);
-    };
-    switch (part.operation)
+    switch (part.kind)
       {
-        case Operation::number:
-          return Number(part.number);
-        case Operation::variable:
+        case Part::number:
+          return Number(part.value);
+        case Part::variable:
           return variables[part.operands[0]];
-        case Operation::plus:
-          return a() + b();
-        case Operation::minus:
-          return a() - b();
-        case Operation::times:
-          return a() * b();
-        case Operation::over:
-          return a() / b();
-        case Operation::power:
-          return power(a(), b());
-        case Operation::less:
-          return number_of<Number>(is_less(value_of(a()), value_of(b())));
-        case Operation::less_equal:
-          return number_of<Number>(!is_less(value_of(b()), value_of(a())));
-        case Operation::equal:
-          return number_of<Number>(is_equal(value_of(a()), value_of(b())));
-        case Operation::negation:
-          return Number(1.) - a();
-        case Operation::both:
-          return number_of<Number>(both(is_true(a()), is_true(b())));
-        case Operation::any:
-          return number_of<Number>(!both(!is_true(a()), !is_true(b())));
-        case Operation::smaller:
-          return extremum(a(), b(), false);
-        case Operation::larger:
-          return extremum(a(), b(), true);
-        case Operation::angle:
-          return angle(a(), b());
-        case Operation::choice:
-          return choose(is_true(a()));
-        case Operation::table:
-          return tables_[part.operands[1]]->evaluate(a());
-        case Operation::minus_sign:
-          return -a();
-        case Operation::abs:
-          {
-            const Number x = a();
-            return extremum(x, Number(-x), true);
-          }
+        case Part::table:
+          return tables_[part.operands[1]]->evaluate(
+            evaluate_part(part.operands[0], variables));
         default:
-          return elementary_functions()[part.operands[1]](a());
+          std::array<Number, max_operands> operands;
+          for (unsigned int i = 0; i < part.n_operands; ++i)
+            operands[i] = evaluate_part(part.operands[i], variables);
+          return (*part.operation)(operands.data());
       }
   }
 
@@ -269,58 +46,6 @@ namespace ThermoContact
 
   namespace
   {
-    /** A function, and how many arguments it has; 0: any number but none. */
-    struct Function
-    {
-      const char           *name;
-      Expression::Operation operation;
-      unsigned int          n_arguments;
-    };
-
-    /** Those that are not elementary. */
-    constexpr Function functions[] = {
-      {"abs", Expression::Operation::abs, 1},
-      {"atan2", Expression::Operation::angle, 2},
-      {"pow", Expression::Operation::power, 2},
-      {"min", Expression::Operation::smaller, 0},
-      {"max", Expression::Operation::larger, 0},
-      {"sum", Expression::Operation::plus, 0},
-      {"avg", Expression::Operation::plus, 0},
-      {"if", Expression::Operation::choice, 3}};
-
-
-
-    /** An operator between two operands. */
-    struct Operator
-    {
-      const char           *sign;
-      unsigned int          level; ///< larger ones bind first
-      Expression::Operation operation;
-      bool                  is_swapped = false, is_negated = false;
-      double                truth = 0.; ///< as Part::number
-    };
-
-    /** Of those that begin alike the longer one is first. */
-    constexpr Operator operators[] = {
-      {"||", 0, Expression::Operation::any, false, false, 1.},
-      {"|", 0, Expression::Operation::any, false, false, 0.5},
-      {"&&", 1, Expression::Operation::both, false, false, 1.},
-      {"&", 1, Expression::Operation::both, false, false, 0.5},
-      {"<=", 2, Expression::Operation::less_equal},
-      {">=", 2, Expression::Operation::less_equal, true},
-      {"==", 2, Expression::Operation::equal},
-      {"!=", 2, Expression::Operation::equal, false, true},
-      {"<", 2, Expression::Operation::less},
-      {">", 2, Expression::Operation::less, true},
-      {"+", 3, Expression::Operation::plus},
-      {"-", 3, Expression::Operation::minus},
-      {"*", 4, Expression::Operation::times},
-      {"/", 4, Expression::Operation::over}};
-
-    constexpr unsigned int level_of_comparisons = 2, level_of_signs = 5;
-
-
-
     constexpr std::size_t nowhere = std::string::npos;
 
     /**
@@ -406,7 +131,7 @@ namespace ThermoContact
           (left == ':' ? "; ranges, for Study/Vary, are 1 .. 2 (7)" : ""));
       if (whole + 1 != parts.size()) // the whole is to be the last one
         parts.push_back(Part(parts[whole]));
-      if (parts.back().operation == Operation::table && !names.units.empty())
+      if (parts.back().kind == Part::table && !names.units.empty())
         {
           const MeasuredTable &table = *tables[parts.back().operands[1]];
           check_unit(table, table.unit_of_values(), names.units.back());
@@ -461,8 +186,7 @@ namespace ThermoContact
       refuse(path,
              text,
              "cannot be read: " + fault,
-             "an expression in " + join_words(known_names()) + ", e.g. " +
-               names.example + words_of_units(),
+             "an expression in " + join_words(known_names()) + words_of_units(),
              position == nowhere ? next : position);
     }
 
@@ -537,46 +261,42 @@ namespace ThermoContact
     // ------------------------------------------------------------- the parts
 
     unsigned int
+    add(const Part &part)
+    {
+      if (part.n_levels > max_levels)
+        cannot_read("more than " + std::to_string(max_levels) +
+                    " operations one after the other");
+      parts.push_back(part);
+      return parts.size() - 1;
+    }
+
+
+
+    unsigned int
     number(const double value)
     {
-      parts.push_back({Operation::number, value, {0, 0, 0}, 1});
-      return parts.size() - 1;
+      return add({Part::number, value});
     }
 
 
 
     /** An operation, or its value if it is one of numbers. */
     unsigned int
-    add(const Operation                  operation,
-        const std::vector<unsigned int> &operands,
-        const unsigned int               elementary = 0,
-        const double                     truth      = 0.)
+    apply(const Operation &operation, const std::vector<unsigned int> &operands)
     {
-      Part part{operation, truth, {0, elementary, 0}, 1};
-      bool is_of_numbers = true;
+      Part part{Part::operation_on_parts, 0., &operation};
+      part.n_operands = operands.size();
+      std::array<double, max_operands> values{};
+      bool                             is_of_numbers = true;
       for (unsigned int i = 0; i < operands.size(); ++i)
         {
           const Part &operand = parts[operands[i]];
           part.operands[i]    = operands[i];
           part.n_levels       = std::max(part.n_levels, operand.n_levels + 1);
-          is_of_numbers &= operand.operation == Operation::number;
+          values[i]           = operand.value;
+          is_of_numbers &= operand.kind == Part::number;
         }
-      if (part.n_levels > max_levels)
-        cannot_read("more than " + std::to_string(max_levels) +
-                    " operations one after the other");
-      if (is_of_numbers)
-        {
-          Expression alone;
-          for (unsigned int i = 0; i < operands.size(); ++i)
-            {
-              alone.parts.push_back(parts[operands[i]]);
-              part.operands[i] = i;
-            }
-          alone.parts.push_back(part);
-          return number(alone.evaluate<double>(nullptr));
-        }
-      parts.push_back(part);
-      return parts.size() - 1;
+      return is_of_numbers ? number(operation(values.data())) : add(part);
     }
 
 
@@ -594,7 +314,7 @@ namespace ThermoContact
           if (!takes(":"))
             cannot_read("a ':' is missing for a '?'");
           const unsigned int second = choice();
-          result = add(Operation::choice, {result, first, second}, 0, least);
+          result = apply(*find_operation("if"), {result, first, second});
         }
       --n_levels;
       return result;
@@ -606,29 +326,24 @@ namespace ThermoContact
     unsigned int
     binary(const unsigned int level)
     {
-      if (level == level_of_signs)
+      if (level == Operation::n_levels)
         return signed_power();
       unsigned int result = binary(level + 1);
       while (true)
         {
           const auto found =
-            std::find_if(std::begin(operators),
-                         std::end(operators),
-                         [&](const Operator &o) {
-                           return o.level == level && takes(o.sign);
+            std::find_if(operations().begin(),
+                         operations().end(),
+                         [&](const Operation &one) {
+                           return one.level == level && takes(one.name.c_str());
                          });
-          if (found == std::end(operators))
+          if (found == operations().end())
             {
-              if (level == level_of_comparisons)
+              if (level == Operation::level_of_comparisons)
                 refuse_assignment();
               return result;
             }
-          const unsigned int other = binary(level + 1);
-          result                   = found->is_swapped ?
-                                       add(found->operation, {other, result}) :
-                                       add(found->operation, {result, other}, 0, found->truth);
-          if (found->is_negated)
-            result = add(Operation::negation, {result});
+          result = apply(*found, {result, binary(level + 1)});
         }
     }
 
@@ -649,11 +364,11 @@ namespace ThermoContact
       enter();
       unsigned int result;
       if (takes("-"))
-        result = add(Operation::minus_sign, {signed_power()});
+        result = apply(*find_operation("-"), {number(0.), signed_power()});
       else if (takes("+"))
         result = signed_power();
       else if (result = operand(); takes("^"))
-        result = add(Operation::power, {result, signed_power()});
+        result = apply(*find_operation("^"), {result, signed_power()});
       --n_levels;
       return result;
     }
@@ -737,8 +452,7 @@ namespace ThermoContact
         {
           const unsigned int index = variable - names.variables.begin();
           named.push_back({index, begin});
-          parts.push_back({Operation::variable, 0., {index, 0, 0}, 1});
-          return parts.size() - 1;
+          return add({Part::variable, 0., nullptr, 0, {{index}}});
         }
       if (const auto constant = names.constants.find(name);
           constant != names.constants.end())
@@ -774,14 +488,8 @@ namespace ThermoContact
                name + "() has another value each time",
                "functions of position and time",
                begin);
-      const auto is_it = [&](const auto &f) { return f.name == name; };
-      const auto function =
-        std::find_if(std::begin(functions), std::end(functions), is_it);
-      const auto elementary    = std::find_if(elementary_functions().begin(),
-                                           elementary_functions().end(),
-                                           is_it);
-      const bool is_elementary = elementary != elementary_functions().end();
-      if (function == std::end(functions) && !is_elementary)
+      const Operation *const function = find_operation(name);
+      if (function == nullptr)
         cannot_read("there is no function '" + quote(name, 40) + "()'" +
                       did_you_mean(name, function_names()),
                     begin);
@@ -792,7 +500,7 @@ namespace ThermoContact
         while (takes(","));
       const std::size_t last = next;
       close(parenthesis);
-      const unsigned int n = is_elementary ? 1 : function->n_arguments;
+      const unsigned int n = function->n_operands;
       if (n == 0 ? arguments.empty() : arguments.size() != n)
         cannot_read(name + "() takes " +
                       (n == 0 ? "one argument or more" :
@@ -801,17 +509,13 @@ namespace ThermoContact
                                 "three arguments") +
                       ", and has " + std::to_string(arguments.size()),
                     last);
-      if (is_elementary)
-        return add(Operation::function,
-                   arguments,
-                   elementary - elementary_functions().begin());
       if (n > 0)
-        return add(function->operation, arguments, 0, 0.5);
+        return apply(*function, arguments);
       unsigned int result = arguments[0];
       for (unsigned int i = 1; i < arguments.size(); ++i)
-        result = add(function->operation, {result, arguments[i]});
+        result = apply(*function, {result, arguments[i]});
       return name == "avg" ?
-               add(Operation::over, {result, number(arguments.size())}) :
+               apply(*find_operation("/"), {result, number(arguments.size())}) :
                result;
     }
 
@@ -878,16 +582,16 @@ namespace ThermoContact
       const unsigned int argument = choice();
       close(parenthesis);
       if (const Part &part = parts[argument];
-          part.operation == Operation::variable && !names.units.empty())
+          part.kind == Part::variable && !names.units.empty())
         check_unit(*tables.back(),
                    tables.back()->unit_of_arguments(),
                    names.units[part.operands[0]]);
-      parts.push_back(
-        {Operation::table,
-         0.,
-         {argument, static_cast<unsigned int>(tables.size() - 1), 0},
-         parts[argument].n_levels + 1});
-      return parts.size() - 1;
+      return add({Part::table,
+                  0.,
+                  nullptr,
+                  0,
+                  {{argument, static_cast<unsigned int>(tables.size() - 1)}},
+                  parts[argument].n_levels + 1});
     }
   };
 
@@ -897,10 +601,9 @@ namespace ThermoContact
   Expression::function_names()
   {
     std::vector<std::string> names{"table", "smooth"};
-    for (const Function &function : functions)
-      names.emplace_back(function.name);
-    for (const ElementaryFunction &function : elementary_functions())
-      names.push_back(function.name);
+    for (const Operation &operation : operations())
+      if (operation.level == Operation::is_function)
+        names.push_back(operation.name);
     return names;
   }
 
@@ -964,11 +667,9 @@ namespace ThermoContact
                       other.parts.begin(),
                       other.parts.end(),
                       [](const Part &a, const Part &b) {
-                        return a.operation == b.operation &&
-                               a.number == b.number &&
-                               std::equal(a.operands,
-                                          a.operands + 3,
-                                          b.operands);
+                        return a.kind == b.kind && a.value == b.value &&
+                               a.operation == b.operation &&
+                               a.operands == b.operands;
                       });
   }
 
@@ -991,7 +692,7 @@ namespace ThermoContact
   {
     std::vector<std::string> files;
     for (const Part &part : parts)
-      if (part.operation == Operation::table &&
+      if (part.kind == Part::table &&
           !tables_[part.operands[1]]->range().contains(
             evaluate_part(part.operands[0], variables)))
         files.push_back(tables_[part.operands[1]]->file_name());
@@ -1071,8 +772,8 @@ namespace ThermoContact
         for (const std::string &other : identifiers_in(text))
           if (texts.count(other) > 0)
             evaluate(other);
-        known[name] = Expression(path, text, {{}, known, "2*pi/3"})
-                        .evaluate<double>(nullptr);
+        known[name] =
+          Expression(path, text, {{}, known}).evaluate<double>(nullptr);
         open.pop_back();
       };
     // numbers first, so that a misprint of their names is answered with them

@@ -59,7 +59,8 @@ namespace ThermoContact
              ".");
     entry("Width", width, Double(1e-3, 1e3))
       .means("Width (and height) of the body, for Dimension > 1; its length is "
-             "1. With Geometry = axisymmetric its radius.");
+             "1. With Geometry = axisymmetric its radius.",
+             "length");
     entry("Cells across", cells_across, Integer(0, 100000))
       .means("Number of cells across the body, for Dimension > 1; 0: as many "
              "as make them squares or cubes.");

@@ -26,29 +26,34 @@ namespace ThermoContact
       .means("Output directory; empty: results/<name of the parameter file>.");
     entry("Fields interval", fields_interval, non_negative_time)
       .means("Fields (VTU) are written at the first step end at or after each "
-             "multiple of this time, and at T; 0: none.");
+             "multiple of this time, and at T; 0: none.",
+             "time");
     entry("Contact interval", contact_interval, non_negative_time)
       .means("Rows of contact.csv are written at the first step end at or "
-             "after each multiple of this time, and at T; 0: every step.");
+             "after each multiple of this time, and at T; 0: every step.",
+             "time");
     entry("Probes", probes)
       .means("Positions, separated by ';', the coordinates of each by ',': "
              "histories of the fields there (probes.csv), in the rows of "
-             "contact.csv. Empty: none.");
+             "contact.csv. Empty: none.",
+             "length");
     entry("Space-time interval", space_time_interval, non_negative_time)
       .means("The fields on the axis are kept at the first step end at or "
              "after each multiple of this time, and at T, for one picture over "
-             "x and t (space-time.vtu); 0: none.");
+             "x and t (space-time.vtu); 0: none.",
+             "time");
     entry("Period", period, non_negative_time)
-      .means(
-        "Period P of a drive: steps end at its multiples, and "
-        "poincare.csv has a row of contact.csv for each of them; 0: none.");
+      .means("Period P of a drive: steps end at its multiples, and "
+             "poincare.csv has a row of contact.csv for each of them; 0: none.",
+             "time");
     entry("Land on output times", land_on_times)
       .means("Steps are shortened to end on the multiples of the intervals; "
              "costs solves.");
     entry("Checkpoint interval", checkpoint_interval, Double(0., 1e9))
       .means("Wall-clock seconds between checkpoints, from which --resume goes "
              "on; also at the start and the end; 0: none, but for one when "
-             "SIGTERM, SIGINT or SIGHUP ends the run.");
+             "SIGTERM, SIGINT or SIGHUP ends the run.",
+             "s");
     entry("SI", is_si)
       .means("Files and screen in SI units, if section Rod or Scales is given; "
              "false: nondimensional.");
@@ -79,7 +84,8 @@ namespace ThermoContact
       .means("Number of times that each run is made, for timing.");
     entry("Target error", target_error, non_negative_time)
       .means("Largest error of displacement_end that is wanted: the cheapest "
-             "run that meets it is named; 0: none.");
+             "run that meets it is named; 0: none.",
+             "length");
     entry("Keep files", keep_files)
       .means("Each run writes its files into a folder of its own.");
   }

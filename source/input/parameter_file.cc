@@ -50,221 +50,205 @@ namespace ThermoContact
 
   namespace
   {
-    /** Assigns the statements of a file, one after the other. */
-    class Assigner
+    /** Whether it is one to an entry of the program. */
+    bool
+    is_of_program(const Assignment &assignment)
     {
-    public:
-      Assigner(const std::vector<DeclaredEntry>    &entries,
-               const std::map<std::string, double> &constants,
-               ParameterHandler                    &prm)
-        : entries(entries)
-        , constants(constants)
-        , prm(prm)
-      {}
+      return find_entry(assignment.path) != nullptr &&
+             !is_constant_path(assignment.path);
+    }
 
-      /**
-       * @param value of the scene: that of the statement without its unit
-       * @throw InputError as assign_entries()
-       */
-      void
-      assign(const Assignment &assignment, const std::string &value)
-      {
-        const DeclaredEntry &entry     = entry_of(assignment);
-        const std::string    statement = assignment.place + ": " +
-                                      assignment.path + " = " +
-                                      quote(assignment.value);
-        if (!is_plain_text(assignment.value) ||
-            assignment.value.find('#') != std::string::npos ||
-            (!assignment.value.empty() && assignment.value.back() == '\\'))
-          throw InputError(statement +
-                           "\n  allowed: one line of text in UTF-8 without "
-                           "'#', not ending in '\\', since used.prm repeats "
-                           "it");
-        try
-          {
-            set_entry({assignment.place, assignment.path, value}, prm);
-          }
-        catch (const dealii::ExceptionBase &)
-          {
-            refuse_value(assignment, entry);
-          }
-      }
 
-      /** Whether it is one to an entry of the program. */
-      bool
-      knows(const Assignment &assignment) const
-      {
-        return find_entry(entries, assignment.path) != nullptr &&
-               !is_constant_path(assignment.path);
-      }
 
-      /** Refuses a section, an entry that is unknown or is set twice. */
-      void
-      check_name(const Assignment &assignment)
-      {
-        if (assignment.is_section())
-          return check_section(assignment.place,
-                               section_of(assignment.path),
-                               entries);
-        if (!is_constant_path(assignment.path))
-          entry_of(assignment);
-        // The command line may override what a file sets, and itself; so may a
-        // file what it includes.
-        const auto file_of = [](const std::string &place) {
-          return place.substr(0, place.rfind(", line "));
-        };
-        const bool is_override = assignment.place == command_line_place;
-        const auto [earlier, is_new] =
-          places.emplace(assignment.path, assignment.place);
-        if (!is_new && !is_override &&
-            file_of(earlier->second) == file_of(assignment.place))
-          throw InputError(assignment.place + ": " + assignment.path +
-                           " is set a second time, first at " +
-                           earlier->second + "\n  remedy:  remove one of them");
-      }
+    /**
+     * Refuses a section, an entry that is unknown or is set twice.
+     *
+     * @param places of the assignments before, by their paths
+     */
+    void
+    check_name(const Assignment                   &assignment,
+               std::map<std::string, std::string> &places)
+    {
+      if (assignment.is_section())
+        return check_section(assignment.place, section_of(assignment.path));
+      if (!is_constant_path(assignment.path) && !is_of_program(assignment))
+        refuse_entry(assignment);
+      // The command line may override what a file sets, and itself; so may a
+      // file what it includes.
+      const auto file_of = [](const std::string &place) {
+        return place.substr(0, place.rfind(", line "));
+      };
+      const auto [earlier, is_new] =
+        places.emplace(assignment.path, assignment.place);
+      if (!is_new && assignment.place != command_line_place &&
+          file_of(earlier->second) == file_of(assignment.place))
+        throw InputError(assignment.place + ": " + assignment.path +
+                         " is set a second time, first at " + earlier->second +
+                         "\n  remedy:  remove one of them");
+    }
 
-    private:
-      const std::vector<DeclaredEntry>    &entries;
-      const std::map<std::string, double> &constants;
-      ParameterHandler                    &prm;
-      std::map<std::string, std::string>   places;
 
-      /** Says what is wrong with it as an expression, if it looks like one. */
-      [[noreturn]] void
-      refuse_value(const Assignment    &assignment,
-                   const DeclaredEntry &entry) const
-      {
-        const std::string allowed = describe_pattern(entry.pattern);
-        std::string fault = assignment.path + " = " + quote(assignment.value);
-        if (is_of_numbers(entry) && !split_unit(assignment.value) &&
-            (!constants.empty() ||
-             assignment.value.find_first_of("*/^(+") != std::string::npos))
-          try
-            {
-              fault += " = " + as_numbers(assignment, constants);
-            }
-          catch (const InputError &error)
-            {
-              fault = error.what();
-              fault.erase(fault.find("\n  allowed: "));
-            }
-        std::vector<std::string> words;
-        std::istringstream       list(allowed);
-        for (std::string word; std::getline(list, word, '|');)
-          words.push_back(dealii::Utilities::trim(word));
-        if (words.size() > 1)
-          fault += did_you_mean(assignment.value, words);
-        std::string with_point = assignment.value;
-        std::replace(with_point.begin(), with_point.end(), ',', '.');
-        if (is_of_numbers(entry) && with_point != assignment.value &&
-            parse_number(with_point))
-          fault += "; did you mean " + with_point + "?";
-        if (is_of_numbers(entry) &&
-            assignment.value.find_first_of(":") != std::string::npos)
-          fault += "; ranges are for Study/Vary: 1e-3 .. 1 (7)";
+
+    /** Says what is wrong with a value: as an expression, if it looks so. */
+    [[noreturn]] void
+    refuse_value(const Assignment                    &assignment,
+                 const std::map<std::string, double> &constants)
+    {
+      const DeclaredEntry &entry   = entry_of_program(assignment.path);
+      const std::string   &value   = assignment.value;
+      const std::string    allowed = describe_pattern(entry.pattern);
+      std::string          fault   = assignment.path + " = " + quote(value);
+      if (is_of_numbers(entry))
+        {
+          if (!split_unit(value) &&
+              (!constants.empty() ||
+               value.find_first_of("*/^(+") != std::string::npos))
+            try
+              {
+                fault += " = " + as_numbers(assignment, constants);
+              }
+            catch (const InputError &error)
+              {
+                fault = error.what();
+                fault.erase(fault.find("\n  allowed: "));
+              }
+          std::string with_point = value;
+          std::replace(with_point.begin(), with_point.end(), ',', '.');
+          if (with_point != value && parse_number(with_point))
+            fault += "; did you mean " + with_point + "?";
+          if (value.find(':') != std::string::npos)
+            fault += "; ranges are for Study/Vary: 1e-3 .. 1 (7)";
+        }
+      else if (allowed.find(" | ") != std::string::npos)
+        fault +=
+          did_you_mean(value,
+                       dealii::Utilities::split_string_list(allowed, '|'));
+      throw InputError(
+        assignment.place + ": " + fault + "\n  allowed: " + allowed +
+        "\n  meaning: " + entry.text + "\n  default: " + entry.default_value);
+    }
+
+
+
+    /**
+     * @param assignment as it was written
+     * @param value of the scene: that of the statement without its unit
+     * @throw InputError as assign_entries()
+     */
+    void
+    assign(const Assignment                    &assignment,
+           const std::string                   &value,
+           const std::map<std::string, double> &constants,
+           ParameterHandler                    &prm)
+    {
+      const std::string &text = assignment.value;
+      if (!is_plain_text(text) || text.find('#') != std::string::npos ||
+          (!text.empty() && text.back() == '\\'))
         throw InputError(
-          assignment.place + ": " + fault + "\n  allowed: " + allowed +
-          "\n  meaning: " + entry.text + "\n  default: " + entry.default_value);
-      }
+          assignment.place + ": " + assignment.path + " = " + quote(text) +
+          "\n  allowed: one line of text in UTF-8 without '#', not ending in "
+          "'\\', since used.prm repeats it");
+      try
+        {
+          set_entry({assignment.place, assignment.path, value}, prm);
+        }
+      catch (const dealii::ExceptionBase &)
+        {
+          refuse_value(assignment, constants);
+        }
+    }
 
-      const DeclaredEntry &
-      entry_of(const Assignment &assignment) const
-      {
-        const DeclaredEntry *const entry = find_entry(entries, assignment.path);
-        if (entry == nullptr)
-          refuse_entry(assignment, entries);
-        return *entry;
-      }
-    };
+
+
+    /** Reads the value of an entry that may be an expression. */
+    void
+    check_expression(const Assignment  &assignment,
+                     const unsigned int dim,
+                     ExpressionNames    names)
+    {
+      names.variables = entry_of_program(assignment.path).variables(dim);
+      const std::string &text = assignment.value;
+      if (!names.variables.empty() && !parse_number(text))
+        read_components(assignment.path,
+                        text,
+                        1 + std::count(text.begin(), text.end(), ';'),
+                        names);
+    }
   } // namespace
 
 
 
   void
-  assign_entries(const std::vector<Assignment> &assignments,
-                 ParameterHandler              &prm)
+  assign_entries(const std::vector<Assignment> &given, ParameterHandler &prm)
   {
-    assign_entries(assignments, declared_entries(prm), prm);
-  }
-
-
-
-  void
-  assign_entries(const std::vector<Assignment>    &given,
-                 const std::vector<DeclaredEntry> &entries,
-                 ParameterHandler                 &prm)
-  {
-    const auto with_places = [&](const auto &action) {
+    std::vector<std::string> faults;
+    const auto               collect = [&](const auto &action) {
       try
         {
           action();
         }
       catch (const InputError &error)
         {
-          throw InputError(complete_message(error.what(), given, prm));
+          faults.push_back(complete_message(error.what(), given, prm));
         }
     };
     std::map<std::string, double> constants;
-    with_places([&]() { constants = assign_constants(given, entries, prm); });
-    Assigner                      assigner(entries, constants, prm);
-    std::vector<std::string>      faults;
-    const std::vector<Assignment> assignments =
-      with_numbers(given, entries, constants);
-    const auto collect = [&faults](const auto &action) {
-      try
-        {
-          action();
-        }
-      catch (const InputError &error)
-        {
-          faults.emplace_back(error.what());
-        }
-    };
+    collect([&]() { constants = assign_constants(given, prm); });
+    throw_faults(faults);
+    const std::vector<Assignment> assignments = with_numbers(given, constants);
+    std::map<std::string, std::string> places;
     std::string unknown_section; // what stands in it is no fault of its own
     for (const Assignment &assignment : assignments)
       if (unknown_section.empty() ||
           assignment.path.rfind(unknown_section, 0) != 0)
         {
           const std::size_t n_faults = faults.size();
-          collect([&]() { assigner.check_name(assignment); });
+          collect([&]() { check_name(assignment, places); });
           if (assignment.is_section() && faults.size() > n_faults)
             unknown_section = assignment.path;
         }
     const auto assign_if = [&](const auto &is_one, const auto &value) {
       for (unsigned int i = 0; i < assignments.size(); ++i)
         if (const Assignment &assignment = assignments[i];
-            assigner.knows(assignment) && is_one(assignment) &&
+            is_of_program(assignment) && is_one(assignment.path) &&
             last_assignment(assignments, assignment.path) == &assignment)
-          collect([&]() { assigner.assign(given[i], value(assignment)); });
+          collect(
+            [&]() { assign(given[i], value(assignment), constants, prm); });
     };
-    const auto is_of_rod = [](const Assignment &assignment) {
-      return assignment.path.rfind("Rod/", 0) == 0;
+    const auto is_dimension = [](const std::string &path) {
+      return path == "Dimension";
     };
+    const auto is_of_rod = [](const std::string &path) {
+      return path.rfind("Rod/", 0) == 0;
+    };
+    assign_if(is_dimension, without_unit);
     if (!is_in_si(assignments))
       {
-        assign_if([](const Assignment &) { return true; },
-                  [](const Assignment &assignment) {
+        ExpressionNames names;
+        names.constants        = constants;
+        names.folder           = folder_of_tables(given);
+        names.checks_values    = false;
+        const unsigned int dim = *parse_number(prm.get("Dimension"));
+        assign_if([&](const std::string &path) { return !is_dimension(path); },
+                  [&](const Assignment &assignment) {
                     refuse_units({assignment});
+                    check_expression(assignment, dim, names);
                     return assignment.value;
                   });
         return throw_faults(faults);
       }
     assign_if(is_of_rod, without_unit);
     throw_faults(faults);
-    RodParameters    rod;
-    ParameterHandler rod_prm;
-    rod.add_parameters(rod_prm);
-    for (const Assignment &assignment : assignments)
-      if (is_of_rod(assignment) && !assignment.is_section())
-        set_entry({"", assignment.path, without_unit(assignment)}, rod_prm);
     std::optional<SiScene> scene;
-    with_places([&]() { scene.emplace(assignments, entries, rod, constants); });
-    assign_if(
-      [&](const Assignment &assignment) { return !is_of_rod(assignment); },
-      [&](const Assignment &assignment) { return scene->value(assignment); });
+    collect([&]() { scene.emplace(assignments, constants); });
+    throw_faults(faults);
+    assign_if([&](const std::string &path) { return !is_of_rod(path); },
+              [&](const Assignment &assignment) {
+                return scene->value(assignment);
+              });
     throw_faults(faults);
     for (const Assignment &assignment : scene->derived())
-      assigner.assign(assignment, assignment.value);
+      assign(assignment, assignment.value, constants, prm);
   }
 
 

@@ -35,7 +35,8 @@ namespace ThermoContact
   void
   ModelParameters::add_parameters(ParameterHandler &prm)
   {
-    SectionOfEntries entry(prm, "Model");
+    const std::string of_rod = kind_of_coefficients;
+    SectionOfEntries  entry(prm, "Model");
     entry("Fields",
           fields,
           Selection("temperature and displacement|temperature|displacement"))
@@ -43,18 +44,21 @@ namespace ThermoContact
              "unknowns, the matrices and the files.");
     entry("Inertia", inertia, coefficient)
       .means("Inertia coefficient b >= 0 of the momentum equation; 0 is "
-             "quasi-static.");
+             "quasi-static.",
+             of_rod);
     entry("Viscosity", viscosity, coefficient)
-      .means("Kelvin-Voigt viscosity zeta >= 0.");
+      .means("Kelvin-Voigt viscosity zeta >= 0.", of_rod);
     entry("Coupling", coupling, signed_coefficient)
       .means("Thermoelastic coupling a: thermal stress -a theta and heating -a "
-             "div u_t.");
+             "div u_t.",
+             of_rod);
     entry("Thermoelastic heating", heating)
       .means("The term -a div u_t of the heat equation; false: motion does not "
              "heat the body.");
     entry("Poisson ratio", poisson_ratio, Double(-1., 0.5))
       .means("Poisson ratio nu, for Dimension > 1; the P-wave modulus is one "
-             "for every nu.");
+             "for every nu.",
+             of_rod);
   }
 
 
@@ -66,35 +70,42 @@ namespace ThermoContact
     entry("Fixed end temperature",
           fixed_end_temperature,
           fixed_end_expression,
-          NumberOrText::expression("t", true))
+          NumberOrText::number_or_expression("t", true))
       .means("Temperature theta_A of the fixed end x = 0; an expression in t, "
-             "e.g. 10*sin(2*pi*t).");
-    entry("Fixed end displacement", fixed_end_displacement)
+             "e.g. 10*sin(2*pi*t).",
+             "temperature");
+    entry("Fixed end displacement",
+          fixed_end_displacement,
+          NumberOrText::expression("t"))
       .means("Displacement u_A of the fixed end x = 0 along the axis, a base "
              "that moves: an expression in t, zero at t = 0, e.g. "
-             "0.1*sin(2*pi*t).");
+             "0.1*sin(2*pi*t).",
+             "length");
     entry("Heat exchange",
           heat_exchange,
           exchange_expression,
-          NumberOrText::expression("gap, pressure", false))
+          NumberOrText::number_or_expression("gap, pressure", false))
       .means("Heat exchange coefficient k >= 0 of the contact end: -d theta/dn "
              "= k (theta - theta_obs); an expression in the local gap >= 0 and "
              "pressure >= 0, e.g. if(pressure > 0, 10 + 5*pressure, 0.1/(0.1 + "
-             "gap)).");
+             "gap)).",
+             "heat exchange");
     entry("Obstacle temperature",
           obstacle_temperature,
           obstacle_expression,
-          NumberOrText::expression("y, z, t", true))
+          NumberOrText::number_or_expression("y, z, t", true))
       .means("Temperature theta_obs of the obstacle; an expression in t, and "
              "in y, z for Dimension > 1, e.g. 5*sin(2*pi*t), if the heat "
-             "exchange is a number.");
+             "exchange is a number.",
+             "temperature");
     entry("Lateral heat exchange", lateral_heat_exchange, coefficient)
       .means("Heat m (theta - theta_inf) that the rod loses to its "
              "surroundings per volume, m >= 0; for Dimension > 1 through its "
              "lateral faces: -d theta/dn = m A/P (theta - theta_inf), A/P the "
-             "area of the cross-section over its perimeter.");
+             "area of the cross-section over its perimeter.",
+             "heat loss");
     entry("Ambient temperature", ambient_temperature, any_number)
-      .means("Temperature theta_inf of the surroundings.");
+      .means("Temperature theta_inf of the surroundings.", "temperature");
     entry("Lateral support",
           lateral_support,
           Selection("rollers|free|symmetric"))
@@ -112,19 +123,18 @@ namespace ThermoContact
   void
   InitialValuesParameters::add_parameters(ParameterHandler &prm)
   {
-    const std::string variables =
-      " Expression in x (y, z); pi is known, and theta_A where there is a "
-      "temperature.";
-    SectionOfEntries entry(prm, "Initial values");
-    entry("Temperature", temperature).means("Temperature theta_0." + variables);
-    entry("Displacement", displacement)
+    const NumberOrText field = NumberOrText::expression("x, y, z, theta_A");
+    SectionOfEntries   entry(prm, "Initial values");
+    entry("Temperature", temperature, field)
+      .means("Temperature theta_0.", "temperature");
+    entry("Displacement", displacement, field)
       .means("Displacement u_0, zero at x = 0; components separated by ';', "
-             "one alone is the axial one." +
-             variables);
-    entry("Velocity", velocity)
+             "one alone is the axial one.",
+             "length");
+    entry("Velocity", velocity, field)
       .means("Velocity u_1, zero at x = 0; components separated by ';', one "
-             "alone is the axial one." +
-             variables);
+             "alone is the axial one.",
+             "velocity");
   }
 
 
@@ -132,24 +142,22 @@ namespace ThermoContact
   void
   SourceParameters::add_parameters(ParameterHandler &prm)
   {
-    const std::string variables =
-      " Expression in x (y, z), t; pi is known, and theta_A where there is a "
-      "temperature.";
-    SectionOfEntries entry(prm, "Sources");
-    entry("Heat source", heat_source)
-      .means("Heat source q per volume." + variables);
-    entry("Body force", body_force)
+    const NumberOrText source = NumberOrText::expression("x, y, z, t, theta_A");
+    SectionOfEntries   entry(prm, "Sources");
+    entry("Heat source", heat_source, source)
+      .means("Heat source q per volume.", "heat source");
+    entry("Body force", body_force, source)
       .means("Body force f per volume; components separated by ';', one alone "
-             "is the axial one." +
-             variables);
-    entry("End traction", end_traction)
+             "is the axial one.",
+             "body force");
+    entry("End traction", end_traction, source)
       .means("Traction t on the contact end, positive outward: the end stress "
-             "is -pressure + t." +
-             variables);
-    entry("End heat flux", end_heat_flux)
+             "is -pressure + t.",
+             "stress");
+    entry("End heat flux", end_heat_flux, source)
       .means("Heat flux h into the contact end: -d theta/dn = k (theta - "
-             "theta_obs) - h." +
-             variables);
+             "theta_obs) - h.",
+             "heat flux");
   }
 
 
@@ -166,25 +174,27 @@ namespace ThermoContact
              "automatic (paper for " +
              find_scheme([](const Scheme &s) { return s.is_of_paper; })->name +
              ").");
-    entry("End time", end_time, duration).means("End time T >= 0.");
+    entry("End time", end_time, duration).means("End time T >= 0.", "time");
     entry("Step size", step_size, NumberOrText::word("automatic"))
       .means("Time step dt > 0, the same for all steps but those that end at "
              "T, at a contact event or at an output time; automatic: from the "
              "error estimate of the scheme and the tolerance. The paper: "
-             "0.001.");
+             "0.001.",
+             "time");
     entry("Tolerance", tolerance, Double(1e-13, 0.1))
       .means("Tolerance of automatic steps: error per step, relative to the "
              "running maximum of each field.");
     entry("First step size", first_step_size, NumberOrText::word("automatic"))
-      .means("First of the automatic steps.");
+      .means("First of the automatic steps.", "time");
     entry("Minimum step size", minimum_step_size, duration)
       .means("An automatic step that would have to be smaller stops the run "
              "with an error; steps to contact events, output times and T may "
-             "be smaller.");
+             "be smaller.",
+             "time");
     entry("Maximum step size",
           maximum_step_size,
           NumberOrText::word("infinity"))
-      .means("Largest automatic step.");
+      .means("Largest automatic step.", "time");
     entry("Locate contact events",
           locate_contact_events,
           Selection("automatic|true|false"))
@@ -193,7 +203,8 @@ namespace ThermoContact
     entry("Break points", break_points, List(duration, 0, 100000, ";"))
       .means("Times, separated by ';', at which steps end, for loads that jump "
              "or bend there. Automatic steps find those of expressions in t by "
-             "themselves. Times after T have no effect.");
+             "themselves. Times after T have no effect.",
+             "time");
   }
 
 
@@ -228,13 +239,17 @@ namespace ThermoContact
 
 
   ExpressionNames
-  Parameters::names(const std::string &,
-                    const std::vector<std::string> &variables,
-                    const std::string              &example) const
+  Parameters::names(const std::string &path) const
   {
+    const auto      known = entry_of_program(path).variables(dimension);
     ExpressionNames names;
-    names.variables = variables;
-    names.example   = example;
+    if (known.front() == "gap")
+      names.variables = known;
+    else
+      for (const char *const name : {"x", "y", "z", "t"})
+        names.variables.emplace_back(
+          std::find(known.begin(), known.end(), name) == known.end() ? "" :
+                                                                       name);
     names.constants = constants;
     names.folder    = folder;
     names.has_units = rod.length > 0.;
@@ -243,13 +258,37 @@ namespace ThermoContact
 
 
 
-  std::vector<std::string>
-  Parameters::coordinates(const bool has_time) const
+  const std::vector<DeclaredEntry> &
+  entries_of_program()
   {
-    return {"x",
-            dimension > 1 ? "y" : "",
-            dimension > 2 ? "z" : "",
-            has_time ? "t" : ""};
+    static const std::vector<DeclaredEntry> entries = []() {
+      Parameters       parameters;
+      ParameterHandler prm;
+      parameters.add_parameters(prm);
+      return declared_entries(prm);
+    }();
+    return entries;
+  }
+
+
+
+  const DeclaredEntry *
+  find_entry(const std::string &path)
+  {
+    const auto &entries = entries_of_program();
+    const auto  entry =
+      std::find_if(entries.begin(),
+                   entries.end(),
+                   [&](const DeclaredEntry &one) { return one.path == path; });
+    return entry == entries.end() ? nullptr : &*entry;
+  }
+
+
+
+  const DeclaredEntry &
+  entry_of_program(const std::string &path)
+  {
+    return *find_entry(path);
   }
 
 

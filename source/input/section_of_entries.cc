@@ -14,9 +14,9 @@ namespace ThermoContact
 
 
 
-  NumberOrText::NumberOrText(const std::string &word,
-                             const std::string &names,
-                             const Double      &number)
+  NumberOrText::NumberOrText(const std::string           &word,
+                             const std::string           &names,
+                             const std::optional<Double> &number)
     : the_word(word)
     , names(names)
     , number(number)
@@ -33,7 +33,16 @@ namespace ThermoContact
 
 
   NumberOrText
-  NumberOrText::expression(const std::string &names, const bool is_signed)
+  NumberOrText::expression(const std::string &names)
+  {
+    return {"", names, std::nullopt};
+  }
+
+
+
+  NumberOrText
+  NumberOrText::number_or_expression(const std::string &names,
+                                     const bool         is_signed)
   {
     const double largest = std::numeric_limits<double>::max();
     return {"",
@@ -46,7 +55,7 @@ namespace ThermoContact
   bool
   NumberOrText::match(const std::string &text) const
   {
-    return number.match(text) ||
+    return !number || number->match(text) ||
            (the_word.empty() ? !(text.empty() || Double().match(text)) :
                                text == the_word);
   }
@@ -56,10 +65,10 @@ namespace ThermoContact
   std::string
   NumberOrText::description(const OutputStyle style) const
   {
-    const std::string of_number = number.description(style);
-    return the_word.empty() ?
-             "[" + of_number + " or an expression in " + names + "]" :
-             "[" + the_word + " or " + of_number + "]";
+    const std::string of_number = number ? number->description(style) : "";
+    return the_word.empty() ? "[" + of_number + (number ? " or " : "") +
+                                "an expression in " + names + "]" :
+                              "[" + the_word + " or " + of_number + "]";
   }
 
 
@@ -128,6 +137,26 @@ namespace ThermoContact
     return number_or_word(name, pattern, [&value](const double *number) {
       value = number ? *number : std::numeric_limits<double>::infinity();
     });
+  }
+
+
+
+  SectionOfEntries::Entry
+  SectionOfEntries::operator()(const std::string                 &name,
+                               const double                       default_value,
+                               const Double                      &pattern,
+                               const std::function<void(double)> &assign)
+  {
+    return {
+      [this, name, default_value, &pattern, assign](const std::string &text) {
+        prm.declare_entry(name,
+                          significant(default_value, few_digits),
+                          pattern,
+                          text);
+        prm.add_action(name, [assign](const std::string &given) {
+          assign(string_to_double(given));
+        });
+      }};
   }
 
 

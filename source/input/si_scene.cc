@@ -27,73 +27,15 @@ namespace ThermoContact
 {
   namespace
   {
-    /** An entry that is a quantity. */
-    struct Quantity
-    {
-      const char *path, *kind;
-    };
-
-    const Quantity quantities[] = {
-      {"Boundary/Ambient temperature", "temperature"},
-      {"Boundary/Fixed end displacement", "length"},
-      {"Boundary/Fixed end temperature", "temperature"},
-      {"Boundary/Heat exchange", "heat exchange"},
-      {"Boundary/Lateral heat exchange", "heat loss"},
-      {"Boundary/Obstacle temperature", "temperature"},
-      {"Contact/Compliance", "compliance"},
-      {"Contact/Damping", "damping"},
-      {"Contact/Gap", "length"},
-      {"Contact/Rear gap", "length"},
-      {"Contact/Stiffness", "stiffness"},
-      {"Initial values/Displacement", "length"},
-      {"Initial values/Temperature", "temperature"},
-      {"Initial values/Velocity", "velocity"},
-      {"Mesh/Width", "length"},
-      {"Output/Checkpoint interval", "s"},
-      {"Output/Contact interval", "time"},
-      {"Output/Fields interval", "time"},
-      {"Output/Period", "time"},
-      {"Output/Probes", "length"},
-      {"Output/Space-time interval", "time"},
-      {"Rod/Conductivity", "conductivity"},
-      {"Rod/Cross-section area", "area"},
-      {"Rod/Density", "density"},
-      {"Rod/Heat capacity", "heat capacity"},
-      {"Rod/Length", "length"},
-      {"Rod/Linear expansion", "thermal expansion"},
-      {"Rod/Reference temperature", "temperature"},
-      {"Rod/Viscosity", "viscosity"},
-      {"Rod/Young's modulus", "stress"},
-      {"Sources/Body force", "body force"},
-      {"Sources/End heat flux", "heat flux"},
-      {"Sources/End traction", "stress"},
-      {"Sources/Heat source", "heat source"},
-      {"Study/Target error", "length"},
-      {"Time/Break points", "time"},
-      {"Time/End time", "time"},
-      {"Time/First step size", "time"},
-      {"Time/Maximum step size", "time"},
-      {"Time/Minimum step size", "time"},
-      {"Time/Step size", "time"}};
-
-    /** What the variables of expressions are. */
-    const Quantity variables[] = {{"t", "time"},
-                                  {"x", "length"},
-                                  {"y", "length"},
-                                  {"z", "length"},
-                                  {"gap", "length"},
-                                  {"pressure", "stress"},
-                                  {"theta_A", "temperature"}};
-
-    /** True for entries that the rod decides. */
-    bool
-    is_decided(const std::string &path)
-    {
-      return path == "Model/Coupling" || path == "Model/Inertia" ||
-             path == "Model/Poisson ratio" || path == "Model/Viscosity" ||
-             (path.rfind("Scales/", 0) == 0 && path != "Scales/Time unit" &&
-              path != "Scales/Temperature unit");
-    }
+    /** The kinds of quantities that the variables of expressions are. */
+    const std::map<std::string, std::string> kinds_of_variables = {
+      {"t", "time"},
+      {"x", "length"},
+      {"y", "length"},
+      {"z", "length"},
+      {"gap", "length"},
+      {"pressure", "stress"},
+      {"theta_A", "temperature"}};
 
 
 
@@ -101,15 +43,14 @@ namespace ThermoContact
     // is in equilibrium but for ringing after sudden changes.
     constexpr double often = 1e5;
 
-    /** The kind of quantity of an entry or a variable; empty if it is none. */
-    template <std::size_t n>
+    /** The kind of quantity of an entry; empty if there is none. */
     std::string
-    find_kind(const Quantity (&list)[n], const std::string &path)
+    kind_of(const std::string &path)
     {
-      const auto found = std::find_if(list, list + n, [&](const Quantity &q) {
-        return path == q.path;
-      });
-      return found == list + n ? "" : found->kind;
+      const DeclaredEntry *const entry = find_entry(path);
+      return entry == nullptr || entry->kind == kind_of_coefficients ?
+               "" :
+               entry->kind;
     }
 
 
@@ -125,6 +66,18 @@ namespace ThermoContact
         return conversions_by_kind(one);
       }();
       return all.at(kind).unit;
+    }
+
+
+
+    /** The default law without a name, none for one that there is not. */
+    const ContactLawKind &
+    law_of(const std::optional<std::string> &name)
+    {
+      for (const ContactLawKind &law : contact_laws())
+        if (!name || law.name == name)
+          return law;
+      return contact_law(no_obstacle().name);
     }
 
 
@@ -192,7 +145,7 @@ namespace ThermoContact
   std::string
   without_unit(const Assignment &assignment)
   {
-    const std::string kind  = find_kind(quantities, assignment.path);
+    const std::string kind  = kind_of(assignment.path);
     const auto        split = split_unit(assignment.value);
     return kind.empty() || !split || split->unit.empty() ?
              assignment.value :
@@ -205,7 +158,7 @@ namespace ThermoContact
   std::string
   unit_of_entry(const std::string &path)
   {
-    const std::string kind = find_kind(quantities, path);
+    const std::string kind = kind_of(path);
     return kind.empty() ? "" : unit_of(kind);
   }
 
@@ -228,7 +181,8 @@ namespace ThermoContact
     for (const Assignment &assignment : assignments)
       {
         const auto split = split_unit(assignment.value);
-        if (!find_kind(quantities, assignment.path).empty() && split &&
+        const auto entry = find_entry(assignment.path);
+        if (entry != nullptr && !entry->kind.empty() && split &&
             !split->unit.empty() && is_unit(split->unit))
           refuse_value(assignment,
                        "a unit, and the file has no section Rod, from which "
@@ -248,23 +202,22 @@ namespace ThermoContact
 
 
   SiScene::SiScene(const std::vector<Assignment>       &assignments,
-                   const std::vector<DeclaredEntry>    &entries,
-                   const RodParameters                 &rod,
                    const std::map<std::string, double> &constants)
     : assignments(assignments)
-    , entries(entries)
-    , rod(rod)
     , constants(constants)
     , dim(parse_number(given("Dimension").value_or("1")).value_or(1.))
     , has_temperature(given("Model/Fields").value_or("") != "displacement")
     , has_displacement(given("Model/Fields").value_or("") != "temperature")
+    , is_confined(dim > 1 || given("Rod/Lateral sides") == "confined")
+    , law(law_of(given("Contact/Condition")))
   {
     check_complete();
     set_scales();
     conversions = conversions_by_kind(scales);
     check_area();
     for (const Assignment &assignment : assignments)
-      if (is_decided(assignment.path) && !assignment.is_section())
+      if (const DeclaredEntry *const entry = find_entry(assignment.path);
+          entry != nullptr && entry->kind == kind_of_coefficients)
         refuse_value(assignment,
                      "section Rod decides it",
                      "no such entry",
@@ -285,53 +238,50 @@ namespace ThermoContact
   void
   SiScene::check_complete() const
   {
-    const auto need = [this](const bool is_needed, const std::string &path) {
-      if (!is_needed || given(path))
+    std::vector<std::string> faults;
+    const auto               need = [&](const bool         is_needed,
+                          const std::string &path,
+                          const bool         is_positive = false) {
+      if (!is_needed)
         return;
-      const DeclaredEntry &entry = *find_entry(entries, path);
-      throw InputError(
-        path + " is not given\n  allowed: " + describe_pattern(entry.pattern) +
-        "\n  meaning: " + entry.text +
-        "\n  remedy:  give it: a scene in SI units has no default of it");
+      const DeclaredEntry &entry = entry_of_program(path);
+      if (!given(path))
+        faults.push_back(
+          path + " is not given\n  allowed: " +
+          describe_pattern(entry.pattern) + "\n  meaning: " + entry.text +
+          "\n  remedy:  give it: a scene in SI units has no default of it");
+      else if (is_positive && !(number(path) > 0.))
+        faults.push_back(path + " = " + *given(path) +
+                         "\n  allowed: a positive number");
     };
-    const auto need_positive =
-      [&](const bool is_needed, const double value, const std::string &path) {
-        need(is_needed, path);
-        if (is_needed && !(value > 0.))
-          throw InputError(path + " = " + *given(path) +
-                           "\n  allowed: a positive number");
-      };
-    need_positive(true, rod.length, "Rod/Length");
-    need_positive(true, rod.area, "Rod/Cross-section area");
-    need_positive(true, rod.density, "Rod/Density");
-    need_positive(has_displacement, rod.youngs_modulus, "Rod/Young's modulus");
-    need(has_displacement && (dim > 1 || rod.lateral_sides == "confined"),
-         "Rod/Poisson ratio");
-    need_positive(has_temperature, rod.conductivity, "Rod/Conductivity");
-    need_positive(has_temperature, rod.heat_capacity, "Rod/Heat capacity");
-    need_positive(has_temperature,
-                  rod.reference_temperature,
-                  "Rod/Reference temperature");
+    need(true, "Rod/Length", true);
+    need(true, "Rod/Cross-section area", true);
+    need(true, "Rod/Density", true);
+    need(has_displacement, "Rod/Young's modulus", true);
+    need(has_displacement && is_confined, "Rod/Poisson ratio");
+    for (const std::string entry :
+         {"Conductivity", "Heat capacity", "Reference temperature"})
+      need(has_temperature, "Rod/" + entry, true);
     need(has_temperature && has_displacement, "Rod/Linear expansion");
     need(has_temperature, "Boundary/Fixed end temperature");
     need(has_temperature, "Boundary/Heat exchange");
-    const std::string condition =
-      given("Contact/Condition").value_or(contact_laws().front().name);
-    need(has_displacement && condition != no_obstacle().name, "Contact/Gap");
-    if (given("Contact/Stiffness").value_or("none") != "none")
-      need_positive(true, number("Contact/Stiffness"), "Contact/Stiffness");
-    if (given("Contact/Stiffness") && given("Contact/Compliance"))
+    need(has_displacement && law.name != no_obstacle().name, "Contact/Gap");
+    const bool has_stiffness =
+      given("Contact/Stiffness").value_or("none") != "none";
+    need(has_stiffness, "Contact/Stiffness", true);
+    if (has_stiffness && given("Contact/Compliance"))
       throw InputError("Contact/Stiffness = " + *given("Contact/Stiffness") +
                        ": Contact/Compliance is given, too\n  remedy:  one of "
                        "them");
-    for (const ContactLawKind &law : contact_laws())
-      need(has_displacement && condition == law.name &&
-             std::find(law.entries.begin(), law.entries.end(), "Compliance") !=
-               law.entries.end() &&
-             !given("Contact/Compliance"),
-           "Contact/Stiffness");
+    for (const ContactLawEntry &entry : law.entries)
+      if (has_displacement && entry.is_positive &&
+          !given("Contact/" + entry.name))
+        need(true,
+             entry.name == "Compliance" ? "Contact/Stiffness" :
+                                          "Contact/" + entry.name);
     need(dim > 1, "Mesh/Width");
     need(true, "Time/End time");
+    throw_faults(faults);
   }
 
 
@@ -346,7 +296,7 @@ namespace ThermoContact
     const double area =
       dim == 3 ? width * width : dealii::numbers::PI * width * width;
     if ((dim == 3 || (dim == 2 && is_round)) &&
-        std::abs(rod.area - area) > Tolerances::same_area * area)
+        std::abs(*scales.area - area) > Tolerances::same_area * area)
       throw InputError(
         text("Rod/Cross-section area = ",
              *given("Rod/Cross-section area"),
@@ -359,12 +309,19 @@ namespace ThermoContact
 
 
   double
+  SiScene::rod(const std::string &entry) const
+  {
+    return given("Rod/" + entry) ? number("Rod/" + entry) : 0.;
+  }
+
+
+
+  double
   SiScene::modulus() const
   {
-    const double nu = rod.poisson_ratio;
-    return rod.youngs_modulus * (dim > 1 || rod.lateral_sides == "confined" ?
-                                   (1. - nu) / ((1. + nu) * (1. - 2. * nu)) :
-                                   1.);
+    const double nu = rod("Poisson ratio");
+    return rod("Young's modulus") *
+           (is_confined ? (1. - nu) / ((1. + nu) * (1. - 2. * nu)) : 1.);
   }
 
 
@@ -372,22 +329,19 @@ namespace ThermoContact
   void
   SiScene::set_scales()
   {
-    const double capacity = rod.density * rod.heat_capacity;
-    scales.length         = rod.length;
-    scales.area           = rod.area;
-    scales.time           = has_temperature ?
-                              capacity * rod.length * rod.length / rod.conductivity :
-                              rod.length * std::sqrt(rod.density / modulus());
-    if (has_temperature)
-      {
-        scales.reference_temperature = rod.reference_temperature;
-        scales.temperature =
-          has_displacement ?
-            std::sqrt(modulus() * rod.reference_temperature / capacity) :
-            1.;
-      }
-    scales.stress =
-      has_displacement ? modulus() : capacity / rod.reference_temperature;
+    const double length   = rod("Length"),
+                 capacity = rod("Density") * rod("Heat capacity"),
+                 absolute = rod("Reference temperature");
+    scales.length         = length;
+    scales.area           = rod("Cross-section area");
+    scales.stress         = has_displacement ? modulus() : capacity / absolute;
+    scales.time           = length * std::sqrt(rod("Density") / modulus());
+    if (!has_temperature)
+      return;
+    scales.time = capacity * length * length / rod("Conductivity");
+    scales.reference_temperature = absolute;
+    scales.temperature =
+      has_displacement ? std::sqrt(modulus() * absolute / capacity) : 1.;
   }
 
 
@@ -405,7 +359,7 @@ namespace ThermoContact
   std::string
   SiScene::value(const Assignment &assignment) const
   {
-    if (find_kind(quantities, assignment.path).empty())
+    if (kind_of(assignment.path).empty())
       return assignment.value;
     const bool  is_list = assignment.path == "Output/Probes";
     std::string result, part;
@@ -434,7 +388,7 @@ namespace ThermoContact
   std::string
   SiScene::scaled(const Assignment &assignment, const std::string &text) const
   {
-    const std::string kind = find_kind(quantities, assignment.path);
+    const std::string kind = kind_of(assignment.path);
     for (const char *const word : {"", "none", "automatic", "infinity"})
       if (text == word)
         return text;
@@ -462,9 +416,7 @@ namespace ThermoContact
     else if (number)
       return significant((*number - conversion.offset) / conversion.factor,
                          all_digits);
-    const std::string section = section_of(assignment.path);
-    if (section != "Boundary" && section != "Contact" &&
-        section != "Initial values" && section != "Sources")
+    if (entry_of_program(assignment.path).variables(dim).empty())
       return text; // no expression, and refused as what it is
     const std::string offset =
       conversion.offset == 0. ?
@@ -480,44 +432,26 @@ namespace ThermoContact
   SiScene::in_scene_variables(const Assignment  &assignment,
                               const std::string &text) const
   {
-    const bool        is_exchange = assignment.path == "Boundary/Heat exchange";
-    const std::string section     = section_of(assignment.path);
-    // as the scene has them: times, places and theta_A
-    const auto is_known = [&](const std::string &name) {
-      if (name == "gap" || name == "pressure" || is_exchange)
-        return is_exchange && (name == "gap" || name == "pressure");
-      if (name == "t")
-        return section != "Initial values";
-      if (name == "theta_A" || name == "x")
-        return section == "Initial values" || section == "Sources" ||
-               (name == "x" && assignment.path == "Contact/Gap");
-      return assignment.path == "Contact/Gap" ||
-             ((name == "y" ? dim > 1 : dim > 2) &&
-              assignment.path.find("Fixed end") == std::string::npos);
-    };
     ExpressionNames names;
+    names.variables = entry_of_program(assignment.path).variables(dim);
     names.constants = constants;
     names.folder    = folder_of_tables(assignments);
     names.has_units = true;
-    names.example   = is_exchange ? "if(pressure > 0, 500 + 1e-3*pressure, 5)" :
-                      section == "Initial values" ? "2*x/0.5" :
-                                                    "1e-4 + 1e-5*sin(t)";
-    std::vector<std::string> others;
-    for (const Quantity &variable : variables)
-      if (is_known(variable.path))
-        {
-          const auto        found = conversions.find(variable.kind);
-          const Conversion &unit =
-            found == conversions.end() ? Conversion() : found->second;
-          names.variables.emplace_back(variable.path);
-          names.units.push_back(unit_of(variable.kind));
-          others.push_back(
-            "(" + significant(unit.factor, all_digits) + "*" + variable.path +
-            (unit.offset == 0. ? "" :
-                                 "+" + significant(unit.offset, all_digits)) +
-            ")");
-        }
-    names.units.push_back(unit_of(find_kind(quantities, assignment.path)));
+    std::vector<std::string> others; // as the scene has them
+    for (const std::string &name : names.variables)
+      {
+        const std::string &kind  = kinds_of_variables.at(name);
+        const auto         found = conversions.find(kind);
+        const Conversion  &unit =
+          found == conversions.end() ? Conversion() : found->second;
+        names.units.push_back(unit_of(kind));
+        others.push_back(
+          "(" + significant(unit.factor, all_digits) + "*" + name +
+          (unit.offset == 0. ? "" :
+                               "+" + significant(unit.offset, all_digits)) +
+          ")");
+      }
+    names.units.push_back(unit_of(kind_of(assignment.path)));
     try
       {
         return rename_variables(assignment.path, text, names, others);
@@ -533,11 +467,12 @@ namespace ThermoContact
   double
   SiScene::law_exponent() const
   {
-    const double by_default = ContactLawParameters().exponent;
-    if (given("Contact/Condition").value_or("") != power_law().name)
+    const std::string exponent = "Contact/Exponent";
+    if (!law.uses("Exponent"))
       return 1.;
-    const std::optional<std::string> exponent = given("Contact/Exponent");
-    return exponent ? parse_number(*exponent).value_or(by_default) : by_default;
+    return parse_number(
+             given(exponent).value_or(entry_of_program(exponent).default_value))
+      .value_or(1.);
   }
 
 
@@ -548,8 +483,9 @@ namespace ThermoContact
     const auto is_zero = [this](const std::string &path) {
       return !given(path) || *given(path) == "none" || number(path) == 0.;
     };
-    if (rod.small_terms != "automatic")
-      return rod.small_terms == "dropped";
+    const std::string wanted = given("Rod/Small terms").value_or("automatic");
+    if (wanted != "automatic")
+      return wanted == "dropped";
     return is_zero("Initial values/Velocity") &&
            is_zero("Boundary/Fixed end displacement") &&
            is_zero("Contact/Rear gap") &&
@@ -570,9 +506,10 @@ namespace ThermoContact
       if (value)
         set(path, significant(*value, all_digits));
     };
-    const double wave     = rod.length * std::sqrt(rod.density / modulus()),
-                 relaxing = rod.viscosity / modulus(), nu = rod.poisson_ratio;
-    const bool is_static = is_small(wave);
+    const double wave = rod("Length") * std::sqrt(rod("Density") / modulus()),
+                 relaxing = rod("Viscosity") / modulus(),
+                 nu       = rod("Poisson ratio");
+    const bool is_static  = is_small(wave);
     if (has_displacement)
       {
         set_number("Model/Inertia",
@@ -587,26 +524,22 @@ namespace ThermoContact
       }
     if (has_displacement && has_temperature)
       set_number("Model/Coupling",
-                 rod.linear_expansion * *scales.temperature *
-                   (modulus() == rod.youngs_modulus ? 1. :
-                                                      (1. + nu) / (1. - nu)));
+                 rod("Linear expansion") * *scales.temperature *
+                   (is_confined ? (1. + nu) / (1. - nu) : 1.));
     if (has_temperature && !given("Initial values/Temperature"))
       set("Initial values/Temperature", "0");
-    if (given("Contact/Stiffness"))
+    if (has_displacement && law.uses("Compliance") &&
+        given("Contact/Stiffness"))
       set_number("Contact/Compliance",
-                 std::pow(*scales.stress * rod.area /
+                 std::pow(*scales.stress * *scales.area /
                             number("Contact/Stiffness"),
                           1. / law_exponent()) /
-                   rod.length);
+                   *scales.length);
     const double end_time = number("Time/End time");
     if (!given("Output/Fields interval"))
       set_number("Output/Fields interval", round_to_digits(end_time / 20., 6));
-    set_number("Scales/Length", scales.length);
-    set_number("Scales/Time", scales.time);
-    set_number("Scales/Stress", scales.stress);
-    set_number("Scales/Area", scales.area);
-    set_number("Scales/Temperature", scales.temperature);
-    set_number("Scales/Reference temperature", scales.reference_temperature);
+    for (const ScalesParameters::Scale &scale : ScalesParameters::all())
+      set_number(std::string("Scales/") + scale.name, scales.*scale.value);
     // the units that the file uses
     const auto unit_of = [this](const std::string &path) {
       const auto split = split_unit(given(path).value_or(""));
@@ -660,8 +593,7 @@ namespace ThermoContact
           entry.value = given->second;
         }
       else
-        entry.is_remark =
-          !find_kind(quantities, entry.path).empty() || is_decided(entry.path);
+        entry.is_remark = !entry.kind.empty();
   }
 
 

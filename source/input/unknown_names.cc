@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/input/parameters.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <algorithm>
@@ -21,10 +22,10 @@ namespace ThermoContact
 
     /** The sections, in the order of declaration. */
     std::vector<std::string>
-    declared_sections(const std::vector<DeclaredEntry> &entries)
+    declared_sections()
     {
       std::vector<std::string> sections;
-      for (const DeclaredEntry &entry : entries)
+      for (const DeclaredEntry &entry : entries_of_program())
         if (const std::string section = section_of(entry.path);
             !section.empty() &&
             (sections.empty() || sections.back() != section))
@@ -36,11 +37,10 @@ namespace ThermoContact
 
     /** The entries of a section, or nothing if there is no such section. */
     std::string
-    list_entries(const std::string                &section,
-                 const std::vector<DeclaredEntry> &entries)
+    list_entries(const std::string &section)
     {
       std::string names;
-      for (const DeclaredEntry &entry : entries)
+      for (const DeclaredEntry &entry : entries_of_program())
         if (section_of(entry.path) == section)
           names += (names.empty() ? "" : ", ") + name_of(entry.path);
       return names;
@@ -111,18 +111,6 @@ namespace ThermoContact
 
 
 
-  const DeclaredEntry *
-  find_entry(const std::vector<DeclaredEntry> &entries, const std::string &path)
-  {
-    const auto entry =
-      std::find_if(entries.begin(),
-                   entries.end(),
-                   [&](const DeclaredEntry &one) { return one.path == path; });
-    return entry == entries.end() ? nullptr : &*entry;
-  }
-
-
-
   std::string
   did_you_mean(const std::string &name, const std::vector<std::string> &known)
   {
@@ -142,13 +130,11 @@ namespace ThermoContact
 
 
   void
-  check_section(const std::string                &place,
-                const std::string                &section,
-                const std::vector<DeclaredEntry> &entries)
+  check_section(const std::string &place, const std::string &section)
   {
-    if (!list_entries(section, entries).empty())
+    if (!list_entries(section).empty())
       return;
-    const auto  sections = declared_sections(entries);
+    const auto  sections = declared_sections();
     std::string remedy, all;
     if (const std::string near = nearest(section, sections, edit_distance);
         !near.empty())
@@ -166,17 +152,16 @@ namespace ThermoContact
 
 
   void
-  refuse_entry(const Assignment                 &assignment,
-               const std::vector<DeclaredEntry> &entries)
+  refuse_entry(const Assignment &assignment)
   {
     const std::string        section = section_of(assignment.path);
-    const std::string        all     = list_entries(section, entries);
+    const std::string        all     = list_entries(section);
     std::vector<std::string> paths;
-    for (const DeclaredEntry &entry : entries)
+    for (const DeclaredEntry &entry : entries_of_program())
       paths.push_back(entry.path);
     const std::string near = nearest(assignment.path, paths, distance_of_paths);
     if (near.empty())
-      check_section(assignment.place, section, entries);
+      check_section(assignment.place, section);
     const std::string fault =
       all.empty()     ? "there is no section " + quote(section, 60) :
       section.empty() ? "there is no entry " + quote(assignment.path, 60) +

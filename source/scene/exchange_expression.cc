@@ -43,9 +43,7 @@ namespace ThermoContact
     const std::string path = "Boundary/Heat exchange";
     const Expression  expression(path,
                                 parameters.boundary.exchange_expression,
-                                parameters.names(path,
-                                                 {"gap", "pressure"},
-                                                 "0.1/(0.1 + gap)"));
+                                parameters.names(path));
     auto exchange = std::make_unique<ExchangeExpression>(expression);
     try
       {

@@ -40,28 +40,17 @@ namespace ThermoContact
 
 
 
+    /** Null for an empty one. */
     std::unique_ptr<const Expression>
-    resolve_gap_expression(const Parameters &parameters)
+    read_expression(const Parameters  &parameters,
+                    const std::string &path,
+                    const std::string &text)
     {
-      const std::string &text = parameters.contact.gap_expression;
-      if (text.empty())
-        return nullptr;
-      const unsigned int dim = parameters.dimension;
-      // x is known too: it is one on the end
-      const std::vector<std::string> names_of_shape{"x", "y", "z", "t"};
-      auto                           gap = std::make_unique<const Expression>(
-        "Contact/Gap",
-        text,
-        parameters.names("Contact/Gap",
-                         dim == 1 ? names_of_shape :
-                                                              parameters.coordinates(true),
-                         dim > 1 ? "0.1+(y-0.05)^2/2" : "0.1+0.02*sin(t)"));
-      if (dim == 1 && (gap->depends_on("y") || gap->depends_on("z")))
-        refuse("Contact/Gap",
-               text,
-               "a number or an expression in t, since Dimension = 1",
-               "Dimension = 2 or 3 for an obstacle with a shape");
-      return gap;
+      return text.empty() ?
+               nullptr :
+               std::make_unique<const Expression>(path,
+                                                  text,
+                                                  parameters.names(path));
     }
 
 
@@ -74,43 +63,22 @@ namespace ThermoContact
       if (expression == nullptr)
         return parameters.contact.gap;
       if (parameters.dimension > 1 &&
-          (expression->depends_on("x") || expression->depends_on("y") ||
-           expression->depends_on("z")))
+          (expression->depends_on("y") || expression->depends_on("z")))
         return std::numeric_limits<double>::quiet_NaN();
       return TimeFunction(*expression, dealii::Point<3>(1., 0., 0.)).value(0.);
     }
 
 
 
-    /** An expression in t, or null for an empty one. */
+    /** The same of an expression in t. */
     std::unique_ptr<const TimeFunction>
-    resolve_drive(const Parameters  &parameters,
-                  const std::string &path,
-                  const std::string &text)
+    read_drive(const Parameters  &parameters,
+               const std::string &path,
+               const std::string &text)
     {
-      return text.empty() ?
-               nullptr :
-               std::make_unique<const TimeFunction>(Expression(
-                 path,
-                 text,
-                 parameters.names(path, {"", "", "", "t"}, "0.1*sin(2*pi*t)")));
-    }
-
-
-
-    /** Of an obstacle whose temperature varies. */
-    std::unique_ptr<const Expression>
-    resolve_obstacle_drive(const Parameters &parameters)
-    {
-      const std::string  path = "Boundary/Obstacle temperature";
-      const std::string &text = parameters.boundary.obstacle_expression;
-      return text.empty() ? nullptr :
-                            std::make_unique<const Expression>(
-                              path,
-                              text,
-                              parameters.names(path,
-                                               parameters.coordinates(true),
-                                               "5*sin(2*pi*t)"));
+      const auto expression = read_expression(parameters, path, text);
+      return expression ? std::make_unique<const TimeFunction>(*expression) :
+                          nullptr;
     }
 
 
@@ -128,13 +96,15 @@ namespace ThermoContact
         boundary.exchange_expression.empty() ?
           constant_exchange(boundary.heat_exchange) :
           exchange_by_expression(parameters, std::max({gap, rear_gap, 1.}));
-      heat.fixed_end_drive       = resolve_drive(parameters,
-                                           "Boundary/Fixed end temperature",
-                                           boundary.fixed_end_expression);
+      heat.fixed_end_drive       = read_drive(parameters,
+                                        "Boundary/Fixed end temperature",
+                                        boundary.fixed_end_expression);
       heat.fixed_end_temperature = heat.fixed_end_drive ?
                                      heat.fixed_end_drive->value(0.) :
                                      boundary.fixed_end_temperature;
-      heat.obstacle_drive        = resolve_obstacle_drive(parameters);
+      heat.obstacle_drive        = read_expression(parameters,
+                                            "Boundary/Obstacle temperature",
+                                            boundary.obstacle_expression);
       heat.obstacle_temperature =
         heat.obstacle_drive ?
           TimeFunction(*heat.obstacle_drive, dealii::Point<3>(1., 0., 0.))
@@ -154,9 +124,7 @@ namespace ThermoContact
     {
       const std::string &text = parameters.boundary.fixed_end_displacement;
       return fields.has_displacement && !equal_values(text, "0") ?
-               resolve_drive(parameters,
-                             "Boundary/Fixed end displacement",
-                             text) :
+               read_drive(parameters, "Boundary/Fixed end displacement", text) :
                nullptr;
     }
 
@@ -247,7 +215,7 @@ namespace ThermoContact
     {
       return (fields.has_displacement ? contact_law(contact.condition) :
                                         no_obstacle())
-        .make(contact);
+        .make(contact.law);
     }
 
 
@@ -374,7 +342,9 @@ namespace ThermoContact
     , geometry(ThermoContact::geometry(parameters.mesh.geometry)
                  .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, fields))
-    , gap_expression(resolve_gap_expression(parameters))
+    , gap_expression(read_expression(parameters,
+                                     "Contact/Gap",
+                                     parameters.contact.gap_expression))
     , heat(resolve_heat(parameters, gap_expression.get()))
     , fixed_end_motion(resolve_motion(parameters, fields))
     , sources(

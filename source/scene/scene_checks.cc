@@ -65,15 +65,15 @@ namespace ThermoContact
     void
     check_contact(const Scene &scene)
     {
-      const Parameters &parameters = scene.parameters;
-      const auto &entries = contact_law(parameters.contact.condition).entries;
-      if (std::find(entries.begin(), entries.end(), "Compliance") !=
-            entries.end() &&
-          !(parameters.contact.compliance > 0.))
-        refuse("Contact/Compliance",
-               parameters.contact.compliance,
-               "epsilon > 0",
-               "for a rigid obstacle set Contact/Condition = rigid");
+      const Parameters     &parameters = scene.parameters;
+      const ContactLawKind &law = contact_law(parameters.contact.condition);
+      for (const ContactLawEntry &entry : law.entries)
+        if (const double value = parameters.contact.law.at(entry.name);
+            entry.is_positive && !(value > 0.))
+          refuse("Contact/" + entry.name,
+                 value,
+                 "a positive number",
+                 "for a rigid obstacle set Contact/Condition = rigid");
       const double gap = scene.contact.gap, rear_gap = scene.contact.rear_gap;
       if (!(rear_gap > 0.))
         refuse("Contact/Rear gap",
@@ -408,9 +408,8 @@ namespace ThermoContact
                "the whole body, whose lateral faces exchange heat alike");
       if (!scene.has_pins() || !scene.sources.has_body_force)
         return;
-      const std::string path = "Sources/Body force";
-      ExpressionNames   names =
-        parameters.names(path, parameters.coordinates(true), "20*x*(x-1)^2");
+      const std::string path              = "Sources/Body force";
+      ExpressionNames   names             = parameters.names(path);
       names.constants["theta_A"]          = scene.heat.fixed_end_temperature;
       const std::vector<Expression> force = read_components(
         path, parameters.sources.body_force, parameters.dimension, names);
@@ -458,18 +457,11 @@ namespace ThermoContact
     const bool has_temperature = parameters.model.fields != "displacement" ||
                                  scales.temperature ||
                                  scales.reference_temperature;
-    const std::tuple<const char *, std::optional<double>, bool> entries[] = {
-      {"Length", scales.length, true},
-      {"Time", scales.time, true},
-      {"Stress", scales.stress, true},
-      {"Area", scales.area, true},
-      {"Displacement", scales.displacement, false},
-      {"Temperature", scales.temperature, has_temperature},
-      {"Reference temperature", scales.reference_temperature, has_temperature}};
-    for (const auto &[name, value, is_needed] : entries)
+    for (const ScalesParameters::Scale &scale : ScalesParameters::all())
       {
-        const std::string entry = std::string("Scales/") + name;
-        if (is_needed && !value)
+        const std::optional<double> value = scales.*scale.value;
+        const std::string           entry = std::string("Scales/") + scale.name;
+        if (scale.is_needed && (has_temperature || !scale.is_of_heat) && !value)
           refuse(entry,
                  "none",
                  "a number, since the scene has other scales",
@@ -556,25 +548,5 @@ namespace ThermoContact
     check_support(scene);
     check_linear_solver(scene);
     check_error_bars(parameters);
-  }
-
-
-
-  void
-  check_assignments(const std::vector<Assignment> &assignments)
-  {
-    Parameters       parameters;
-    ParameterHandler prm;
-    parameters.add_parameters(prm);
-    assign_entries(assignments, prm);
-    try
-      {
-        check_unused_entries(parameters, prm);
-        check_scene(parameters);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(complete_message(error.what(), assignments, prm));
-      }
   }
 } // namespace ThermoContact

@@ -39,6 +39,11 @@ namespace ThermoContact
     {
       const ModelParameters &model  = scene.parameters.model;
       const std::string      fields = "Model/Fields = " + model.fields;
+      for (const DeclaredEntry &entry : entries_of_program())
+        unused.add_if(!scene.fields.has_displacement &&
+                        entry.path.rfind("Contact/", 0) == 0,
+                      {entry.path},
+                      fields);
       unused.add_if(!scene.fields.has_displacement,
                     {"Model/Inertia",
                      "Model/Viscosity",
@@ -48,14 +53,6 @@ namespace ThermoContact
                      "Boundary/Lateral support",
                      "Boundary/Fixed end support",
                      "Boundary/Fixed end displacement",
-                     "Contact/Condition",
-                     "Contact/Stiffness",
-                     "Contact/Compliance",
-                     "Contact/Exponent",
-                     "Contact/Damping",
-                     "Contact/Gap",
-                     "Contact/Rear gap",
-                     "Contact/Massless nodes",
                      "Initial values/Displacement",
                      "Initial values/Velocity",
                      "Sources/Body force",
@@ -99,16 +96,12 @@ namespace ThermoContact
     Paths
     foreign_to_law(const ContactLawKind &law)
     {
-      std::set<std::string> entries;
-      for (const ContactLawKind &other : contact_laws())
-        entries.insert(other.entries.begin(), other.entries.end());
-      for (const std::string &entry : law.entries)
-        entries.erase(entry);
       Paths paths;
-      if (entries.count("Compliance") > 0)
+      if (!law.uses("Compliance"))
         paths.push_back("Contact/Stiffness");
-      for (const std::string &entry : entries)
-        paths.push_back("Contact/" + entry);
+      for (const ContactLawEntry &entry : contact_law_entries())
+        if (!law.uses(entry.name))
+          paths.push_back("Contact/" + entry.name);
       return paths;
     }
   } // namespace
@@ -138,7 +131,7 @@ namespace ThermoContact
     const ContactLawKind &law       = contact_law(parameters.contact.condition);
     const std::string     condition = "Contact/Condition = " + law.name;
     unused.add_if(true, foreign_to_law(law), condition);
-    unused.add_if(!law.make(parameters.contact)->is_active(),
+    unused.add_if(!law.make(parameters.contact.law)->is_active(),
                   {"Contact/Gap",
                    "Contact/Rear gap",
                    "Contact/Massless nodes",

@@ -16,11 +16,7 @@ namespace ThermoContact
                const std::string &text,
                const unsigned int n_components)
     {
-      const bool      is_initial = path.rfind("Initial values/", 0) == 0;
-      ExpressionNames names =
-        scene.parameters.names(path,
-                               scene.parameters.coordinates(!is_initial),
-                               "20*x*(x-1)^2");
+      ExpressionNames names = scene.parameters.names(path);
       if (scene.fields.has_temperature)
         names.constants["theta_A"] = scene.heat.fixed_end_temperature;
       return read_components(path, text, n_components, names);
@@ -110,9 +106,7 @@ namespace ThermoContact
                    "(" + temperature.text() + ") - (" +
                      significant(scene.heat.obstacle_temperature, all_digits) +
                      ")",
-                   scene.parameters.names(temperature.path(),
-                                          scene.parameters.coordinates(true),
-                                          "5*sin(2*pi*t)"))});
+                   scene.parameters.names(temperature.path()))});
   }
 
 

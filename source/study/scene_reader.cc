@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/input/constants.h>
-#include <thermocontact/input/si_scene.h>
 #include <thermocontact/study/scene_reader.h>
 
 #include <algorithm>
@@ -14,14 +12,8 @@ namespace ThermoContact
   {
     scene_.add_parameters(prm_);
     assign_entries(assignments, prm_);
-    own_scene          = scene_;
-    own_entries        = declared_entries(prm_);
-    is_read_as_a_whole = is_in_si(assignments) ||
-                         std::any_of(assignments.begin(),
-                                     assignments.end(),
-                                     [](const Assignment &assignment) {
-                                       return is_constant_path(assignment.path);
-                                     });
+    own_scene   = scene_;
+    own_entries = declared_entries(prm_);
   }
 
 
@@ -30,25 +22,19 @@ namespace ThermoContact
   SceneReader::read(const std::string &place, const Overrides &overrides)
   {
     reset();
-    std::vector<Assignment> changes;
     for (const auto &[path, value] : overrides)
       {
-        changes.push_back({place, path, value});
+        const auto is_it = [&path = path](const Assignment &own) {
+          return own.path == path;
+        };
         assignments_.erase(std::remove_if(assignments_.begin(),
                                           assignments_.end(),
-                                          [&path =
-                                             path](const Assignment &own) {
-                                            return own.path == path;
-                                          }),
+                                          is_it),
                            assignments_.end());
+        assignments_.push_back({place, path, value});
       }
-    assignments_.insert(assignments_.end(), changes.begin(), changes.end());
-    for (const Assignment &change : changes)
-      overridden.push_back(change.path);
-    // scales follow from entries, numbers from constants
-    assign_entries(is_read_as_a_whole ? assignments_ : changes,
-                   own_entries,
-                   prm_);
+    // as a whole: scales follow from entries, numbers from constants
+    assign_entries(assignments_, prm_);
   }
 
 
@@ -57,11 +43,7 @@ namespace ThermoContact
   SceneReader::reset()
   {
     for (const auto &entry : own_entries)
-      if (is_read_as_a_whole ||
-          std::find(overridden.begin(), overridden.end(), entry.path) !=
-            overridden.end())
-        set_entry({"", entry.path, entry.value}, prm_);
-    overridden.clear();
+      set_entry({"", entry.path, entry.value}, prm_);
     assignments_ = own_assignments;
     scene_       = own_scene; // texts of default values may have fewer digits
   }

@@ -35,7 +35,7 @@ namespace
   {
     for (const ContactLawKind &kind : contact_laws())
       {
-        const auto   law   = kind.make(ContactLawParameters());
+        const auto   law   = kind.make(default_law_parameters());
         const double chi   = 0.3;
         double       worst = 0.;
         for (const double p : {0.1, 1., 3.})
@@ -114,10 +114,13 @@ namespace
     unsigned int                           n_found = 0;
     for (unsigned int k = 0; k < 150; ++k)
       {
-        const double       eps   = std::pow(10., -2. + 3. * (k % 4) / 3.);
-        const double       scale = std::pow(10., 6. * uniform(generator));
-        const auto         law   = power_law().make({eps, exponents[k % 5]});
-        const unsigned int n     = 6;
+        const double eps   = std::pow(10., -2. + 3. * (k % 4) / 3.);
+        const double scale = std::pow(10., 6. * uniform(generator));
+        const auto   law   = contact_law("power law")
+                           .make({{"Compliance", eps},
+                                  {"Exponent", exponents[k % 5]},
+                                  {"Damping", 0.}});
+        const unsigned int n = 6;
         FullMatrix<double> factor(n, n), response(n, n), alone(1, 1);
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)

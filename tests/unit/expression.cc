@@ -8,7 +8,9 @@
 //    names 38 functions: 38 * 4 numbers of arguments * 2, and 12 more texts.
 // 2. Where both understand it they have the same value, to 4 units in the last
 //    place, at 1000 points of 40 expressions (muParser's inverse hyperbolic
-//    functions lose digits near 0 and 1 and are compared elsewhere).
+//    functions lose digits near 0 and 1 and are compared elsewhere). Conditions
+//    are 0 or 1, or 0.6: FunctionParser rounds some of them, here all but 0 is
+//    true, so that if(0.4,t,5) is t.
 // 3. The column of a fault, from 0, by hand; a tab is shown as <U+0009>, seven
 //    letters more. Names that are nearly right are answered with the right one.
 // 4. Derivatives, by hand: t^3 at 2: 8, 12, 12; if(t<1,sin(2*t),5) at 0.5:
@@ -33,7 +35,7 @@ using namespace ThermoContact;
 
 namespace
 {
-  const ExpressionNames names = {{"x", "t"}, {{"omega", 2.}}, "x"};
+  const ExpressionNames names = {{"x", "t"}, {{"omega", 2.}}};
 
 
 
@@ -155,7 +157,7 @@ namespace
                                    "x<0.5 && t<0.3 || x>0.9",
                                    "(x<0.5)|(t>1)&(x>0.2)",
                                    "0.4 ? x : t",
-                                   "if(0.4,x,t)",
+                                   "if(0.6,x,t)",
                                    "1.6 && x>0.3",
                                    "tan(x)+asin(x)*acos(x)-atan(t)",
                                    "atan2(x-0.5,t-0.5)",
@@ -277,5 +279,6 @@ main_expression()
   test_derivatives("if(t<1,sin(2*t),5)", 0.5);
   test_derivatives("if(t<1,sin(2*t),5)", 3.);
   test_derivatives("x^t", 0.);
+  test_derivatives("if(0.4,t,5)", 2.);
   test_other_variables();
 }

@@ -43,7 +43,7 @@ namespace
   function(const std::string &text)
   {
     return TimeFunction(
-      Expression("Sources/End traction", text, {{"", "", "", "t"}, {}, "t"}));
+      Expression("Sources/End traction", text, {{"", "", "", "t"}, {}}));
   }
 
 

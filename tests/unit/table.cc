@@ -28,7 +28,6 @@ namespace
   {
     ExpressionNames names;
     names.variables = {"", "", "", "t"};
-    names.example   = "t";
     names.has_units = has_units;
     names.units     = units;
     return Expression("Sources/End traction", text, names);

@@ -59,7 +59,7 @@ namespace
     if (experiment == 2)
       parameters.model.viscosity = 1.;
     if (experiment == 5)
-      parameters.contact.compliance = 1.;
+      parameters.contact.law.at("Compliance") = 1.;
     return parameters;
   }
 

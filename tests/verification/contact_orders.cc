@@ -74,15 +74,15 @@ namespace
       const unsigned int n,
       const bool         is_located)
   {
-    Parameters parameters                 = read_parameters("");
-    parameters.contact.compliance         = scene.compliance;
-    parameters.mesh.cells                 = 4;
-    parameters.mesh.degree                = 5;
-    parameters.time.scheme                = scheme;
-    parameters.time.start                 = "consistent";
-    parameters.time.end_time              = end_time;
-    parameters.time.step_size             = 1. / n;
-    parameters.time.locate_contact_events = is_located ? "true" : "false";
+    Parameters parameters                   = read_parameters("");
+    parameters.contact.law.at("Compliance") = scene.compliance;
+    parameters.mesh.cells                   = 4;
+    parameters.mesh.degree                  = 5;
+    parameters.time.scheme                  = scheme;
+    parameters.time.start                   = "consistent";
+    parameters.time.end_time                = end_time;
+    parameters.time.step_size               = 1. / n;
+    parameters.time.locate_contact_events   = is_located ? "true" : "false";
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
 
     Solution solution;

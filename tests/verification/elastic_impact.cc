@@ -86,7 +86,7 @@ namespace
       read_parameters("verification/" + file + ".prm", overrides);
     const double  compliance = parameters.contact.condition == "rigid" ?
                                  0. :
-                                 parameters.contact.compliance;
+                                 parameters.contact.law.at("Compliance");
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
     Result        result;
     const auto    observe = [&](const Simulation<1> &s) {

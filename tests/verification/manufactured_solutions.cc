@@ -157,7 +157,7 @@ namespace
       {"mu", text(0.5 * (1. - 2. * nu) / (1. - nu))},
       {"k", text(parameters.boundary.heat_exchange)},
       {"theta_obs", text(parameters.boundary.obstacle_temperature)},
-      {"eps", text(parameters.contact.compliance)},
+      {"eps", text(parameters.contact.law.at("Compliance"))},
       {"g", text(parameters.contact.gap)},
       {"kappa", text(wave_number<dim>)},
       {"r", text(lateral_ratio<dim>)},
@@ -280,7 +280,8 @@ namespace
             error(VectorTools::L2_norm, 1, 1 + dim),
             error(VectorTools::H1_seminorm, 1, 1 + dim),
             std::abs(state.contact_pressure[0] -
-                     std::max(penetration, 0.) / parameters.contact.compliance),
+                     std::max(penetration, 0.) /
+                       parameters.contact.law.at("Compliance")),
             ""};
   }
 
@@ -303,7 +304,7 @@ namespace
     parameters.boundary.fixed_end_temperature = 3.;
     parameters.boundary.heat_exchange         = 2.;
     parameters.boundary.obstacle_temperature  = 1.;
-    parameters.contact.compliance             = 0.05;
+    parameters.contact.law.at("Compliance")   = 0.05;
     parameters.contact.gap                    = gap;
     parameters.mesh.cells                     = resolution.cells;
     parameters.mesh.cells_across              = resolution.cells;

@@ -41,9 +41,9 @@ namespace
     parameters.contact.condition = contact ? "normal compliance" : "none";
     if (contact)
       {
-        parameters.contact.gap                 = -10.;
-        parameters.contact.compliance          = 1.;
-        parameters.initial_values.displacement = "-5*x";
+        parameters.contact.gap                  = -10.;
+        parameters.contact.law.at("Compliance") = 1.;
+        parameters.initial_values.displacement  = "-5*x";
       }
     parameters.time.scheme    = scheme;
     parameters.time.start     = "consistent";

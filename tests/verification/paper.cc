@@ -139,7 +139,7 @@ namespace
     const double g       = parameters.contact.gap;
     const double eps     = parameters.contact.condition == "rigid" ?
                              0. :
-                             parameters.contact.compliance;
+                             parameters.contact.law.at("Compliance");
     const double c       = k / (k + 1.);
     const double G       = a * theta_A * (1. - c / 2.);
     const double p       = std::max(G - g, 0.) / (1. + eps);

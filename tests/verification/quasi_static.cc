@@ -34,7 +34,7 @@ namespace
     const Parameters parameters =
       read_parameters("verification/creep-release.prm");
     const double zeta = parameters.model.viscosity;
-    const double eps  = parameters.contact.compliance;
+    const double eps  = parameters.contact.law.at("Compliance");
     const double g    = parameters.contact.gap;
     const double v_0  = 0.2; // u_0 = v_0 x in the file
     const double v_e  = g / (1. + eps);
@@ -75,7 +75,7 @@ namespace
       read_parameters("verification/equilibrium.prm", overrides);
     const double eps = parameters.contact.condition == "rigid" ?
                          0. :
-                         parameters.contact.compliance;
+                         parameters.contact.law.at("Compliance");
     const double g   = parameters.contact.gap;
 
     double        error  = 0.;

@@ -256,7 +256,7 @@ namespace
     parameters.boundary.fixed_end_temperature = 3.;
     parameters.boundary.heat_exchange         = 2.;
     parameters.boundary.obstacle_temperature  = 1.;
-    parameters.contact.compliance             = 0.05;
+    parameters.contact.law.at("Compliance")   = 0.05;
     parameters.contact.gap                    = -0.1;
     parameters.mesh.geometry                  = "axisymmetric";
     parameters.mesh.cells                     = 2 * cells;

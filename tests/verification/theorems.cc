@@ -111,7 +111,7 @@ namespace
       : has_contact(false)
       , dt(simulation.parameters().time.step_size.value())
       , zeta(simulation.parameters().model.viscosity)
-      , epsilon(simulation.parameters().contact.compliance)
+      , epsilon(simulation.parameters().contact.law.at("Compliance"))
       , heat_mass(simulation.body().equations.heat_mass())
       , conduction(simulation.body().equations.conduction())
       , momentum_mass(simulation.body().equations.momentum_mass())

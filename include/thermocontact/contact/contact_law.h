@@ -6,6 +6,7 @@
 #include <thermocontact/contact/interface_law.h>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -148,13 +149,23 @@ namespace ThermoContact
 
 
 
-  /** What the contact laws are made of, as the user gives it. */
-  struct ContactLawParameters
+  /** A number of section Contact that a contact law is made of. */
+  struct ContactLawEntry
   {
-    double compliance = 0.01; ///< $\varepsilon>0$
-    double exponent   = 1.5;  ///< $m\ge1$
-    double damping    = 0.;   ///< $c\ge0$
+    std::string name;
+    std::string kind; ///< of quantity
+    double      default_value, smallest, largest;
+
+    /** 0 is refused; a scene in SI units has no default of it. */
+    bool is_positive;
+
+    std::string text; ///< what it is, for the parameter reference
   };
+
+
+
+  /** The values of such entries by their names. */
+  using ContactLawParameters = std::map<std::string, double>;
 
 
 
@@ -164,12 +175,15 @@ namespace ThermoContact
     std::string name; ///< value of Contact/Condition
     std::string text; ///< what it is, for the parameter reference
 
-    /** Entries of the section Contact that it uses beside those of all. */
-    std::vector<std::string> entries;
+    std::vector<ContactLawEntry> entries; ///< beside those of all laws
 
     std::function<std::unique_ptr<const ContactLaw>(
       const ContactLawParameters &)>
       make;
+
+    /** True if it has an entry of that name. */
+    bool
+    uses(const std::string &entry) const;
   };
 
 
@@ -185,16 +199,28 @@ namespace ThermoContact
   const ContactLawKind &
   contact_law(const std::string &name);
 
+  /** The entries of all laws, each once. */
+  std::vector<ContactLawEntry>
+  contact_law_entries();
+
+  /** Their default values. */
+  ContactLawParameters
+  default_law_parameters();
+
   /** The law with the factor of (M4.2); itself without damping. */
   std::unique_ptr<const ContactLaw>
   with_damping(std::unique_ptr<const ContactLaw> elastic, const double damping);
 
-  // the kinds, each in a file of its own
+  // entries of several laws: $\varepsilon>0$, and $c\ge0$ of with_damping()
+  ContactLawEntry
+  compliance_entry();
+
+  ContactLawEntry
+  damping_entry();
+
+  // kinds that are asked for by name
   ContactLawKind
   normal_compliance();
-
-  ContactLawKind
-  power_law();
 
   ContactLawKind
   rigid_obstacle();

@@ -31,16 +31,14 @@ namespace ThermoContact
    * evaluates all of them, and hands their values to the Parameters that are
    * bound to @p prm.
    *
-   * @param entries those of @p prm so far
    * @return their values
    * @throw InputError if a name cannot be that of a constant, if a value cannot
    *   be read, or depends on itself, or if one that is not of a file is named
    *   nowhere
    */
   std::map<std::string, double>
-  assign_constants(const std::vector<Assignment>    &assignments,
-                   const std::vector<DeclaredEntry> &entries,
-                   dealii::ParameterHandler         &prm);
+  assign_constants(const std::vector<Assignment> &assignments,
+                   dealii::ParameterHandler      &prm);
 
 
 
@@ -72,7 +70,6 @@ namespace ThermoContact
    * and the entry may be a number. */
   std::vector<Assignment>
   with_numbers(std::vector<Assignment>              assignments,
-               const std::vector<DeclaredEntry>    &entries,
                const std::map<std::string, double> &constants);
 } // namespace ThermoContact
 

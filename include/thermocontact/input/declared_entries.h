@@ -20,8 +20,16 @@ namespace ThermoContact
     std::string default_value; ///< the one declared
     std::string text;          ///< meaning
     std::string pattern;       ///< what is allowed, as deal.II describes it
+    std::string kind; ///< of quantity, QuantityUnits; empty: it is none
     std::string remark    = "";    ///< behind the value when it is written
     bool        is_remark = false; ///< all of it, when it is written
+
+    /**
+     * What an expression for it may name in a body of dimension @p dim;
+     * nothing: it is a number or text.
+     */
+    std::vector<std::string>
+    variables(const unsigned int dim) const;
   };
 
 

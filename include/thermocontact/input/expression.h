@@ -3,8 +3,9 @@
 #ifndef thermocontact_input_expression_h
 #define thermocontact_input_expression_h
 
-#include <thermocontact/input/jet.h>
+#include <thermocontact/input/operations.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -24,8 +25,6 @@ namespace ThermoContact
     std::vector<std::string> variables;
 
     std::map<std::string, double> constants; ///< beside pi
-
-    std::string example; ///< for messages
 
     std::string folder = ""; ///< of the files of tables
 
@@ -48,8 +47,7 @@ namespace ThermoContact
    *
    * Operators, from the last to the first that binds: `? :`; `||` and `|`; `&&`
    * and `&`; `< <= > >= == !=`; `+ -`; `* /` and signs; `^` from the right.
-   * What is true has an absolute value of 1/2 for `if`, `|` and `&`, of 1 for
-   * `||` and `&&`, and any but 0 before `?`. table(FILE, t) and table(FILE,
+   * What is not 0 is true. table(FILE, t) and table(FILE,
    * COLUMN, t) are linear between the rows of a table, smooth() is a monotone
    * cubic. Where the formula has branches its
    * derivatives are those of the branch that holds; that of a step is 0.
@@ -57,8 +55,6 @@ namespace ThermoContact
   class Expression
   {
   public:
-    enum class Operation;
-
     /** Where a variable is named. */
     struct NamedVariable
     {
@@ -134,18 +130,32 @@ namespace ThermoContact
     }
 
   private:
+    static constexpr unsigned int max_operands = 3;
+
     /** A number, a variable, or an operation on earlier parts. */
     struct Part
     {
-      Operation    operation;
-      double       number;      ///< of a constant; from which on it is true
-      unsigned int operands[3]; ///< positions; at last an index of what it is
-      unsigned int n_levels;
+      enum Kind
+      {
+        number,
+        variable,
+        table,
+        operation_on_parts
+      };
+
+      Kind             kind;
+      double           value      = 0.; ///< of a number
+      const Operation *operation  = nullptr;
+      unsigned int     n_operands = 0;
+
+      /** Earlier parts; the index of a variable; behind its argument a table.
+       */
+      std::array<unsigned int, max_operands> operands{};
+
+      unsigned int n_levels = 1;
     };
 
     class Reader;
-
-    Expression() = default;
 
     std::string                path_;
     std::string                text_;

@@ -43,16 +43,6 @@ namespace ThermoContact
                  ParameterHandler              &prm);
 
   /**
-   * The same for who has listed the entries already.
-   *
-   * @param entries those of @p prm, with any values
-   */
-  void
-  assign_entries(const std::vector<Assignment>    &assignments,
-                 const std::vector<DeclaredEntry> &entries,
-                 ParameterHandler                 &prm);
-
-  /**
    * Completes a message that begins with the path of an entry, by the place of
    * the last assignment to it (for a default value: the place of the
    * assignment that the message gives as its reason) and by the meaning of the

@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/multiples.h>
 #include <thermocontact/contact/contact_law.h>
+#include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/scheme.h>
@@ -22,6 +23,11 @@
 namespace ThermoContact
 {
   using dealii::ParameterHandler;
+
+  /** Kind of quantity of coefficients that section Rod decides. */
+  inline const std::string kind_of_coefficients = "coefficient";
+
+
 
   /** Section Model: coefficients of doc/model.md (M1.1), (M1.2), (M1.6). */
   struct ModelParameters
@@ -61,9 +67,10 @@ namespace ThermoContact
 
 
   /** Section Contact: doc/model.md (M1.4), (M1.5). */
-  struct ContactParameters : ContactLawParameters
+  struct ContactParameters
   {
     std::string           condition = contact_laws().front().name;
+    ContactLawParameters  law       = default_law_parameters();
     double                gap       = 0.1; ///< $g$ if it is a number,
     std::string           gap_expression;  ///< or else in y, z, t
     std::optional<double> rear_gap;  ///< $g_2$; none: there is no rear stop
@@ -258,6 +265,18 @@ namespace ThermoContact
     std::string           time_unit        = "s";
     std::string           temperature_unit = "K";
 
+    /** One of them. */
+    struct Scale
+    {
+      const char           *name;
+      std::optional<double> ScalesParameters::*value;
+      bool                                     is_of_heat, is_needed;
+      const char                              *text;
+    };
+
+    static const std::vector<Scale> &
+    all();
+
     void
     add_parameters(ParameterHandler &prm);
 
@@ -270,23 +289,12 @@ namespace ThermoContact
 
   /**
    * Section Rod: the body in SI units, doc/units.md. A file that has it is read
-   * in SI units; without_units() makes a scene of it. Numbers are 0 if they are
-   * not given.
+   * in SI units; SiScene, which makes a scene of it, asks for its entries by
+   * their names.
    */
   struct RodParameters
   {
-    double      length                = 0.; ///< m
-    double      area                  = 0.; ///< m^2
-    double      density               = 0.; ///< kg/m^3
-    double      youngs_modulus        = 0.; ///< Pa
-    double      poisson_ratio         = 0.; ///< 1
-    std::string lateral_sides         = "free";
-    double      viscosity             = 0.; ///< Pa s
-    double      linear_expansion      = 0.; ///< 1/K
-    double      conductivity          = 0.; ///< W/(m K)
-    double      heat_capacity         = 0.; ///< J/(kg K)
-    double      reference_temperature = 0.; ///< K
-    std::string small_terms           = "automatic";
+    double length = 0.; ///< m; 0: there is no such section
 
     void
     add_parameters(ParameterHandler &prm);
@@ -344,22 +352,12 @@ namespace ThermoContact
     StudyParameters         study;
 
     /**
-     * What an expression of the entry @p path may name.
-     *
-     * @param variables of which it may be a function
-     * @param example for messages
+     * What an expression of the entry @p path may name; theta_A is none of the
+     * variables. It is evaluated with gap and pressure, or else with x, y, z
+     * and t, whichever it may name.
      */
     ExpressionNames
-    names(const std::string              &path,
-          const std::vector<std::string> &variables,
-          const std::string              &example) const;
-
-    /**
-     * The names of x, y, z, as far as there are such coordinates, and t;
-     * without a name if it is not known.
-     */
-    std::vector<std::string>
-    coordinates(const bool has_time) const;
+    names(const std::string &path) const;
 
     /**
      * Binds every member to an entry of @p prm. Parsing or `prm.set` then
@@ -368,6 +366,20 @@ namespace ThermoContact
     void
     add_parameters(ParameterHandler &prm);
   };
+
+
+
+  /** All entries that there are, with their defaults. */
+  const std::vector<DeclaredEntry> &
+  entries_of_program();
+
+  /** The one of that path, or null. */
+  const DeclaredEntry *
+  find_entry(const std::string &path);
+
+  /** The one of that path, which exists. */
+  const DeclaredEntry &
+  entry_of_program(const std::string &path);
 } // namespace ThermoContact
 
 #endif

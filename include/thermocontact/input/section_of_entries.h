@@ -24,11 +24,15 @@ namespace ThermoContact
     /**
      * A number, or an expression, whose text is not looked at.
      *
-     * @param names that it may use, in words
+     * @param names that it may use, "y, z, t": DeclaredEntry::variables
      * @param is_signed the number may be negative
      */
     static NumberOrText
-    expression(const std::string &names, const bool is_signed);
+    number_or_expression(const std::string &names, const bool is_signed);
+
+    /** An expression alone, which a number is, too. */
+    static NumberOrText
+    expression(const std::string &names);
 
     bool
     match(const std::string &text) const override;
@@ -47,13 +51,13 @@ namespace ThermoContact
     }
 
   private:
-    std::string              the_word;
-    std::string              names;
-    dealii::Patterns::Double number;
+    std::string                             the_word;
+    std::string                             names;
+    std::optional<dealii::Patterns::Double> number; ///< none: anything
 
-    NumberOrText(const std::string              &word,
-                 const std::string              &names,
-                 const dealii::Patterns::Double &number);
+    NumberOrText(const std::string                             &word,
+                 const std::string                             &names,
+                 const std::optional<dealii::Patterns::Double> &number);
   };
 
 
@@ -78,7 +82,16 @@ namespace ThermoContact
     /** One that has all but its meaning. */
     struct Entry
     {
-      std::function<void(const std::string &)> means;
+      std::function<void(const std::string &)> declare;
+
+      /**
+       * @param kind of quantity, if it is one: DeclaredEntry::kind
+       */
+      void
+      means(const std::string &text, const std::string &kind = "") const
+      {
+        declare(kind.empty() ? text : text + " [" + kind + "]");
+      }
     };
 
     template <typename Value>
@@ -110,6 +123,24 @@ namespace ThermoContact
     operator()(const std::string  &name,
                double             &value,
                const NumberOrText &pattern);
+
+    /** One without a variable. */
+    Entry
+    unbound(const std::string                   &name,
+            const std::string                   &default_value,
+            const dealii::Patterns::PatternBase &pattern)
+    {
+      return {[this, name, default_value, &pattern](const std::string &text) {
+        prm.declare_entry(name, default_value, pattern, text);
+      }};
+    }
+
+    /** A number that has no variable of its own. */
+    Entry
+    operator()(const std::string                 &name,
+               const double                       default_value,
+               const dealii::Patterns::Double    &pattern,
+               const std::function<void(double)> &assign);
 
     /** A number, or else an expression. */
     Entry

@@ -3,6 +3,7 @@
 #ifndef thermocontact_input_si_scene_h
 #define thermocontact_input_si_scene_h
 
+#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/parameter_text.h>
 #include <thermocontact/input/quantity_units.h>
@@ -44,16 +45,13 @@ namespace ThermoContact
   {
   public:
     /**
-     * @param assignments of the whole file, the last one of a path
-     * @param entries all that there are
-     * @param rod the section Rod of @p assignments
+     * @param assignments of the whole file, the last one of a path; those of
+     *   section Rod are known to fit
      * @param constants values of section Constants
      * @throw InputError if an entry that the scales follow from is not given,
      *   or another one that has no default in SI units
      */
     SiScene(const std::vector<Assignment>       &assignments,
-            const std::vector<DeclaredEntry>    &entries,
-            const RodParameters                 &rod,
             const std::map<std::string, double> &constants);
 
     /**
@@ -71,11 +69,11 @@ namespace ThermoContact
 
   private:
     const std::vector<Assignment>       &assignments;
-    const std::vector<DeclaredEntry>    &entries;
-    const RodParameters                 &rod;
     const std::map<std::string, double> &constants;
     const unsigned int                   dim;
     const bool                           has_temperature, has_displacement;
+    const bool                           is_confined; ///< no lateral strain
+    const ContactLawKind                &law;
     ScalesParameters                     scales;
     ConversionsByKind                    conversions; ///< to SI base units
 
@@ -90,6 +88,10 @@ namespace ThermoContact
     /** The area of the body is that of its mesh. */
     void
     check_area() const;
+
+    /** The number of an entry of section Rod; 0 if it is not given. */
+    double
+    rod(const std::string &entry) const;
 
     /** Modulus E* against axial strain, (U.1). */
     double

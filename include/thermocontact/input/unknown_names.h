@@ -3,7 +3,6 @@
 #ifndef thermocontact_input_unknown_names_h
 #define thermocontact_input_unknown_names_h
 
-#include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/parameter_text.h>
 
 #include <string>
@@ -11,11 +10,6 @@
 
 namespace ThermoContact
 {
-  /** The entry of this path, or null. */
-  const DeclaredEntry *
-  find_entry(const std::vector<DeclaredEntry> &entries,
-             const std::string                &path);
-
   /** "Section" of "Section/Entry", or nothing. */
   std::string
   section_of(const std::string &path);
@@ -29,17 +23,14 @@ namespace ThermoContact
    *   @p section
    */
   void
-  check_section(const std::string                &place,
-                const std::string                &section,
-                const std::vector<DeclaredEntry> &entries);
+  check_section(const std::string &place, const std::string &section);
 
   /**
    * @throw InputError that says whether section or entry does not exist, and
    *   names the nearest one that does
    */
   [[noreturn]] void
-  refuse_entry(const Assignment                 &assignment,
-               const std::vector<DeclaredEntry> &entries);
+  refuse_entry(const Assignment &assignment);
 } // namespace ThermoContact
 
 #endif

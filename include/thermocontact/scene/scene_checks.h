@@ -3,7 +3,6 @@
 #ifndef thermocontact_scene_scene_checks_h
 #define thermocontact_scene_scene_checks_h
 
-#include <thermocontact/input/parameter_text.h>
 #include <thermocontact/scene/scene.h>
 
 #include <set>
@@ -78,13 +77,6 @@ namespace ThermoContact
    * would not have in others, (C6.8); or nothing. */
   std::string
   dispersion_warning(const Scene &scene);
-
-  /**
-   * check_unused_entries() and check_scene() for the statements of a parameter
-   * file; messages name their places.
-   */
-  void
-  check_assignments(const std::vector<Assignment> &assignments);
 } // namespace ThermoContact
 
 #endif

@@ -75,12 +75,10 @@ namespace ThermoContact
   private:
     const std::vector<Assignment> own_assignments;
     std::vector<Assignment>       assignments_;
-    bool                          is_read_as_a_whole;
     Parameters                    scene_;
     ParameterHandler              prm_;
     Parameters                    own_scene;
     std::vector<DeclaredEntry>    own_entries;
-    std::vector<std::string>      overridden; ///< paths, by the last scene
   };
 } // namespace ThermoContact
 
