@@ -26,6 +26,7 @@ ENCODING = "latin-1"  # a character to a byte: libclang counts bytes
 LEFT_OUT = {".git", "build", "results", "__pycache__"}
 # They read texts of the project, which the faults change, not the program.
 READERS = re.compile(r"(app|unit|verification)/build$|documents/(links|paths|rooms|site)$")
+LINES_OF_FILE = 8  # that are drawn at once, since reading a file takes seconds
 # A process with a fault may write and allocate without end.
 LARGEST_FILE, LARGEST_MEMORY = 2**30, 6 * 2**30  # bytes
 SWITCH_HEADER = Path("include/fault_switch.h")  # of the copy
@@ -133,10 +134,11 @@ class Parser:
                 source.visit(cursor)
         return source
 
-    def compiles(self, source, fault):
-        text = apply(source.text, {0: fault}).encode(ENCODING).decode("utf-8")
-        return not any(problem.severity >= cindex.Diagnostic.Error for problem in
-                       self.parse(source.name, text).diagnostics)
+    def errors(self, name, text):
+        """Lines that do not compile."""
+        return {problem.location.line for problem in self.parse(
+            name, text.encode(ENCODING).decode("utf-8")).diagnostics
+            if problem.severity >= cindex.Diagnostic.Error}
 
 
 def apply(text, faults):
@@ -167,28 +169,40 @@ def draw(parser, top, copy, options):
         raise Failure(f"no rooms {options.rooms}")
     lines = [(copy / name).read_bytes().count(b"\n") for name in names]
     explained = equivalents(top / "tests/mutate/equivalent.txt")
-    sources, faults = {}, {}
-    for _ in range(200 * options.n):
-        if len(faults) == options.n:
+    faults = {}
+    for _ in range(20 * options.n):
+        if len(faults) >= options.n:
             break
         name = chance.choices(names, lines)[0]
-        if name not in sources:
-            sources[name] = parser.source(name)
-        source = sources[name]
-        line = chance.randint(1, lines[names.index(name)])
-        of_line = [fault for fault in source.faults.values() if fault.line == line]
-        if not of_line:
-            continue
-        kind = chance.choice(sorted({fault.kind for fault in of_line}))
-        fault = chance.choice([fault for fault in of_line if fault.kind == kind])
-        if not any(fault.file == file and fault.was.startswith(expression)
-                   for file, expression in explained) and not any(
-                fault.file == other.file and fault.begin <= other.end and
-                other.begin <= fault.end for other in faults.values()) and \
-                parser.compiles(source, fault):
+        source = parser.source(name)
+        drawn = {}
+        for line in chance.choices(range(1, lines[names.index(name)] + 1),
+                                   k=LINES_OF_FILE):
+            of_line = [fault for fault in source.faults.values() if fault.line == line]
+            if of_line:
+                kind = chance.choice(sorted({fault.kind for fault in of_line}))
+                fault = chance.choice([one for one in of_line if one.kind == kind])
+                if not any(fault.file == file and fault.was.startswith(expression)
+                           for file, expression in explained) and not any(
+                        fault.file == other.file and fault.begin <= other.end and
+                        other.begin <= fault.end
+                        for other in [*faults.values(), *drawn.values()]):
+                    drawn[len(faults) + len(drawn)] = fault
+        for number in refused(parser, source, drawn):
+            del drawn[number]
+        for fault in drawn.values():
+            print(f"  {len(faults)}: {words(fault)}", flush=True)
             faults[len(faults)] = fault
-            print(f"  {len(faults) - 1}: {words(fault)}", flush=True)
     return faults
+
+
+def refused(parser, source, faults):
+    """Those that do not compile, by the lines of the messages."""
+    wrong = parser.errors(source.name, apply(source.text, faults)) if faults else ()
+    of_lines = {number for number, fault in faults.items() if any(
+        fault.line <= line - 1 <= fault.line + fault.was.count(" ") // 4 + 2
+        for line in wrong)}  # below the line that switches faults on
+    return of_lines or (set(faults) if wrong else set())
 
 
 def with_faults(texts, faults):
