@@ -20,6 +20,9 @@ free       without Poisson's ratio and heat, a body with free sides
 direct     a rod by sparse factors
 fixed      the iteration of the paper, where it converges
 point
+alone      without heat of the deformation, and an exchange that knows of no contact,
+           temperatures are those of heat alone.
+rear       a rear stop out of reach; heat exchange + 0*pressure, solved with the contact.
 base       an obstacle that moves by w(t) is a base that moves by -w(t) before one at rest,
            with w'(0) = 0 and b = 0: gaps and forces.
 
@@ -179,12 +182,33 @@ def base(scene):
                                 "energy", "numerical_dissipation", "dissipation")}
 
 
+def alone(scene):
+    """Nothing acts on the temperature."""
+    if not (has_heat(scene) and moves(scene)) or "pressure" in scene.get(
+            "Boundary/Heat exchange", "") or "Time/Tolerance" in scene:
+        return None
+    both = scene | {"Model/Thermoelastic heating": "false"}
+    heat = {key: value for key, value in scene.items() if not key.startswith((
+        "Contact/", "Model/", *MECHANICAL)) and key != "Boundary/Lateral support"}
+    mechanical = dict.fromkeys(LENGTHS + UNSIGNED + ENERGIES + (
+        "in_contact", "contact_area", "velocity_end"), None)
+    return heat | {"Model/Fields": "temperature"}, mechanical, both
+
+
+def rear(scene):
+    if not moves(scene) or scene["Contact/Condition"] == "none" or "Contact/Rear gap" in scene:
+        return None
+    exchange = scene.get("Boundary/Heat exchange", "0")
+    return scene | ({"Contact/Rear gap": "9"} if exchange in ("0", "1+20*pressure") else {
+        "Boundary/Heat exchange": f"{exchange}+0*pressure"}), {}
+
+
 RELATIONS = {"sign": sign, "mirror": mirror, "scaled": scaled,
              "strip": body({"Dimension": "2", "Mesh/Cells across": "1"}),
              "round": body({"Dimension": "2", "Mesh/Cells across": "1",
                             "Mesh/Geometry": "axisymmetric"}),
              "block": body({"Dimension": "3", "Mesh/Cells across": "1"}),
-             "iterative": iterative, "base": base, "free": free, "direct": direct,
+             "iterative": iterative, "base": base, "alone": alone, "rear": rear, "free": free, "direct": direct,
              "fixed point": fixed_point}
 
 
@@ -192,7 +216,8 @@ def faults(one, other, factors, bound):
     a, b = one.contact, other.contact
     if len({"massless contact nodes" in run.summary["terms"] for run in (one, other)}) > 1:
         return  # "automatic" may choose otherwise
-    if [e for e in one.events["kind"]] != [e for e in other.events["kind"]]:
+    if one.settings["Model/Fields"] == other.settings["Model/Fields"] and [
+            e for e in one.events["kind"]] != [e for e in other.events["kind"]]:
         yield f"{len(one.events)} and {len(other.events)} events"
     has_same_times = len(a) == len(b) and numpy.allclose(a["time"], b["time"])
     last = slice(None) if has_same_times else slice(-1, None)

@@ -46,15 +46,17 @@ BIFURCATION = {r"$u(1)$ at multiples of $P$": "displacement_end",
                "peak force of a period": "peaks"}
 
 
-def write_table(path, columns):
+def write_table(path, columns, units=()):
     path.parent.mkdir(exist_ok=True)
-    path.write_text("# A study\n# thermocontact 0\n" + ",".join(columns) + "\n" +
+    path.write_text("# A study\n# thermocontact 0\n" + (
+        f"# units: {','.join(units)}\n" if units else "") + ",".join(columns) + "\n" +
                     "".join(",".join(map(str, row)) + "\n"
                             for row in zip(*columns.values())))
 
 
-def make_study(name, header, varied, changes=()):
-    """changes: (column, run, word). Column k of run i holds (k + 2) 1.37^i / 1000."""
+def make_study(name, header, varied, changes=(), has_units=False):
+    """changes: (column, run, word). Column k of run i holds (k + 2) 1.37^i / 1000, in a
+    unit with the name of the column."""
     n = len(next(iter(varied.values())))
     rest = header[header.index("status"):]
     table = {"run": list(range(n)), **varied, **{
@@ -62,7 +64,8 @@ def make_study(name, header, varied, changes=()):
         for k, column in enumerate(rest)}, "status": ["done"] * n}
     for column, i, word in changes:
         table[column][i] = word
-    write_table(Path(name, "study.csv"), table)
+    write_table(Path(name, "study.csv"), table, [
+        f"of {column}" for column in table] if has_units else ())
     return table
 
 
@@ -133,20 +136,22 @@ def check_results(plot, header):
              for x in ("1", "10", "0.1", "0.01", "100")]
     xs, ys = map(list, zip(*pairs))
     table = make_study("map", header, {"Contact/Compliance": xs, "Contact/Gap": ys}, [
-        (name, i, "nan") for name in header if "error_" in name for i in range(20)])
+        (name, i, "nan") for name in header if "error_" in name for i in range(20)], True)
     figure = drawings.figures_of(plot, "map")["results"]
     panels = [axes for axes in figure.axes if axes.get_title()]
     for panel in panels:
-        title = panel.get_title()
+        title, _, unit = panel.get_title().partition(" [")
+        check(f"unit of {title}", unit == f"of {RESULTS[title]}]", unit)
         cells = numpy.reshape(panel.collections[0].get_array(), (4, 5))
         expected = [[table[RESULTS[title]][pairs.index((x, y))] for x in sorted(
             set(xs), key=float)] for y in sorted(set(ys), key=float)]
         check(f"map of {title}", numpy.array_equal(cells, expected) and [
             text.get_text() for text in panel.get_xticklabels()] == sorted(
                 set(xs), key=float))
-    check("maps", [panel.get_title() for panel in panels] == list(RESULTS) and {
-        panel.get_xlabel() for panel in panels} == {"", "compliance"} and {
-            panel.get_ylabel() for panel in panels} == {"", "gap"})
+    check("maps", [panel.get_title().partition(" [")[0] for panel in panels] == list(
+        RESULTS) and {panel.get_xlabel() for panel in panels} == {
+            "", "compliance [of Contact/Compliance]"} and {
+                panel.get_ylabel() for panel in panels} == {"", "gap [of Contact/Gap]"})
 
 
 def check_bifurcation(plot, header):
