@@ -32,6 +32,8 @@ def draw(seed):
         draw_heat(r, s)
     if moves:
         draw_motion(r, s, heat)
+    if dim == 1 and r.random() < 0.3:
+        s["Output/Space-time interval"] = "0.25"
     return s
 
 
@@ -76,5 +78,5 @@ def draw_motion(r, s, heat):
         s["Sources/Body force"] = "0.5*x*cos(2*t)"
     if r.random() < 0.2:
         s["Boundary/Fixed end displacement"] = "0.03*(1-cos(5*t))"
-    if s["Dimension"] != "1" and s.get("Contact/Gap") == "0.1" and r.random() < 0.5:
+    if s["Dimension"] != "1" and s.get("Contact/Gap") == "0.1" and "Contact/Rear gap" not in s:
         s["Contact/Gap"] = "0.05+0.5*(y-0.03)^2"

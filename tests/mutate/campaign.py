@@ -387,7 +387,7 @@ def interval(hits, n):
     z = 1.959964
     middle = (hits + z * z / 2) / (n + z * z)
     half = z / (n + z * z) * math.sqrt(hits * (n - hits) / n + z * z / 4)
-    return middle - half, middle + half
+    return max(0, middle - half), min(1, middle + half)
 
 
 def run(top, options):

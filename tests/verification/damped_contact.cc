@@ -3,7 +3,7 @@
 // Obstacles with p = ([s]_+/eps)^m [1 + c s_t]_+, doc/model.md section 4.
 //
 // tests/reference/damped-contact.csv, of tests/reference/damped_contact.py
-// (SciPy, 1e-12), m = 1, 3/2, 2, 3 with c = 0 and 1/10 (impact 0 and 1/2):
+// (SciPy, 1e-12), m = 1, 3/2, 3 with c = 0 and 1/10 (impact 0 and 1/2):
 // creep    zeta u' + u + p = 2 sin 3 t, one cell, b = 0, tolerance 1e-11:
 //          u at 6 times to 1e-9;
 // static   the same with zeta = 0, steps of 1/20000: u at 4 times to 1e-9;
@@ -11,7 +11,7 @@
 //          cell, lumped, tolerance 1e-12: begin and end of contact, velocity
 //          of impact and rebound to 1e-8;
 // rods     experiments 1 and 5 with 16 linear cells, tolerance 1e-7: u, v
-//          and force at 11 times and the times of contact to 1e-6 of the
+//          and force at 6 times and the times of contact to 1e-6 of the
 //          largest of each.
 // orders   the same rods with 4 linear cells, fixed steps: u(1) at t = 0.8, in
 //          contact, has the order of the scheme to 0.15. With m = 3/2 the force
