@@ -10,15 +10,15 @@
 // parameter files; without such a line it runs "FILE" once. "#$ -n 2 ..." runs
 // on two ranks. Prints each command, what the program wrote to standard error,
 // its exit status, but of a command that is refused, 2 and no file, and, for an
-// output directory, the names of its files, the entries of summary.json that a line "#? key key ..." names, and what the
-// script of a line "#! SCRIPT" beside TEST.prm says about it. A line "#%
-// COMMAND" is run by the shell before all others, e.g. to make a file that
-// cannot be kept here. Files that a run leaves outside of the output directory
-// are named.
+// output directory, the names of its files, the entries of summary.json that a
+// line "#? key key ..." names, and what the script of a line "#! SCRIPT" beside
+// TEST.prm says about it. A line "#% COMMAND" is run by the shell before all
+// others, e.g. to make a file that cannot be kept here. Files that a run leaves
+// outside of the output directory are named.
 //
-// Most of a short run is the loader's work on two hundred libraries: the program
-// is linked in, and a run is a child of this process that calls its main(), but
-// for those on ranks and those that read the standard input.
+// Most of a short run is the loader's work on two hundred libraries: the
+// program is linked in, and a run is a child of this process that calls its
+// main(), but for those on ranks and those that read the standard input.
 
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
@@ -249,11 +249,8 @@ __wrap_main(int, char **argv)
                                 "PRM",
                                 prm_dir),
                     launcher);
-      std::cout << replace_all(replace_all(words_of_program(meanings),
-                                           test_dir,
-                                           ""),
-                               prm_dir,
-                               "prm");
+      std::cout << replace_all(
+        replace_all(words_of_program(meanings), test_dir, ""), prm_dir, "prm");
       if (status == 2 && working_files() == files_before &&
           !fs::exists(output_dir))
         continue;

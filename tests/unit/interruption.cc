@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Signals, each in a child process. The first SIGTERM, SIGINT or SIGHUP is noted, the second
-// one ends the process by itself. What the caller ignores is neither, also after a library
-// has taken it over and IgnoredSignals has given it back; SIGQUIT is not watched.
+// Signals, each in a child process. The first SIGTERM, SIGINT or SIGHUP is
+// noted, the second one ends the process by itself. What the caller ignores is
+// neither, also after a library has taken it over and IgnoredSignals has given
+// it back; SIGQUIT is not watched.
 
 #include <thermocontact/base/interruption.h>
 

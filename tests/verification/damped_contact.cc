@@ -18,6 +18,11 @@
 //          grows like t^(3/2) once contact has begun, of which the first step
 //          makes an error of order 5/2: smaller by far in the steps taken here
 //          than that of each scheme, and not for ever smaller.
+// start    in contact without inertia, one cell, u = -x/10, g = -0.3, eps =
+// 0.4,
+//          m = 1, c = 2: zeta v + u + (s/eps)(1 + c v) = 0, s = 0.2, zeta = 1/2
+//          gives v = (0.1 - 0.5)/(0.5 + 1) = -4/15 and the force 1/2 (1 - 8/15)
+//          = 7/30.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -253,6 +258,28 @@ namespace
           deallog << std::endl;
         }
   }
+
+
+
+  void
+  check_start_in_contact()
+  {
+    const StepRecord first =
+      run<1>("",
+             one_cell + law(1., 2.) +
+               Overrides{"Model/Inertia=0",
+                         "Model/Viscosity=0.5",
+                         "Contact/Gap=-0.3",
+                         "Contact/Compliance=0.4",
+                         "Initial values/Displacement=-x/10",
+                         "Time/End time=0.01"})
+        .rows.front();
+    deallog << "start in contact: velocity over -4/15 "
+            << within(std::abs(first.velocity_end * -15. / 4. - 1.), 1e-12)
+            << ", force over 7/30 "
+            << within(std::abs(first.contact_force * 30. / 7. - 1.), 1e-12)
+            << std::endl;
+  }
 } // namespace
 
 
@@ -263,4 +290,5 @@ main_damped_contact()
   initlog();
   check_references();
   check_orders();
+  check_start_in_contact();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// An obstacle whose temperature is an expression in t (y, z), heat alone; doc/model.md (M5.9).
+// An obstacle whose temperature is an expression in t (y, z), heat alone;
+// doc/model.md (M5.9).
 //
 // 1. theta_obs = sin(w t), w = 5, k = 2, theta_A = 0, from rest: after the
 //    transient, exp(-5.2 t), the profile is periodic,
