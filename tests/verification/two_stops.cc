@@ -46,17 +46,6 @@ namespace
 
 
 
-  unsigned int
-  n_sides(const Run &result)
-  {
-    unsigned int sides = 0;
-    for (const ContactEvent &event : result.events)
-      sides |= event.side > 0 ? 1 : 2;
-    return sides == 3 ? 2 : sides > 0 ? 1 : 0;
-  }
-
-
-
   const Overrides one_cell{"Model/Fields=displacement",
                            "Mesh/Cells=1",
                            "Mesh/Degree=1"};
