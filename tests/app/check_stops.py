@@ -69,9 +69,10 @@ def chosen_steps(reference, n_steps):
 
 
 def result(directory):
-    """The last lines of log.txt on contact, the final state, the state of rest, energy."""
+    """The last lines of log.txt on contact, the final state, the state of rest, energy but
+    for what rounding leaves of it."""
     log = (directory / "log.txt").read_text(encoding="utf-8")
-    return [re.findall(rf"^  {title} .*$", log, re.M)[-1:] for title in (
+    return [re.findall(rf"^  {title} .*?(?:; defect|$)", log, re.M)[-1:] for title in (
         "contact", "final", "at rest", "energy")]
 
 
