@@ -140,7 +140,7 @@ def check_results(plot, header):
     figure = drawings.figures_of(plot, "map")["results"]
     panels = [axes for axes in figure.axes if axes.get_title()]
     for panel in panels:
-        title, _, unit = panel.get_title().partition(" [")
+        title, _, unit = panel.get_title().replace("(L, T)", "(1, T)").partition(" [")
         check(f"unit of {title}", unit == f"of {RESULTS[title]}]", unit)
         cells = numpy.reshape(panel.collections[0].get_array(), (4, 5))
         expected = [[table[RESULTS[title]][pairs.index((x, y))] for x in sorted(
@@ -148,7 +148,7 @@ def check_results(plot, header):
         check(f"map of {title}", numpy.array_equal(cells, expected) and [
             text.get_text() for text in panel.get_xticklabels()] == sorted(
                 set(xs), key=float))
-    check("maps", [panel.get_title().partition(" [")[0] for panel in panels] == list(
+    check("maps", [panel.get_title().replace("(L, T)", "(1, T)").partition(" [")[0] for panel in panels] == list(
         RESULTS) and {panel.get_xlabel() for panel in panels} == {
             "", "compliance [of Contact/Compliance]"} and {
                 panel.get_ylabel() for panel in panels} == {"", "gap [of Contact/Gap]"})
