@@ -16,7 +16,8 @@ RESULTS = {"first_contact_time": "time of the first contact",
            "restitution": "coefficient of restitution",
            "final_displacement_end": r"final displacement  $u(1, T)$",
            "final_temperature_end": r"final temperature  $\theta(1, T)$",
-           "reached_state_of_rest": "steady state reached, number"}
+           "reached_state_of_rest": "steady state reached, number",
+           "final_contact_force": "final contact force"}
 WHOLE = ("contact_begins", "reached_state_of_rest")  # no ticks between them
 LEAST_MAP = 4  # values of each of two entries from which on there is a map
 MOST_CURVES = 12  # that can be told apart
@@ -40,7 +41,7 @@ def read_sweep(path):
         units=units_of(comments, header),
         varied=header[header.index("run") + 1:header.index("status")],
         n_runs=len(runs), runs=done,
-        results=[name for name in RESULTS if name in header and any(
+        results=[name for name in header[header.index("final_error_energy") + 1:] if any(
             not math.isnan(number(run[name])) for run in done)])
 
 
@@ -139,7 +140,7 @@ def draw_curves(figure, sweep, results, axis):
                        marker=MARKERS[i % len(MARKERS)], **looks(i))
         panel.set_xscale(scale_of([number(run[axis]) for run in sweep.runs]))
         label_entry(panel.xaxis, sweep, axis)
-        label_numbers(panel.yaxis, RESULTS[name], sweep, name)
+        label_numbers(panel.yaxis, RESULTS.get(name, name), sweep, name)
         if ticks := whole_numbers(name):
             panel.yaxis.set_major_locator(ticks)
     legend = figure.add_subplot(grid[rows, :])
@@ -178,7 +179,7 @@ def draw_maps(figure, sweep, results, axes):
                 axis.set_label_text(in_unit(entry.split("/")[-1].lower(),
                                             prefix + unit if unit else None))
         bar = figure.colorbar(cells, ax=panel, ticks=whole_numbers(name))
-        label_numbers(bar.ax.yaxis, RESULTS[name], sweep, name)
+        label_numbers(bar.ax.yaxis, RESULTS.get(name, name), sweep, name)
         panel.set_title(bar.ax.get_ylabel(), fontsize=11)
         bar.set_label("")
     for panel in list(panels.flat)[len(results):]:

@@ -33,31 +33,23 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Prints entries as a parameter file. */
-    void
-    print_entries(const std::vector<DeclaredEntry> &entries)
-    {
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        write_entries(entries, {}, std::cout);
-    }
-
-
-
+    /** On the standard output of rank 0. */
     void
     print_parameters(const Request &request)
     {
       const std::string         &format  = request.command.print_parameters;
       std::vector<DeclaredEntry> entries = declared_entries(request.prm);
-      if (is_in_si(request.assignments))
-        {
-          if (format != "prm")
-            throw InputError("--print-parameters=" + format +
-                             ": the file has section Rod\n  allowed: prm");
-          add_units(request.assignments, entries);
-          return print_entries(entries);
-        }
+      const bool                 is_si   = is_in_si(request.assignments);
+      if (is_si && format != "prm")
+        throw InputError("--print-parameters=" + format +
+                         ": the file has section Rod\n  allowed: prm");
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
         return;
+      if (is_si)
+        {
+          add_units(request.assignments, entries);
+          return write_entries(entries, {}, std::cout);
+        }
       if (format == "markdown")
         return write_parameter_reference(request.prm, std::cout);
       const auto style = format == "json" ? ParameterHandler::JSON :
@@ -110,7 +102,8 @@ namespace ThermoContact
                          ": --units: the file has no section Rod, and no units"
                          "\n  remedy:  run it without --units");
       remove_units(request.assignments, entries);
-      print_entries(entries);
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        write_entries(entries, {}, std::cout);
     }
 
 
@@ -134,56 +127,35 @@ namespace ThermoContact
 
 
     /**
-     * For the time of MPI_Init and where the user has not set them, variables
-     * of the environment that others than MPI read, too.
-     */
-    class EnvironmentOfStart
-    {
-    public:
-      void
-      set(const char *const name, const char *const value)
-      {
-        if (std::getenv(name) != nullptr)
-          return;
-        setenv(name, value, 1);
-        names.push_back(name);
-      }
-
-      void
-      restore() const
-      {
-        for (const char *const name : names)
-          unsetenv(name);
-      }
-
-    private:
-      std::vector<const char *> names;
-    };
-
-
-
-    /**
      * Without mpirun, Open MPI looks for networks, starts a daemon and has
      * hwloc explore the machine, display and buses included: a single process
      * has no use for any of it, and it is most of its time to start. Without a
      * daemon all processes of a user would make and remove the same directory,
      * and fail if two start at once. What the user has set stays. To be called
      * before MPI_Init.
+     *
+     * @return variables of the environment to unset after it, since others than
+     *   MPI read them, too
      */
-    void
-    tell_mpi_of_single_process(EnvironmentOfStart &environment)
+    std::vector<const char *>
+    tell_mpi_of_single_process()
     {
+      std::vector<const char *> names;
       for (const char *const by_launcher :
            {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
         if (std::getenv(by_launcher) != nullptr)
-          return;
+          return names;
       const int keep = 0;
       setenv("OMPI_MCA_pml", "ob1", keep);
       setenv("OMPI_MCA_btl", "self", keep);
       setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
       setenv("OMPI_MCA_orte_create_session_dirs", "0", keep);
-      environment.set("HWLOC_PLUGINS_PATH", "/nonexistent");
-      environment.set("HWLOC_SYNTHETIC", "pu:1");
+      for (const auto &[name, value] :
+           {std::pair("HWLOC_PLUGINS_PATH", "/nonexistent"),
+            std::pair("HWLOC_SYNTHETIC", "pu:1")})
+        if (std::getenv(name) == nullptr && setenv(name, value, keep) == 0)
+          names.push_back(name);
+      return names;
     }
 
 
@@ -270,15 +242,15 @@ main(int argc, char **argv)
 
   const Timer          since_start;
   const IgnoredSignals ignored_signals;
-  EnvironmentOfStart   environment;
-  tell_mpi_of_single_process(environment);
+  const auto           to_unset = tell_mpi_of_single_process();
   // The arguments are ours alone: PETSc, which deal.II starts too, obeys those
   // that it knows and, in Debian 13, prints those that it does not.
   int                              n_arguments    = 1;
   char                            *program_name[] = {argv[0], nullptr};
   char                           **arguments      = program_name;
   Utilities::MPI::MPI_InitFinalize mpi(n_arguments, arguments, 1);
-  environment.restore();
+  for (const char *const name : to_unset)
+    unsetenv(name);
   ignored_signals.restore();
   const bool is_first_rank =
     Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;

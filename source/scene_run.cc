@@ -62,7 +62,7 @@ namespace ThermoContact
                       Log              &log)
     {
       log.line(text("  resumed   at t = ",
-                    OutputUnits(parameters).text("time", checkpoint.time),
+                    QuantityUnits(parameters).text("time", checkpoint.time),
                     ", step ",
                     checkpoint.step));
       if (!checkpoint.warning.empty())
@@ -87,27 +87,6 @@ namespace ThermoContact
         quoted +=
           letter == '\'' ? std::string("'\\''") : std::string(1, letter);
       return quoted + "'";
-    }
-
-
-
-    /** Reads the checkpoint and refuses it if the run cannot go on from it. */
-    Checkpoint
-    find_checkpoint(const std::string                        &directory,
-                    const std::map<std::string, std::string> &entries,
-                    const Parameters                         &scene,
-                    const MPI_Comm                            communicator)
-    {
-      Checkpoint checkpoint = read_checkpoint(directory, communicator);
-      check_compatibility(checkpoint,
-                          entries,
-                          scene.time.end_time,
-                          QuantityUnits(scene));
-      std::string fault;
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        fault = find_short_file(directory, checkpoint.output);
-      throw_everywhere<InputError>(fault, communicator);
-      return checkpoint;
     }
 
 
@@ -149,34 +128,6 @@ namespace ThermoContact
 
 
 
-    /** Writes what is left of a run that has failed or was interrupted. */
-    template <int dim>
-    void
-    report_failure(const ComputationError &error,
-                   const Simulation<dim>  &simulation,
-                   const std::string      &summary,
-                   const RunTimes         &times,
-                   Output<dim>            &output,
-                   Log                    &log)
-    {
-      output.observe_failure(simulation);
-      const bool is_interrupted =
-        dynamic_cast<const Interruption *>(&error) != nullptr;
-      const std::string status = is_interrupted ? "interrupted" : "failed";
-      log.failure("  " + status + ":  " + error.what());
-      try
-        {
-          write_summary(summary,
-                        status + ": " + error.what(),
-                        simulation,
-                        times);
-        }
-      catch (const ComputationError &)
-        {} // the first fault is the one to tell, e.g. a full disk
-    }
-
-
-
     /**
      * Runs a scene that is set up, with all that observes it.
      *
@@ -185,49 +136,55 @@ namespace ThermoContact
     template <int dim>
     void
     run_observed(Simulation<dim>                          &simulation,
+                 const Forecast                           &forecast,
                  const std::string                        &directory,
                  const std::map<std::string, std::string> &entries,
                  const OutputProgress                     *written,
                  const Timer                              &since_start,
                  Log                                      &log)
     {
+      const Scene      &scene   = simulation.scene();
+      const RunHistory &history = simulation.history();
       Output<dim>       output(directory, simulation, written);
-      Checkpointer<dim> checkpointer(
-        directory,
-        entries,
-        simulation.parameters().output.checkpoint_interval,
-        output,
-        simulation.discretization().communicator());
-      Progress     progress(simulation.scene(), simulation.history(), log);
-      unsigned int n_reported = simulation.history().warnings.size();
+      Checkpointer<dim> checkpointer(directory, entries, simulation, output);
+      Progress          progress(scene, history, log);
+      unsigned int      n_reported     = history.warnings.size();
+      const double      initial_energy = starting_energy(history.record);
 
       RunTimes times;
       times.set_up            = since_start.wall_time();
       const auto finish_times = [&]() {
         times.output = output.output_seconds() + checkpointer.seconds();
-        times.steps  = progress.step_seconds();
-        times.loop =
-          since_start.wall_time() - times.set_up - times.output - times.repeats;
-        times.wall = since_start.wall_time();
+        times.wall   = since_start.wall_time();
+        times.loop   = times.wall - times.set_up - times.output - times.repeats;
       };
-      const std::string        summary = directory + "/summary.json";
+      const auto write_end_summary = [&](const std::string &status,
+                                         const KeyErrors   *errors = nullptr) {
+        write_summary(directory + "/summary.json",
+                      status,
+                      simulation,
+                      forecast,
+                      times,
+                      errors);
+      };
       std::optional<KeyErrors> errors;
       try
         {
           simulation.run(
             {[&](const Simulation<dim> &s) { output.observe(s); },
-             [&](const Simulation<dim> &s) {
-               n_reported =
-                 report_warnings(s.history().warnings, n_reported, log);
-               progress.observe(s.history());
+             [&](const Simulation<dim> &) {
+               n_reported = report_warnings(history.warnings, n_reported, log);
+               progress.observe(history);
+               for (const StepAttempt &attempt : history.attempts)
+                 times.steps += attempt.wall_seconds;
              },
              [&](const Simulation<dim> &s) { checkpointer.observe(s); }});
           output.finish();
-          if (simulation.parameters().output.has_error_bars)
+          if (scene.parameters.output.has_error_bars)
             {
               // what there is if the repeats come to nothing
               finish_times();
-              write_summary(summary, "done", simulation, times);
+              write_end_summary("done");
               const StopWatch watch(times.repeats);
               errors = error_bars<dim>(
                 simulation,
@@ -238,21 +195,35 @@ namespace ThermoContact
       catch (const ComputationError &error)
         {
           finish_times();
-          report_failure(error, simulation, summary, times, output, log);
+          output.observe_failure(simulation);
+          const std::string status =
+            dynamic_cast<const Interruption *>(&error) != nullptr ?
+              "interrupted" :
+              "failed";
+          log.failure("  " + status + ":  " + error.what());
+          try
+            {
+              write_end_summary(status + ": " + error.what());
+            }
+          catch (const ComputationError &)
+            {} // the first fault is the one to tell, e.g. a full disk
           throw;
         }
       finish_times();
-      report_result(simulation.scene(),
-                    simulation.history(),
+      report_result(scene,
+                    forecast,
+                    history,
                     simulation.counters(),
                     times,
-                    progress.initial_energy(),
+                    initial_energy,
                     log);
       if (errors)
-        report_errors(simulation.scene(), simulation.history(), *errors, log);
-      write_summary(
-        summary, "done", simulation, times, errors ? &*errors : nullptr);
+        report_errors(scene, history, *errors, log);
+      write_end_summary("done", errors ? &*errors : nullptr);
     }
+
+
+
     /**
      * A body of more unknowns is not set up by --check: that takes seconds, and
      * its expressions are tried without.
@@ -261,23 +232,13 @@ namespace ThermoContact
 
 
 
-    /** True if the solution depends on x and t alone. */
+    /**
+     * Prints what is known before anything is set up.
+     *
+     * @param is_set_up it will be
+     */
     template <int dim>
-    bool
-    is_rod(const Scene &scene, const ProblemData<dim> &data)
-    {
-      return (!scene.fields.has_displacement || scene.has_rollers) &&
-             !scene.heat.has_lateral_exchange() &&
-             (!scene.contact.law->is_active() ||
-              scene.contact.has_uniform_gap()) &&
-             data.is_along_axis();
-    }
-
-
-
-    /** Prints what is known before anything is set up, or @p is_set_up. */
-    template <int dim>
-    void
+    Forecast
     report_plan(const Request &request,
                 const bool     is_set_up,
                 const MPI_Comm communicator,
@@ -287,23 +248,30 @@ namespace ThermoContact
       const ProblemData<dim> data(scene); // whose expressions have to be right
       std::vector<std::string> warnings;  // of loads
       const LoadHistory        loads = load_history(scene, data, warnings);
-      report_scene(scene, loads, communicator, log);
+      const Forecast           forecast(scene, loads);
+      report_scene(
+        scene, loads, forecast, request.assignments, communicator, log);
       if (!is_set_up) // which gives them
         {
           report_warnings(warnings, 0, log);
           log.line("  check     so large a body is not set up: its initial "
                    "state is not checked");
         }
-      if (dim > 1 && is_rod(scene, data))
+      const bool depends_on_x_alone =
+        (!scene.fields.has_displacement || scene.has_rollers) &&
+        !scene.heat.has_lateral_exchange() &&
+        (!scene.contact.law->is_active() || scene.contact.has_uniform_gap()) &&
+        data.is_along_axis();
+      if (dim > 1 && depends_on_x_alone)
         log.line("  rod       Dimension = 1 has the same solution: nothing "
                  "depends on what is across");
       for (const std::string &doubt : implausible_numbers(request.assignments))
         log.line("  doubt     " + doubt);
-      check_cost(scene,
-                 loads,
+      check_cost(forecast.cost,
                  free_bytes(request.output_directory()),
                  request.command.is_forced,
                  log);
+      return forecast;
     }
   } // namespace
 
@@ -360,8 +328,9 @@ namespace ThermoContact
     if (command.is_resumed)
       {
         lock.emplace(directory, true, communicator);
-        checkpoint =
-          find_checkpoint(directory, entries, parameters, communicator);
+        checkpoint = read_checkpoint(directory, communicator);
+        check_compatibility(
+          *checkpoint, directory, entries, parameters, communicator);
       }
     if (dim > 1)
       {
@@ -383,7 +352,8 @@ namespace ThermoContact
     const bool is_set_up =
       !command.check_only || dim == 1 ||
       Scene(parameters).n_unknowns() <= most_unknowns_of_check;
-    report_plan<dim>(request, is_set_up, communicator, log);
+    const Forecast forecast =
+      report_plan<dim>(request, is_set_up, communicator, log);
     if (!is_set_up)
       return;
     Simulation<dim> simulation(parameters, communicator);
@@ -411,6 +381,7 @@ namespace ThermoContact
     try
       {
         run_observed(simulation,
+                     forecast,
                      directory,
                      entries,
                      checkpoint ? &checkpoint->output : nullptr,

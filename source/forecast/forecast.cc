@@ -152,8 +152,8 @@ namespace ThermoContact
 
 
 
-  std::optional<ExpectedCost>
-  expected_cost(const Scene &scene, const LoadHistory *const loads)
+  ExpectedCost
+  expected_cost(const Scene &scene, const LoadHistory &loads)
   {
     const Parameters       &parameters = scene.parameters;
     const TimeParameters   &time       = parameters.time;
@@ -163,10 +163,8 @@ namespace ThermoContact
     if (time.has_error_control())
       {
         cost.is_driven = scene.sources.any();
-        if (cost.is_driven && loads == nullptr)
-          return {};
         const double scaled =
-          scaled_steps(scene) + (cost.is_driven ? scaled_steps(*loads) : 0.);
+          scaled_steps(scene) + (cost.is_driven ? scaled_steps(loads) : 0.);
         cost.steps =
           std::ceil(std::max(scaled / std::pow(time.tolerance,
                                                scene.scheme.step_exponent),

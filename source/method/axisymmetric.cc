@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/text.h>
 #include <thermocontact/method/body_geometry.h>
 
 namespace ThermoContact
@@ -20,9 +19,11 @@ namespace ThermoContact
       {}
 
       std::string
-      description() const override
+      description(
+        const std::function<std::string(double)> &length) const override
       {
-        return text("round rod of length 1 and radius ", width);
+        return "round rod of length " + length(1.) + " and radius " +
+               length(width);
       }
 
       double

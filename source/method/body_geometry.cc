@@ -12,11 +12,13 @@
 namespace ThermoContact
 {
   std::string
-  BodyGeometry::description() const
+  BodyGeometry::description(
+    const std::function<std::string(double)> &length) const
   {
     if (dim == 1)
-      return "rod of length 1";
-    return text(dim, "-D body of length 1 and width ", width);
+      return "rod of length " + length(1.);
+    return text(
+      dim, "-D body of length ", length(1.), " and width ", length(width));
   }
 
 

@@ -8,12 +8,7 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/output/checkpoint.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
 #include <boost/crc.hpp>
-#include <boost/serialization/map.hpp>
-#include <boost/serialization/string.hpp>
-#include <boost/serialization/vector.hpp>
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -35,8 +30,25 @@ namespace ThermoContact
     const char *const newest_name   = "/checkpoint.bin";
     const char *const previous_name = "/checkpoint.previous.bin";
 
+    const char *const damage = "it is damaged: size or checksum is wrong";
+
+
+
+    /** Those of contact.csv, all of which a Simulation saves. */
+    std::vector<std::string>
+    column_names()
+    {
+      std::vector<std::string> names;
+      StepRecord::for_each_column(
+        [&names](const char *name, const auto &...) { names.push_back(name); });
+      return names;
+    }
+
+
+
     /** What a run that goes on may have otherwise. */
-    const std::set<std::string> changeable = {"Time/End time",
+    const std::set<std::string> changeable = {"Title",
+                                              "Time/End time",
                                               "Output/Directory",
                                               "Output/Fields interval",
                                               "Output/Contact interval",
@@ -70,16 +82,16 @@ namespace ThermoContact
 
 
 
-    // A file is a line that names the format, a line of JSON for readers, with
-    // size and checksum of each part, then the parts: what all ranks have in
-    // common, and the nodes of one rank after the other, which may be as large
-    // as the disk allows.
+    // A file is a line that names the format, a line with the CRC-32 of the
+    // next one, a line of JSON, with size and checksum of each part, then the
+    // parts: what the simulation of all ranks has in common, and the nodes of
+    // one rank after the other, which may be as large as the disk allows.
 
     /**
-     * Changes with every member that is saved, a column of contact.csv too: the
-     * archive does not say what is in it.
+     * Changes with every member that a Simulation saves, but for columns of
+     * contact.csv: its archive does not say what is in it.
      */
-    const std::string format = "thermocontact checkpoint 11";
+    const std::string format = "thermocontact checkpoint 12";
 
 
 
@@ -93,43 +105,6 @@ namespace ThermoContact
 
 
 
-    /** All but the nodes. */
-    template <class Archive, class AnyCheckpoint>
-    void
-    archive_common(Archive &archive, AnyCheckpoint &checkpoint)
-    {
-      archive &checkpoint.time &checkpoint.step &checkpoint.version &checkpoint
-        .parameters &checkpoint.output &checkpoint.progress;
-    }
-
-
-
-    std::string
-    to_bytes(const Checkpoint &checkpoint)
-    {
-      std::ostringstream              stream;
-      boost::archive::binary_oarchive archive(stream,
-                                              boost::archive::no_header);
-      archive_common(archive, checkpoint);
-      return stream.str();
-    }
-
-
-
-    /** @throw std::exception if @p bytes are not those of to_bytes() */
-    Checkpoint
-    from_bytes(const std::string &bytes)
-    {
-      Checkpoint                      checkpoint;
-      std::istringstream              stream(bytes);
-      boost::archive::binary_iarchive archive(stream,
-                                              boost::archive::no_header);
-      archive_common(archive, checkpoint);
-      return checkpoint;
-    }
-
-
-
     /** The lines before the parts. */
     std::string
     head_of(const Checkpoint &checkpoint, const std::vector<PartPlace> &parts)
@@ -138,35 +113,56 @@ namespace ThermoContact
                                        {"step", checkpoint.step},
                                        {"ranks", checkpoint.n_ranks},
                                        {"version", checkpoint.version},
-                                       {"parts", nlohmann::json::array()}};
+                                       {"parts", nlohmann::json::array()},
+                                       {"parameters", checkpoint.parameters},
+                                       {"sizes", checkpoint.output.sizes},
+                                       {"snapshot_times",
+                                        checkpoint.output.snapshot_times},
+                                       {"columns", column_names()}};
       for (const PartPlace &part : parts)
         header["parts"].push_back(
           {{"size", part.size}, {"checksum", part.checksum}});
-      return format + '\n' + header.dump() + '\n';
+      const std::string line =
+        header.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+      return text(format, '\n', describe(line).checksum, '\n', line, '\n');
     }
 
 
 
     /** Reads the lines before the parts. */
-    std::vector<PartPlace>
+    Checkpoint
     read_head(std::istream &stream)
     {
-      std::string line(format.size() + 1, '\0');
+      std::string line(format.size() + 1, '\0'), checksum;
       stream.read(line.data(), line.size());
       if (line != format + '\n')
         throw std::runtime_error("it does not begin with '" + format +
                                  "': not a checkpoint, or of another version "
                                  "of thermocontact");
+      std::getline(stream, checksum);
       std::getline(stream, line);
-      const auto             header = nlohmann::json::parse(line);
-      std::uint64_t          begin  = stream.tellg();
-      std::vector<PartPlace> parts;
+      if (checksum != text(describe(line).checksum))
+        throw std::runtime_error(damage);
+      const auto header = nlohmann::json::parse(line);
+      if (header.at("columns") != column_names())
+        throw std::runtime_error(
+          "its columns are those of another version of thermocontact");
+      Checkpoint checkpoint;
+      header.at("time").get_to(checkpoint.time);
+      header.at("step").get_to(checkpoint.step);
+      header.at("ranks").get_to(checkpoint.n_ranks);
+      header.at("version").get_to(checkpoint.version);
+      header.at("parameters").get_to(checkpoint.parameters);
+      header.at("sizes").get_to(checkpoint.output.sizes);
+      header.at("snapshot_times").get_to(checkpoint.output.snapshot_times);
+      std::uint64_t begin = stream.tellg();
       for (const auto &part : header.at("parts"))
         {
-          parts.push_back({begin, part.at("size"), part.at("checksum")});
-          begin += parts.back().size;
+          checkpoint.parts.push_back(
+            {begin, part.at("size"), part.at("checksum")});
+          begin += checkpoint.parts.back().size;
         }
-      return parts;
+      return checkpoint;
     }
 
 
@@ -219,9 +215,10 @@ namespace ThermoContact
 
 
     /**
-     * Reads what all ranks have in common.
+     * Reads a file without the nodes, and looks at all of it, to see that it is
+     * whole.
      *
-     * @param n_ranks,this_rank the share of the other parts to look at
+     * @param n_ranks,this_rank the share of the parts to look at
      * @throw std::exception saying what is wrong
      */
     Checkpoint
@@ -229,85 +226,21 @@ namespace ThermoContact
                 const unsigned int n_ranks,
                 const unsigned int this_rank)
     {
-      std::ifstream                stream  = open_file(path);
-      const std::vector<PartPlace> parts   = read_head(stream);
-      bool                         is_good = !parts.empty();
-      if (is_good)
-        {
-          const PartPlace &last = parts.back();
-          stream.seekg(0, std::ios::end);
-          is_good = static_cast<std::uint64_t>(stream.tellg()) ==
-                      last.begin + last.size &&
-                    is_whole(parts.front(), stream);
-        }
-      for (unsigned int i = 1 + this_rank; i < parts.size(); i += n_ranks)
-        is_good = is_good && is_whole(parts[i], stream);
+      std::ifstream    stream     = open_file(path);
+      Checkpoint       checkpoint = read_head(stream);
+      const PartPlace &last       = checkpoint.parts.back();
+      stream.seekg(0, std::ios::end);
+      bool is_good =
+        static_cast<std::uint64_t>(stream.tellg()) == last.begin + last.size &&
+        is_whole(checkpoint.parts[0], stream);
+      for (std::size_t i = 1 + this_rank; i < checkpoint.parts.size();
+           i += n_ranks)
+        is_good = is_good && is_whole(checkpoint.parts[i], stream);
       if (!is_good)
-        throw std::runtime_error("it is damaged: size or checksum is wrong");
-      Checkpoint checkpoint = from_bytes(read_part(parts.front(), stream));
-      checkpoint.path       = path;
-      checkpoint.parts.assign(parts.begin() + 1, parts.end());
-      checkpoint.n_ranks = checkpoint.parts.size();
+        throw std::runtime_error(damage);
+      checkpoint.path     = path;
+      checkpoint.progress = read_part(checkpoint.parts[0], stream);
       return checkpoint;
-    }
-
-
-
-    /**
-     * Reads a file without the nodes, and looks at all of it, to see that it is
-     * whole. Collective; each rank reads its share.
-     *
-     * @param fault out: what is wrong, without the path, or nothing; on all
-     *   ranks
-     */
-    Checkpoint
-    read_checkpoint_file(const std::string &path,
-                         std::string       &fault,
-                         const MPI_Comm     communicator)
-    {
-      Checkpoint checkpoint;
-      try
-        {
-          checkpoint =
-            read_common(path,
-                        Utilities::MPI::n_mpi_processes(communicator),
-                        Utilities::MPI::this_mpi_process(communicator));
-        }
-      catch (const std::exception &error)
-        {
-          fault = error.what();
-        }
-      fault = first_fault(fault, communicator);
-      return checkpoint;
-    }
-
-
-
-    /**
-     * Writes a file and waits until it would survive a loss of power.
-     * Collective; each rank writes its nodes.
-     *
-     * @return on all ranks, what is wrong, with the path, or nothing
-     */
-    std::string
-    write_checkpoint_file(const std::string &path,
-                          const Checkpoint  &checkpoint,
-                          const MPI_Comm     communicator)
-    {
-      std::vector<PartPlace> parts =
-        Utilities::MPI::gather(communicator, describe(checkpoint.nodes));
-      std::string before; // the parts of the ranks
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        {
-          const std::string common = to_bytes(checkpoint);
-          parts.insert(parts.begin(), describe(common));
-          before = head_of(checkpoint, parts) + common;
-        }
-      const bool is_durable = true;
-      return write_parallel_file(path,
-                                 {before, checkpoint.nodes},
-                                 communicator,
-                                 is_durable);
     }
   } // namespace
 
@@ -318,8 +251,20 @@ namespace ThermoContact
                    const Checkpoint  &checkpoint,
                    const MPI_Comm     communicator)
   {
-    const std::string next = directory + "/checkpoint.next.bin";
-    std::string fault = write_checkpoint_file(next, checkpoint, communicator);
+    const std::string      next = directory + "/checkpoint.next.bin";
+    std::vector<PartPlace> parts =
+      Utilities::MPI::gather(communicator, describe(checkpoint.nodes));
+    std::string before; // the parts of the ranks
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        parts.insert(parts.begin(), describe(checkpoint.progress));
+        before = head_of(checkpoint, parts) + checkpoint.progress;
+      }
+    const bool  is_durable = true;
+    std::string fault      = write_parallel_file(next,
+                                            {before, checkpoint.nodes},
+                                            communicator,
+                                            is_durable);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
         if (fault.empty())
@@ -342,9 +287,21 @@ namespace ThermoContact
         if (!Utilities::MPI::broadcast(communicator,
                                        access(path.c_str(), F_OK) == 0))
           continue;
+        Checkpoint  checkpoint;
         std::string fault;
-        Checkpoint checkpoint = read_checkpoint_file(path, fault, communicator);
-        checkpoint.warning    = faults;
+        try
+          {
+            checkpoint =
+              read_common(path,
+                          Utilities::MPI::n_mpi_processes(communicator),
+                          Utilities::MPI::this_mpi_process(communicator));
+          }
+        catch (const std::exception &error)
+          {
+            fault = error.what();
+          }
+        fault              = first_fault(fault, communicator);
+        checkpoint.warning = faults;
         if (fault.empty())
           return checkpoint;
         faults += path + ": " + fault + "\n  ";
@@ -361,7 +318,7 @@ namespace ThermoContact
   read_nodes(const Checkpoint &checkpoint, const unsigned int rank)
   {
     std::ifstream stream = open_file(checkpoint.path);
-    return read_part(checkpoint.parts[rank], stream);
+    return read_part(checkpoint.parts[1 + rank], stream);
   }
 
 
@@ -377,54 +334,47 @@ namespace ThermoContact
 
 
 
-  std::string
-  find_short_file(const std::string &directory, const OutputProgress &progress)
-  {
-    for (const auto &[name, size] : progress.sizes)
-      {
-        std::error_code   error;
-        const std::string path  = directory + "/" + name;
-        const auto        found = std::filesystem::file_size(path, error);
-        if (size > 0 && (error || found < size))
-          return path + ": " +
-                 (error ? error.message() :
-                          "is shorter than the checkpoint says") +
-                 "\n  remedy:  put the file of the run back, or run without "
-                 "--resume";
-      }
-    return "";
-  }
-
-
-
   void
   check_compatibility(const Checkpoint                         &checkpoint,
-                      const std::map<std::string, std::string> &parameters,
-                      const double                              end_time,
-                      const QuantityUnits                      &units)
+                      const std::string                        &directory,
+                      const std::map<std::string, std::string> &entries,
+                      const Parameters                         &parameters,
+                      const MPI_Comm                            communicator)
   {
-    for (const auto &[path, value] : parameters)
-      {
-        const auto old = checkpoint.parameters.find(path);
-        if (changeable.count(path) == 0 &&
-            (old == checkpoint.parameters.end() ||
-             !equal_values(old->second, value)))
-          throw InputError(
-            path + " = " + value + ": the checkpoint has " +
-            (old == checkpoint.parameters.end() ? "no such entry" :
-                                                  old->second) +
-            "\n  allowed: with --resume, another Time/End time, intervals of "
-            "the output\n  remedy:  the value of the checkpoint, or run "
-            "without --resume");
-      }
+    const auto &before = checkpoint.parameters;
+    for (const auto &[path, value] : entries)
+      if (const auto old = before.find(path);
+          changeable.count(path) == 0 &&
+          (old == before.end() || !equal_values(old->second, value)))
+        throw InputError(
+          path + " = " + value + ": the checkpoint has " +
+          (old == before.end() ? "no such entry" : old->second) +
+          "\n  allowed: with --resume, another Time/End time, intervals of the "
+          "output\n  remedy:  the value of the checkpoint, or run without "
+          "--resume");
+    const double end_time = parameters.time.end_time;
     if (end_time < checkpoint.time)
-      {
-        throw InputError(text("Time/End time = ",
-                              end_time,
-                              ": the checkpoint is at t = ",
-                              units.text_for_entry("time", checkpoint.time),
-                              "\n  allowed: with --resume, a time from there "
-                              "on"));
-      }
+      throw InputError(
+        text("Time/End time = ",
+             end_time,
+             ": the checkpoint is at t = ",
+             QuantityUnits(parameters).text_for_entry("time", checkpoint.time),
+             "\n  allowed: with --resume, a time from there on"));
+
+    std::string fault;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      for (const auto &[name, size] : checkpoint.output.sizes)
+        {
+          std::error_code   error;
+          const std::string path  = directory + "/" + name;
+          const auto        found = std::filesystem::file_size(path, error);
+          if (fault.empty() && size > 0 && (error || found < size))
+            fault = path + ": " +
+                    (error ? error.message() :
+                             "is shorter than the checkpoint says") +
+                    "\n  remedy:  put the file of the run back, or run "
+                    "without --resume";
+        }
+    throw_everywhere<InputError>(fault, communicator);
   }
 } // namespace ThermoContact

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/output/checkpoint.h>
 #include <thermocontact/output/checkpointer.h>
 #include <thermocontact/output/output_units.h>
 
-#include <sstream>
 #include <utility>
 
 namespace ThermoContact
@@ -14,14 +14,14 @@ namespace ThermoContact
   Checkpointer<dim>::Checkpointer(
     const std::string                        &directory,
     const std::map<std::string, std::string> &parameters,
-    const double                              interval,
-    Output<dim>                              &output,
-    const MPI_Comm                            communicator)
+    const Simulation<dim>                    &simulation,
+    Output<dim>                              &output)
     : directory(directory)
     , parameters(parameters)
-    , interval(interval)
+    , interval(simulation.parameters().output.checkpoint_interval)
+    , end_time(simulation.parameters().time.end_time)
     , output(output)
-    , communicator(communicator)
+    , communicator(simulation.discretization().communicator())
   {
     timer.reset();
   }
@@ -30,29 +30,23 @@ namespace ThermoContact
 
   template <int dim>
   int
-  Checkpointer<dim>::common_signal() const
+  Checkpointer<dim>::common(const int number) const
   {
     return Utilities::MPI::n_mpi_processes(communicator) == 1 ?
-             signals.signal() :
-             Utilities::MPI::max(signals.signal(), communicator);
+             number :
+             Utilities::MPI::max(number, communicator);
   }
 
 
 
   template <int dim>
   bool
-  Checkpointer<dim>::is_due(const Simulation<dim> &simulation) const
+  Checkpointer<dim>::is_due(const StepRecord &record) const
   {
-    if (interval == 0.)
-      return false;
-    const StepRecord &record = simulation.record();
-    if (record.step == 0 ||
-        record.time >= simulation.parameters().time.end_time)
-      return true;
-    const bool is_late = since_last.wall_time() >= interval;
-    return Utilities::MPI::n_mpi_processes(communicator) == 1 ?
-             is_late :
-             Utilities::MPI::broadcast(communicator, is_late);
+    return interval > 0. &&
+           (record.step == 0 || record.time >= end_time ||
+            common(Utilities::MPI::this_mpi_process(communicator) == 0 &&
+                   since_last.wall_time() >= interval));
   }
 
 
@@ -61,23 +55,32 @@ namespace ThermoContact
   void
   Checkpointer<dim>::observe(const Simulation<dim> &simulation)
   {
-    const int signal = common_signal();
-    if (signal == 0 && !is_due(simulation))
+    const StepRecord &record = simulation.record();
+    const int         signal = common(signals.signal());
+    if (signal == 0 && !is_due(record))
       return;
     timer.start();
-    write(simulation);
+    SavedRun   saved = simulation.save();
+    Checkpoint checkpoint;
+    checkpoint.time       = record.time;
+    checkpoint.step       = record.step;
+    checkpoint.version    = version();
+    checkpoint.n_ranks    = Utilities::MPI::n_mpi_processes(communicator);
+    checkpoint.parameters = parameters;
+    checkpoint.output     = output.sync();
+    checkpoint.progress   = std::move(saved.progress);
+    checkpoint.nodes      = std::move(saved.nodes);
+    write_checkpoint(directory, checkpoint, communicator);
     timer.stop();
     since_last.restart();
     if (signal != 0)
-      {
-        std::ostringstream message;
-        message << name_of_signal(signal) << " at t = "
-                << OutputUnits(simulation.parameters())
-                     .text("time", simulation.record().time)
-                << ", step " << simulation.record().step
-                << "; the checkpoint is written";
-        throw Interruption(message.str());
-      }
+      throw Interruption(
+        text(name_of_signal(signal),
+             " at t = ",
+             OutputUnits(simulation.parameters()).text("time", record.time),
+             ", step ",
+             record.step,
+             "; the checkpoint is written"));
   }
 
 
@@ -86,27 +89,8 @@ namespace ThermoContact
   void
   Checkpointer<dim>::observe_signal(const Simulation<dim> &simulation)
   {
-    if (common_signal() != 0)
+    if (common(signals.signal()) != 0)
       observe(simulation);
-  }
-
-
-
-  template <int dim>
-  void
-  Checkpointer<dim>::write(const Simulation<dim> &simulation)
-  {
-    Checkpoint checkpoint;
-    checkpoint.time       = simulation.record().time;
-    checkpoint.step       = simulation.record().step;
-    checkpoint.version    = version();
-    checkpoint.n_ranks    = Utilities::MPI::n_mpi_processes(communicator);
-    checkpoint.parameters = parameters;
-    checkpoint.output     = output.sync();
-    SavedRun saved        = simulation.save();
-    checkpoint.progress   = std::move(saved.progress);
-    checkpoint.nodes      = std::move(saved.nodes);
-    write_checkpoint(directory, checkpoint, communicator);
   }
 
 

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/text.h>
+#include <thermocontact/input/probe_positions.h>
 #include <thermocontact/output/csv_rows.h>
+#include <thermocontact/output/output_units.h>
+#include <thermocontact/space/point_values.h>
+
+#include <deal.II/base/utilities.h>
 
 #include <limits>
 
@@ -9,49 +15,13 @@ namespace ThermoContact
   CsvColumns<StepRecord>
   contact_columns(const Scene &scene)
   {
-    CsvColumns<StepRecord> columns = {
-      {"step", &StepRecord::step},
-      {"time", &StepRecord::time},
-      {"step_size", &StepRecord::step_size},
-      {"displacement_end", &StepRecord::displacement_end},
-      {"displacement_mid", &StepRecord::displacement_mid},
-      {"velocity_end", &StepRecord::velocity_end},
-      {"stress_end", &StepRecord::stress_end},
-      {"gap", &StepRecord::gap},
-      {"penetration", &StepRecord::penetration},
-      {"contact_force", &StepRecord::contact_force},
-      {"contact_impulse", &StepRecord::contact_impulse},
-      {"temperature_end", &StepRecord::temperature_end},
-      {"heat_flux_end", &StepRecord::heat_flux_end},
-      {"energy", &StepRecord::energy},
-      {"dissipation", &StepRecord::dissipation},
-      {"numerical_dissipation", &StepRecord::numerical_dissipation},
-      {"in_contact", &StepRecord::in_contact},
-      {"iterations", &StepRecord::iterations},
-      {"work", &StepRecord::work},
-      {"temperature_mean", &StepRecord::temperature_mean}};
-    if (scene.parameters.dimension > 1)
-      for (const auto &[name, member] :
-           {std::pair("contact_area", &FaceRecord::contact_area),
-            std::pair("max_pressure", &FaceRecord::max_pressure),
-            std::pair("min_gap", &FaceRecord::min_gap),
-            std::pair("moment_y", &FaceRecord::moment_y),
-            std::pair("moment_z", &FaceRecord::moment_z)})
-        columns.emplace_back(name, [member = member](const StepRecord &record) {
-          return record.face.*member;
-        });
-    if (scene.linear_solver.is_iterative)
-      columns.emplace_back("algebraic", &StepRecord::algebraic);
-    if (scene.contact.law->damping() > 0.)
-      columns.emplace_back("contact_dissipation",
-                           &StepRecord::contact_dissipation);
-    if (scene.heat.has_lateral_exchange())
-      {
-        columns.emplace_back("lateral_heat_flux",
-                             &StepRecord::lateral_heat_flux);
-        columns.emplace_back("lateral_dissipation",
-                             &StepRecord::lateral_dissipation);
-      }
+    CsvColumns<StepRecord> columns;
+    StepRecord::for_each_column([&](const char *name,
+                                    const auto  member,
+                                    bool (*is_there)(const Scene &) = nullptr) {
+      if (is_there == nullptr || is_there(scene))
+        columns.emplace_back(name, member);
+    });
     return columns;
   }
 
@@ -97,5 +67,54 @@ namespace ThermoContact
             {"accepted", &StepAttempt::is_accepted},
             {"reason", &StepAttempt::reason},
             {"wall_seconds", &StepAttempt::wall_seconds, few_digits}};
+  }
+
+
+
+  CsvColumns<ProbeRow>
+  probe_columns(const unsigned int n_places)
+  {
+    const auto          &names   = PointValues<1>::names;
+    CsvColumns<ProbeRow> columns = {{"time", &ProbeRow::time}};
+    for (unsigned int i = 0; i < n_places; ++i)
+      for (unsigned int q = 0; q < names.size(); ++q)
+        columns.emplace_back(text(names[q], '_', i + 1),
+                             [k = q * n_places + i](const ProbeRow &row) {
+                               return row.values[k];
+                             });
+    return columns;
+  }
+
+
+
+  std::vector<std::array<double, 3>>
+  probe_positions(const Parameters &parameters)
+  {
+    if (dealii::Utilities::trim(parameters.output.probes).empty())
+      return {};
+    return parse_probe_positions(parameters.output.probes,
+                                 parameters.dimension,
+                                 parameters.mesh.width);
+  }
+
+
+
+  std::string
+  probe_comments(const Parameters &parameters)
+  {
+    std::string       lines;
+    unsigned int      n = 0;
+    const OutputUnits units(parameters);
+    const Conversion &length = units.of("position");
+    for (const auto &position : probe_positions(parameters))
+      {
+        std::vector<std::string> words;
+        for (unsigned int d = 0; d < parameters.dimension; ++d)
+          words.push_back(std::string(1, "xyz"[d]) + " = " +
+                          significant(length(position[d]), all_digits) +
+                          (length.unit.empty() ? "" : " " + length.unit));
+        lines += text("# probe ", ++n, ": ", join_words(words), '\n');
+      }
+    return lines;
   }
 } // namespace ThermoContact

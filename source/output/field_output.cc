@@ -6,10 +6,7 @@
 #include <thermocontact/base/parallel_file.h>
 #include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/field_output.h>
-#include <thermocontact/output/patch_units.h>
 #include <thermocontact/output/snapshot.h>
-
-#include <sstream>
 
 namespace ThermoContact
 {
@@ -29,9 +26,6 @@ namespace ThermoContact
       obstacle.emplace(directory, "obstacle", units.of("time"));
     if (dim > 1 && body.law().is_active())
       contact_face.emplace(directory, "contact", units.of("time"));
-    if constexpr (dim == 1)
-      if (RodSnapshot::is_for(body) && !units.is_si())
-        rod_snapshot.emplace(body);
   }
 
 
@@ -40,23 +34,9 @@ namespace ThermoContact
   void
   FieldOutput<dim>::write(const State &state)
   {
-    DataOutBase::VtkFlags flags;
-    flags.time  = units.of("time")(state.time);
-    flags.cycle = times().size();
-    flags.physical_units =
-      units_of_arrays({"temperature", "displacement", "velocity", "stress"},
-                      "fields/fields-*.vtu",
-                      units);
-    flags.print_date_and_time = false;
-    flags.compression_level   = DataOutBase::VtkFlags::best_speed;
-
-    std::string fault =
-      rod_snapshot ?
-        write_atomically(fields.next_path(),
-                         rod_snapshot->file(state, flags.cycle)) :
-        write_fields(snapshot_pieces(body, state, flags, units), flags);
+    std::string fault = write_fields(state);
     if (fault.empty())
-      fault = write_others(state, flags);
+      fault = write_others(state);
     throw_everywhere<ComputationError>(fault, discretization.communicator());
   }
 
@@ -64,20 +44,19 @@ namespace ThermoContact
 
   template <int dim>
   std::string
-  FieldOutput<dim>::write_fields(const std::vector<std::string> &pieces,
-                                 const DataOutBase::VtkFlags    &flags) const
+  FieldOutput<dim>::write_fields(const State &state)
   {
-    const MPI_Comm     communicator = discretization.communicator();
-    std::ostringstream header, footer;
+    const MPI_Comm                 communicator = discretization.communicator();
+    const std::vector<std::string> pieces =
+      snapshot_pieces(body, state, times().size(), units);
+    const std::string head = VtuCells<dim>::head(),
+                      foot = VtuCells<dim>::foot();
+    std::vector<std::string_view> part(pieces.begin(), pieces.end());
     if (is_writer)
-      DataOutBase::write_vtu_header(header, flags);
+      part.insert(part.begin(), head);
     if (Utilities::MPI::this_mpi_process(communicator) + 1 ==
         Utilities::MPI::n_mpi_processes(communicator))
-      DataOutBase::write_vtu_footer(footer);
-    const std::string             first = header.str(), last = footer.str();
-    std::vector<std::string_view> part(pieces.begin(), pieces.end());
-    part.insert(part.begin(), first);
-    part.push_back(last);
+      part.push_back(foot);
     return write_parallel_file_atomically(fields.next_path(),
                                           part,
                                           communicator);
@@ -87,32 +66,34 @@ namespace ThermoContact
 
   template <int dim>
   std::string
-  FieldOutput<dim>::write_others(const State                 &state,
-                                 const DataOutBase::VtkFlags &flags)
+  FieldOutput<dim>::write_others(const State &state)
   {
     std::string fault;
-    const auto  write = [&](const std::string &path, const std::string &text) {
-      if (is_writer && fault.empty())
-        fault = write_atomically(path, text);
-    };
-    if (obstacle)
-      {
-        gap->set_time(state.time);
-        write(obstacle->next_path(),
-              obstacle_file(body.contact_end(),
-                            units,
-                            body.scene.contact.rear_gap,
-                            gap.get()));
-      }
-    else if (fields.times().empty() && !body.scene.contact.has_uniform_gap())
-      write(directory + "/obstacle.vtu",
-            obstacle_file(body.contact_end(),
-                          units,
-                          body.scene.contact.rear_gap));
     if constexpr (dim > 1)
-      if (contact_face)
-        write(contact_face->next_path(),
-              contact_face_file(body, state, flags, units));
+      {
+        const auto write = [&](const std::string &path, auto cells) {
+          if (is_writer && fault.empty())
+            fault = write_atomically(path, cells.file());
+        };
+        const double rear_gap = body.scene.contact.rear_gap;
+        if (obstacle)
+          {
+            gap->set_time(state.time);
+            write(
+              obstacle->next_path(),
+              obstacle_shape(body.contact_end(), units, rear_gap, gap.get()));
+          }
+        else if (times().empty() && !body.scene.contact.has_uniform_gap())
+          write(directory + "/obstacle.vtu",
+                obstacle_shape(body.contact_end(), units, rear_gap));
+        if (contact_face)
+          {
+            auto face        = ThermoContact::contact_face(body, state, units);
+            face.flags.time  = units.of("time")(state.time);
+            face.flags.cycle = times().size();
+            write(contact_face->next_path(), face);
+          }
+      }
     for (SnapshotSeries *series : all_series())
       series->add(state.time);
     return fault.empty() ? write_lists(fields.times().size() > 1) : fault;

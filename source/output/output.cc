@@ -13,6 +13,32 @@ namespace ThermoContact
   {
     /** Rows after which a fault of the file is looked for on all ranks. */
     constexpr unsigned int rows_between_checks = 1000;
+
+
+
+    template <int dim>
+    std::vector<Place<dim>>
+    probe_places(const Parameters &parameters)
+    {
+      std::vector<Place<dim>> places;
+      for (const auto &coordinates : probe_positions(parameters))
+        {
+          Point<dim> position;
+          std::copy_n(coordinates.begin(), dim, position.begin_raw());
+          places.push_back({position, position});
+        }
+      return places;
+    }
+
+
+
+    /** The first of several faults is the one to tell. */
+    void
+    add_fault(std::string &fault, const std::string &next)
+    {
+      if (fault.empty())
+        fault = next;
+    }
   } // namespace
 
 
@@ -28,6 +54,8 @@ namespace ThermoContact
     , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
     , units(simulation.parameters())
     , field_output(directory, simulation.body())
+    , probes(probe_places<dim>(simulation.parameters()))
+    , probe_values(simulation.scene(), simulation.discretization(), probes)
     , contact_file("contact.csv", contact_columns(simulation.scene()), units)
     , poincare_file("poincare.csv",
                     contact_columns(simulation.scene()),
@@ -37,19 +65,26 @@ namespace ThermoContact
                   event_columns(simulation.scene().contact.is_two_sided()),
                   units)
     , steps_file("steps.csv", attempt_columns(), units)
+    , probes_file("probes.csv", probe_columns(probes.size()), units)
     , of_fields{parameters.fields_interval}
     , of_contact{parameters.contact_interval}
     , of_space_time{parameters.space_time_interval}
     , of_period{parameters.period}
+    , tables{{contact_file.name, &contact_file.file},
+             {events_file.name, &events_file.file},
+             {steps_file.name, &steps_file.file},
+             {poincare_file.name, &poincare_file.file},
+             {probes_file.name, &probes_file.file}}
   {
     field_timer.reset();
     if (progress)
       sizes = progress->sizes;
-    if (!Utilities::trim(parameters.probes).empty())
-      probe_output = std::make_unique<ProbeOutput<dim>>(simulation.body());
     if (parameters.space_time_interval > 0.)
-      space_time_output =
-        std::make_unique<SpaceTimeOutput<dim>>(directory, simulation.body());
+      {
+        space_time_output =
+          std::make_unique<SpaceTimeOutput<dim>>(directory, simulation.body());
+        tables["space-time.columns"] = &space_time_output->file();
+      }
     if (is_writer)
       open_tables(simulation);
     flush();
@@ -80,8 +115,8 @@ namespace ThermoContact
   {
     const TimeParameters &time = simulation.parameters().time;
     const std::string     head = csv_comments(simulation.parameters().title);
-    const auto            open = [&](auto &file) {
-      file.open(directory, head, sizes[file.name]);
+    const auto open = [&](auto &file, const std::string &places = "") {
+      file.open(directory, head + places, sizes[file.name]);
     };
     open(contact_file);
     open(events_file);
@@ -89,8 +124,8 @@ namespace ThermoContact
       open(steps_file);
     if (parameters.period > 0.)
       open(poincare_file);
-    if (probe_output)
-      probe_output->open(directory, head, sizes["probes.csv"]);
+    if (!probes.empty())
+      open(probes_file, probe_comments(simulation.parameters()));
     if (space_time_output)
       space_time_output->open(sizes["space-time.columns"]);
     if (parameters.fields_interval > 0.)
@@ -98,24 +133,6 @@ namespace ThermoContact
         std::error_code error; // a fault shows when the first file is opened
         std::filesystem::create_directory(directory + "/fields", error);
       }
-  }
-
-
-
-  template <int dim>
-  std::map<std::string, TableFile *>
-  Output<dim>::tables()
-  {
-    std::map<std::string, TableFile *> files = {
-      {contact_file.name, &contact_file.file},
-      {events_file.name, &events_file.file},
-      {steps_file.name, &steps_file.file},
-      {poincare_file.name, &poincare_file.file}};
-    if (probe_output)
-      files["probes.csv"] = &probe_output->file();
-    if (space_time_output)
-      files["space-time.columns"] = &space_time_output->file();
-    return files;
   }
 
 
@@ -158,13 +175,17 @@ namespace ThermoContact
     if (parameters.contact_interval == 0. || is_due(of_contact, record.time))
       {
         contact_file.add(record);
-        if (probe_output)
-          probe_output->write(simulation.state());
+        if (!probes.empty())
+          probes_file.add(
+            {record.time, probe_values.evaluate(simulation.state())});
       }
     if (of_period.are_reached(record.time)) // steps end there: none is missed
       poincare_file.add(record);
-    write_events(simulation.events());
-    write_attempts(simulation.history().attempts);
+    const auto &events = simulation.events();
+    for (unsigned int &i = n_written_events; i < events.size(); ++i)
+      events_file.add(EventRow(events[i], i > 0 ? &events[i - 1] : nullptr));
+    for (const StepAttempt &attempt : simulation.history().attempts)
+      steps_file.add(attempt);
     if (space_time_output && is_due(of_space_time, record.time))
       space_time_output->write(simulation.state());
 
@@ -192,35 +213,13 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Output<dim>::write_events(const std::vector<ContactEvent> &events)
-  {
-    for (; n_written_events < events.size(); ++n_written_events)
-      events_file.add(EventRow(events[n_written_events],
-                               n_written_events > 0 ?
-                                 &events[n_written_events - 1] :
-                                 nullptr));
-  }
-
-
-
-  template <int dim>
-  void
-  Output<dim>::write_attempts(const std::vector<StepAttempt> &attempts)
-  {
-    for (const StepAttempt &attempt : attempts)
-      steps_file.add(attempt);
-  }
-
-
-
-  template <int dim>
-  void
   Output<dim>::observe_failure(const Simulation<dim> &simulation)
   {
     // those of a step that was accepted have been written
-    if (!simulation.history().attempts.empty() &&
-        !simulation.history().attempts.back().is_accepted)
-      write_attempts(simulation.history().attempts);
+    const auto &attempts = simulation.history().attempts;
+    if (!attempts.empty() && !attempts.back().is_accepted)
+      for (const StepAttempt &attempt : attempts)
+        steps_file.add(attempt);
     flush_tables();
     field_output.write_lists();
     if (is_writer && space_time_output)
@@ -247,15 +246,6 @@ namespace ThermoContact
 
 
   template <int dim>
-  double
-  Output<dim>::output_seconds() const
-  {
-    return field_timer.wall_time();
-  }
-
-
-
-  template <int dim>
   OutputProgress
   Output<dim>::sync()
   {
@@ -263,14 +253,11 @@ namespace ThermoContact
     std::string    fault = field_output.sync();
     if (is_writer)
       {
-        if (const std::string message = field_output.write_lists();
-            fault.empty())
-          fault = message;
-        for (const auto &[name, file] : tables())
+        add_fault(fault, field_output.write_lists());
+        for (const auto &[name, file] : tables)
           if (file->is_open())
             {
-              if (const std::string message = file->sync(); fault.empty())
-                fault = message;
+              add_fault(fault, file->sync());
               sizes[name] = file->size();
             }
         progress.sizes          = sizes;
@@ -287,9 +274,8 @@ namespace ThermoContact
   Output<dim>::flush_tables()
   {
     std::string fault;
-    for (const auto &[name, file] : tables())
-      if (const std::string message = file->flush(); fault.empty())
-        fault = message;
+    for (const auto &[name, file] : tables)
+      add_fault(fault, file->flush());
     return fault;
   }
 
@@ -304,9 +290,7 @@ namespace ThermoContact
       {
         since_flush.restart();
         fault = flush_tables();
-        if (const std::string message = field_output.write_lists(true);
-            fault.empty())
-          fault = message;
+        add_fault(fault, field_output.write_lists(true));
       }
     throw_everywhere<ComputationError>(fault, communicator);
   }

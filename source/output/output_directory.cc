@@ -10,9 +10,11 @@
 #include <thermocontact/output/output_directory.h>
 
 #include <fcntl.h>
+#include <fnmatch.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -25,29 +27,29 @@ namespace ThermoContact
   {
     namespace fs = std::filesystem;
 
-    /**
-     * What a run leaves behind beside its fields; other files are the user's
-     * and stay.
-     */
-    const char *const run_files[] = {"checkpoint.bin",
-                                     "checkpoint.next.bin",
-                                     "checkpoint.previous.bin",
-                                     "contact.csv",
-                                     "contact.pvd",
-                                     "events.csv",
-                                     "fields.pvd",
-                                     "log.txt",
-                                     "obstacle.pvd",
-                                     "obstacle.vtu",
-                                     "poincare.csv",
-                                     "probes.csv",
-                                     "space-time.columns",
-                                     "space-time.vtu",
-                                     "steps.csv",
-                                     "study.csv",
-                                     "study.md",
-                                     "study.txt",
-                                     "summary.json"};
+    /** What a run or a study leaves behind; other files are the user's. */
+    const char *const run_files[] = {
+      "checkpoint?(.next|.previous).bin",
+      "@(contact|fields|obstacle).pvd",
+      "fields/@(contact|fields|obstacle)-+([0-9])"
+      ".vtu",
+      "@(contact|events|poincare|probes|steps|"
+      "study).csv",
+      "log.txt",
+      "obstacle.vtu",
+      "space-time.@(columns|vtu)",
+      "study.@(md|txt)",
+      "summary.json"};
+
+
+
+    /** Matches the name of a file, which may still be written. */
+    bool
+    matches(const std::string &name, const char *const pattern)
+    {
+      const std::string whole = "@(" + std::string(pattern) + ")?(.part)";
+      return fnmatch(whole.c_str(), name.c_str(), FNM_EXTMATCH) == 0;
+    }
 
 
 
@@ -57,16 +59,6 @@ namespace ThermoContact
     {
       return fs::exists(directory / "used.prm") ||
              fs::exists(directory / "used.prm.part");
-    }
-
-
-
-    /** True for @p prefix followed by digits. */
-    bool
-    is_numbered(const std::string &name, const std::string &prefix)
-    {
-      return name.size() > prefix.size() && name.rfind(prefix, 0) == 0 &&
-             name.find_first_not_of("0123456789", prefix.size()) == name.npos;
     }
 
 
@@ -87,35 +79,29 @@ namespace ThermoContact
     void
     remove_earlier_run(const fs::path &directory)
     {
-      for (const std::string name : run_files)
-        {
-          fs::remove(directory / name);
-          fs::remove(directory / (name + part_suffix));
-        }
-      if (fs::is_directory(directory / "fields"))
-        {
-          for (const auto &entry : fs::directory_iterator(directory / "fields"))
+      const auto remove_if_empty = [](const fs::path &folder) {
+        if (fs::is_directory(folder) && fs::is_empty(folder))
+          fs::remove(folder);
+      };
+      for (const fs::path &folder : {directory / "fields", directory})
+        if (fs::is_directory(folder))
+          for (const auto &entry : fs::directory_iterator(folder))
             {
-              fs::path name = entry.path().filename();
-              if (name.extension() == part_suffix)
-                name = name.stem();
-              if (name.extension() == ".vtu" &&
-                  (is_numbered(name.stem().string(), "fields-") ||
-                   is_numbered(name.stem().string(), "contact-") ||
-                   is_numbered(name.stem().string(), "obstacle-")))
+              const std::string name =
+                entry.path().lexically_relative(directory).string();
+              if (std::any_of(std::begin(run_files),
+                              std::end(run_files),
+                              [&name](const char *const pattern) {
+                                return matches(name, pattern);
+                              }))
                 fs::remove(entry.path());
+              else if (matches(name, "run-+([0-9])") && holds_run(entry.path()))
+                {
+                  remove_earlier_run(entry.path()); // of a study
+                  remove_if_empty(entry.path());
+                }
             }
-          if (fs::is_empty(directory / "fields"))
-            fs::remove(directory / "fields");
-        }
-      for (const auto &entry : fs::directory_iterator(directory)) // a study
-        if (is_numbered(entry.path().filename().string(), "run-") &&
-            holds_run(entry.path()))
-          {
-            remove_earlier_run(entry.path());
-            if (fs::is_empty(entry.path()))
-              fs::remove(entry.path());
-          }
+      remove_if_empty(directory / "fields");
       // last, so that an interrupted clean-up is recognised as a run
       fs::remove(directory / "used.prm.part");
       fs::remove(directory / "used.prm");

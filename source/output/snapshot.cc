@@ -1,198 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/output/patch_units.h>
 #include <thermocontact/output/snapshot.h>
+#include <thermocontact/output/vtu_cells.h>
 
-#include <deal.II/numerics/data_out.h>
-#include <deal.II/numerics/data_postprocessor.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace ThermoContact
 {
   namespace
   {
-    /** Rows of the stress in space; that of a rod is a scalar. */
-    template <int dim>
-    constexpr unsigned int n_rows = dim == 1 ? 1 : 3;
-
-    template <int dim>
-    constexpr unsigned int n_stresses = n_rows<dim> *n_rows<dim>;
-
-    using Interpretation =
-      DataComponentInterpretation::DataComponentInterpretation;
-
-    /** Velocity alone, from a vector of both fields. */
-    template <int dim>
-    class VelocityPostprocessor : public DataPostprocessorVector<dim>
-    {
-    public:
-      /** @param first component of the displacement */
-      explicit VelocityPostprocessor(const unsigned int first)
-        : DataPostprocessorVector<dim>("velocity", update_values)
-        , first(first)
-      {}
-
-      void
-      evaluate_vector_field(
-        const DataPostprocessorInputs::Vector<dim> &inputs,
-        std::vector<dealii::Vector<double>>        &computed) const override
-      {
-        for (unsigned int q = 0; q < computed.size(); ++q)
-          for (unsigned int d = 0; d < dim; ++d)
-            computed[q](d) = inputs.solution_values[q](first + d);
-      }
-
-      /** The displacement of a rod, alone in its FESystem, is a scalar. */
-      void
-      evaluate_scalar_field(
-        const DataPostprocessorInputs::Scalar<dim> &inputs,
-        std::vector<dealii::Vector<double>>        &computed) const override
-      {
-        for (unsigned int q = 0; q < computed.size(); ++q)
-          computed[q](0) = inputs.solution_values[q];
-      }
-
-    private:
-      const unsigned int first;
-    };
-
-
-
-    /**
-     * Stress from a vector of $(\theta, u+\zeta v)$: n_stresses scalars,
-     * which vtu_piece() makes a tensor.
-     */
-    template <int dim>
-    class StressPostprocessor : public DataPostprocessor<dim>
-    {
-    public:
-      /** @param body borrowed */
-      explicit StressPostprocessor(const Body<dim> &body)
-        : body(body)
-        , first(body.discretization.first_component(Field::displacement))
-      {}
-
-      std::vector<std::string>
-      get_names() const override
-      {
-        return std::vector<std::string>(n_stresses<dim>, "stress");
-      }
-
-      std::vector<Interpretation>
-      get_data_component_interpretation() const override
-      {
-        return std::vector<Interpretation>(
-          n_stresses<dim>, DataComponentInterpretation::component_is_scalar);
-      }
-
-      UpdateFlags
-      get_needed_update_flags() const override
-      {
-        return update_values | update_gradients | update_quadrature_points;
-      }
-
-      void
-      evaluate_vector_field(
-        const DataPostprocessorInputs::Vector<dim> &inputs,
-        std::vector<dealii::Vector<double>>        &computed) const override
-      {
-        for (unsigned int q = 0; q < computed.size(); ++q)
-          {
-            Tensor<1, dim> value;
-            Tensor<2, dim> gradient;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                value[d]    = inputs.solution_values[q](first + d);
-                gradient[d] = inputs.solution_gradients[q][first + d];
-              }
-            const Strain strain = body.discretization.geometry().strain(
-              gradient, value, inputs.evaluation_points[q]);
-            const Material &material = body.scene.material;
-            const double    thermal =
-              material.has_thermal_stress() ?
-                   material.thermal_stress * inputs.solution_values[q](0) :
-                   0.;
-            for (unsigned int d = 0; d < n_rows<dim>; ++d)
-              for (unsigned int e = 0; e < n_rows<dim>; ++e)
-                computed[q](d * n_rows<dim> + e) =
-                  elastic_stress(material, strain, d, e) -
-                  (d == e ? thermal : 0.);
-          }
-      }
-
-      void
-      evaluate_scalar_field(
-        const DataPostprocessorInputs::Scalar<dim> &inputs,
-        std::vector<dealii::Vector<double>>        &computed) const override
-      {
-        for (unsigned int q = 0; q < computed.size(); ++q)
-          computed[q](0) = inputs.solution_gradients[q][0];
-      }
-
-    private:
-      const Body<dim> &body;
-
-      /** Component of the axial displacement. */
-      const unsigned int first;
-    };
-
-
-
-    /** DataOut whose part of a file can be had as text. */
-    template <int dim>
-    class Snapshot : public DataOut<dim>
-    {
-    public:
-      using DataOut<dim>::get_patches;
-      using DataOut<dim>::get_dataset_names;
-      using DataOut<dim>::get_nonscalar_data_ranges;
-    };
-
-
-
-    /**
-     * The stress is a tensor in space whatever the dimension of the mesh. None
-     * without patches: ParaView does not read a file that starts so.
-     */
-    template <int dim>
-    std::string
-    vtu_piece(const Snapshot<dim>         &snapshot,
-              const DataOutBase::VtkFlags &flags,
-              const OutputUnits           &units)
-    {
-      if (snapshot.get_patches().empty())
-        return "";
-      const std::vector<std::string> names = snapshot.get_dataset_names();
-      auto       ranges = snapshot.get_nonscalar_data_ranges();
-      const auto stress = std::find(names.begin(), names.end(), "stress");
-      if (dim > 1 && stress != names.end())
-        {
-          const unsigned int first = stress - names.begin();
-          ranges.emplace_back(
-            first,
-            first + n_stresses<dim> - 1,
-            "stress",
-            DataComponentInterpretation::component_is_part_of_tensor);
-        }
-      std::ostringstream text;
-      DataOutBase::write_vtu_main(
-        in_units(snapshot.get_patches(), names, "fields/fields-*.vtu", units),
-        names,
-        ranges,
-        flags,
-        text);
-      return text.str();
-    }
-
-
-
-    /**
-     * Both fields in one vector. By blocks: DataOut takes other vectors only if
-     * the owned indices are contiguous.
-     */
+    /** Both fields in one vector, with its ghosts. */
     template <int dim>
     BlockVector
     joined(const Discretization<dim> &discretization,
@@ -206,6 +28,7 @@ namespace ThermoContact
         if (discretization.has_field(field))
           result.block(discretization.ghosted_block(field))
             .copy_locally_owned_data_from(*values);
+      result.update_ghost_values();
       return result;
     }
   } // namespace
@@ -214,79 +37,118 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<std::string>
-  snapshot_pieces(const Body<dim>             &body,
-                  const State                 &state,
-                  const DataOutBase::VtkFlags &flags,
-                  const OutputUnits           &units)
+  snapshot_pieces(const Body<dim>   &body,
+                  const State       &state,
+                  const unsigned int cycle,
+                  const OutputUnits &units)
   {
-    const Discretization<dim> &discretization = body.discretization;
-    const SceneFields         &fields         = body.scene.fields;
-    const unsigned int         n_directions = fields.has_displacement ? dim : 0;
-    std::vector<std::string>   names(fields.has_temperature, "temperature");
-    names.resize(names.size() + n_directions, "displacement");
-    std::vector<Interpretation> interpretation(
-      fields.has_temperature, DataComponentInterpretation::component_is_scalar);
-    interpretation.resize(
-      names.size(), DataComponentInterpretation::component_is_part_of_vector);
+    const Discretization<dim> &space    = body.discretization;
+    const SceneFields         &fields   = body.scene.fields;
+    const Material            &material = body.scene.material;
+    constexpr unsigned int     n_rows   = dim == 1 ? 1 : 3; // of the stress
 
-    const VelocityPostprocessor<dim> velocity_postprocessor(
-      discretization.first_component(Field::displacement));
-    const StressPostprocessor<dim> stress_postprocessor(body);
-    Vector                         viscous_displacement = state.displacement;
-    viscous_displacement.add(body.scene.material.viscosity, state.velocity);
-
-    const auto present =
-      joined(discretization, state.temperature, state.displacement);
-    const auto velocity =
-      joined(discretization, state.temperature, state.velocity);
-    const auto strain =
-      joined(discretization, state.temperature, viscous_displacement);
-
-    Snapshot<dim> snapshot;
-    snapshot.attach_dof_handler(discretization.dof_handler());
-    snapshot.add_data_vector(present,
-                             names,
-                             DataOut<dim>::type_dof_data,
-                             interpretation);
+    std::vector<std::string> names(fields.has_temperature, "temperature");
+    const unsigned int       first = names.size();
     if (fields.has_displacement)
       {
-        snapshot.add_data_vector(velocity, velocity_postprocessor);
-        snapshot.add_data_vector(strain, stress_postprocessor);
+        names.insert(names.end(), dim, "displacement");
+        names.insert(names.end(), dim, "velocity");
+        names.insert(names.end(), n_rows * n_rows, "stress");
+      }
+    VtuCells<dim> cells("fields/fields-*.vtu", names, units);
+    cells.flags.time  = units.of("time")(state.time);
+    cells.flags.cycle = cycle;
+    if (fields.has_displacement)
+      {
+        cells.join(first, first + dim - 1);
+        cells.join(first + dim, first + 2 * dim - 1);
+        if (dim > 1)
+          cells.join(first + 2 * dim, names.size() - 1);
       }
 
-    constexpr double   max_points = 50000.;
-    const unsigned int degree     = discretization.degree();
-    const unsigned int n_at_once =
-      std::max(1., max_points / std::pow(degree + 1, dim));
-    const unsigned int n =
-      discretization.dof_handler().get_triangulation().n_active_cells();
+    Vector viscous_displacement = state.displacement;
+    viscous_displacement.add(material.viscosity, state.velocity);
+    const auto present = joined(space, state.temperature, state.displacement);
+    const auto moving  = joined(space, state.temperature, state.velocity);
+    const auto viscous = joined(space, state.temperature, viscous_displacement);
+
+    const unsigned int          degree = space.degree();
+    FEValues<dim>               values(space.mapping(),
+                         space.finite_element(),
+                         QIterated<dim>(QTrapezoid<1>(), degree),
+                         update_values | update_gradients |
+                           update_quadrature_points);
+    const unsigned int          n_points = values.n_quadrature_points;
+    std::vector<double>         temperature(n_points);
+    std::vector<Tensor<1, dim>> displacement(n_points), velocity(n_points),
+      total(n_points);
+    std::vector<Tensor<2, dim>> gradient(n_points);
+    const auto component = [&](unsigned int row, const unsigned int point) {
+      if (row < first)
+        return temperature[point];
+      row -= first;
+      if (row < 2 * dim)
+        return row < dim ? displacement[point][row] :
+                           velocity[point][row - dim];
+      const unsigned int d = (row - 2 * dim) / n_rows,
+                         e = (row - 2 * dim) % n_rows;
+      const Strain strain =
+        space.geometry().strain(gradient[point],
+                                total[point],
+                                values.quadrature_point(point));
+      return elastic_stress(material, strain, d, e) -
+             (d == e && material.has_thermal_stress() ?
+                material.thermal_stress * temperature[point] :
+                0.);
+    };
+
+    constexpr double         max_points = 50000.;
+    const unsigned int       n_at_once  = std::max(1., max_points / n_points);
     std::vector<std::string> pieces;
-    for (unsigned int begin = 0; begin < n; begin += n_at_once)
-      {
-        snapshot.set_cell_selection(
-          [=](const typename Triangulation<dim>::cell_iterator &cell) {
-            return cell->is_active() && cell->is_locally_owned() &&
-                   cell->active_cell_index() >= begin &&
-                   cell->active_cell_index() - begin < n_at_once;
-          });
-        snapshot.build_patches(discretization.mapping(), degree);
-        pieces.push_back(vtu_piece(snapshot, flags, units));
-      }
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          values.reinit(cell);
+          if (fields.has_temperature)
+            values[space.temperature_extractor()].get_function_values(
+              present, temperature);
+          if (fields.has_displacement)
+            {
+              const auto &of_fields = values[space.displacement_extractor()];
+              of_fields.get_function_values(present, displacement);
+              of_fields.get_function_values(moving, velocity);
+              of_fields.get_function_values(viscous, total);
+              of_fields.get_function_gradients(viscous, gradient);
+            }
+          const double length = units.of("position").factor;
+          cells.add(
+            degree,
+            [&](const unsigned int i) { return length * cell->vertex(i); },
+            component);
+          if (cells.cells().size() == n_at_once)
+            pieces.push_back(cells.take_piece());
+        }
+    // ParaView does not read a file that starts with a piece without cells
+    if (!cells.cells().empty())
+      pieces.push_back(cells.take_piece());
     return pieces;
   }
 
 
 
-#define INSTANTIATE(dim)                             \
-  template std::vector<std::string> snapshot_pieces( \
-    const Body<dim> &,                               \
-    const State &,                                   \
-    const DataOutBase::VtkFlags &,                   \
-    const OutputUnits &)
-
-  INSTANTIATE(1);
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template std::vector<std::string>
+  snapshot_pieces(const Body<1> &,
+                  const State &,
+                  const unsigned int,
+                  const OutputUnits &);
+  template std::vector<std::string>
+  snapshot_pieces(const Body<2> &,
+                  const State &,
+                  const unsigned int,
+                  const OutputUnits &);
+  template std::vector<std::string>
+  snapshot_pieces(const Body<3> &,
+                  const State &,
+                  const unsigned int,
+                  const OutputUnits &);
 } // namespace ThermoContact

@@ -8,32 +8,10 @@
 
 namespace ThermoContact
 {
-  SnapshotSeries::SnapshotSeries(const std::string &directory,
-                                 const std::string &name,
-                                 const Conversion  &time_unit)
-    : directory(directory)
-    , name(name)
-    , time_unit(time_unit)
-  {}
-
-
-
   std::string
   SnapshotSeries::file_name(const unsigned int i) const
   {
     return "fields/" + name + "-" + align_right(text(i), 5, '0') + ".vtu";
-  }
-
-
-
-  void
-  SnapshotSeries::add(const double time)
-  {
-    entries += "    <DataSet timestep=\"";
-    append_number(entries, time_unit(time), all_digits);
-    entries +=
-      "\" group=\"\" part=\"0\" file=\"" + file_name(times_.size()) + "\"/>\n";
-    times_.push_back(time);
   }
 
 
@@ -43,28 +21,19 @@ namespace ThermoContact
   {
     if (n_listed == times_.size())
       return "";
-    const std::string fault =
-      write_atomically(directory + "/" + name + ".pvd",
-                       "<?xml version=\"1.0\"?>\n"
+    std::string text = "<?xml version=\"1.0\"?>\n"
                        "<VTKFile type=\"Collection\" version=\"0.1\">\n"
-                       "  <Collection>\n" +
-                         entries + "  </Collection>\n</VTKFile>\n");
+                       "  <Collection>\n";
+    for (unsigned int i = 0; i < times_.size(); ++i)
+      text += "    <DataSet timestep=\"" +
+              significant(time_unit(times_[i]), all_digits) +
+              "\" group=\"\" part=\"0\" file=\"" + file_name(i) + "\"/>\n";
+    text += "  </Collection>\n</VTKFile>\n";
+    const std::string fault =
+      write_atomically(directory + "/" + name + ".pvd", text);
     if (fault.empty())
       n_listed = times_.size();
     return fault;
-  }
-
-
-
-  void
-  SnapshotSeries::restore(const std::vector<double> &times)
-  {
-    times_.clear();
-    entries.clear();
-    for (const double time : times)
-      add(time);
-    n_listed = 0;
-    n_synced = times.size(); // before the checkpoint was written
   }
 
 

@@ -11,49 +11,148 @@ namespace ThermoContact
   namespace
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  }
 
 
 
-  unsigned int
-  n_contact_begins(const std::vector<ContactEvent> &events)
-  {
-    unsigned int n = 0;
-    for (const ContactEvent &event : events)
-      n += event.kind == ContactEvent::begin;
-    return n;
-  }
+    double
+    contact_begins(const Scene &, const RunHistory &history)
+    {
+      return std::count_if(history.events.begin(),
+                           history.events.end(),
+                           [](const ContactEvent &event) {
+                             return event.kind == ContactEvent::begin;
+                           });
+    }
 
 
 
-  double
-  contact_duration(const std::vector<ContactEvent> &events,
-                   const bool                       is_in_contact,
-                   const double                     time)
-  {
-    double sum = 0., begin = 0.;
-    for (const ContactEvent &event : events)
-      if (event.kind == ContactEvent::begin)
-        begin = event.time;
-      else
-        sum += event.time - begin;
-    return is_in_contact ? sum + time - begin : sum;
-  }
+    /** Begins and ends alternate; contact at t = 0 is a begin. */
+    double
+    contact_duration(const Scene &, const RunHistory &history)
+    {
+      double sum = 0., begin = 0.;
+      for (const ContactEvent &event : history.events)
+        if (event.kind == ContactEvent::begin)
+          begin = event.time;
+        else
+          sum += event.time - begin;
+      return history.record.in_contact ? sum + history.record.time - begin :
+                                         sum;
+    }
 
 
 
-  double
-  restitution(const std::vector<ContactEvent> &events)
-  {
-    double impact = nan, release = nan;
-    for (const ContactEvent &event : events)
-      if (event.kind == ContactEvent::end)
-        release = event.side * event.velocity;
-      else if (std::isnan(impact))
-        impact = event.side * event.velocity;
-    // a body that stays has 0, not -0
-    return impact > 0. ? 0. - release / impact : nan;
-  }
+    /**
+     * The velocity of the last release over that of the first impact, with the
+     * sign that makes it positive for a body that comes back; NaN without one
+     * of the two.
+     */
+    double
+    restitution(const Scene &, const RunHistory &history)
+    {
+      double impact = nan, release = nan;
+      for (const ContactEvent &event : history.events)
+        if (event.kind == ContactEvent::end)
+          release = event.side * event.velocity;
+        else if (std::isnan(impact))
+          impact = event.side * event.velocity;
+      // a body that stays has 0, not -0
+      return impact > 0. ? 0. - release / impact : nan;
+    }
+
+
+
+    /**
+     * The number, from 1, of the steady state that is reached: the nearest one,
+     * if the temperature of the contact end differs from its by at most 1e-3 of
+     * the difference of the outer temperatures, and the displacement by at most
+     * 1e-3 of the gap or of the largest one of these states.
+     */
+    double
+    reached_state(const Scene &scene, const RunHistory &history)
+    {
+      const std::vector<SteadyState> states = steady_state(scene).states;
+      const SteadyState              end    = final_state(history.record);
+      if (states.empty())
+        return nan;
+      const unsigned int nearest = nearest_state(states, end);
+      const auto         is_near =
+        [](const double value, const double rest, const double scale) {
+          // what the scene does not have is NaN
+          return std::isnan(rest) || std::abs(value - rest) <= 1e-3 * scale;
+        };
+      double largest = scene.contact.law->is_active() ? scene.contact.gap : 0.;
+      for (const SteadyState &any : states)
+        largest = std::max(largest, std::abs(any.displacement_end));
+      return is_near(end.temperature_end,
+                     states[nearest].temperature_end,
+                     scene.heat.temperature_range()) &&
+                 is_near(end.displacement_end,
+                         states[nearest].displacement_end,
+                         largest) ?
+               nearest + 1. :
+               nan;
+    }
+
+
+
+    template <double StepRecord::*member>
+    double
+    at_end(const Scene &, const RunHistory &history)
+    {
+      return history.record.*member;
+    }
+
+
+
+    template <double RunHistory::*member>
+    double
+    over_steps(const Scene &, const RunHistory &history)
+    {
+      return history.*member;
+    }
+
+
+
+    double
+    first_contact_time(const Scene &, const RunHistory &history)
+    {
+      return history.events.empty() ? nan : history.events.front().time;
+    }
+
+
+
+    /** All key results: the only list of them. */
+    const struct
+    {
+      const char *name;
+      bool        has_error_bars;
+      double (*value)(const Scene &, const RunHistory &);
+    } results[] = {
+      {"first_contact_time", true, first_contact_time},
+      {"contact_begins", false, contact_begins},
+      {"contact_duration", false, contact_duration},
+      {"max_contact_force", true, over_steps<&RunHistory::max_contact_force>},
+      {"max_penetration", true, over_steps<&RunHistory::max_penetration>},
+      {"contact_impulse", true, at_end<&StepRecord::contact_impulse>},
+      {"restitution", false, restitution},
+      {"final_displacement_end", true, at_end<&StepRecord::displacement_end>},
+      {"final_temperature_end", true, at_end<&StepRecord::temperature_end>},
+      {"reached_state_of_rest", false, reached_state},
+      {"final_contact_force", false, at_end<&StepRecord::contact_force>}};
+
+
+
+    std::vector<std::string>
+    names_of_results(const bool with_error_bars_alone)
+    {
+      std::vector<std::string> names;
+      for (const auto &result : results)
+        if (result.has_error_bars || !with_error_bars_alone)
+          names.emplace_back(result.name);
+      return names;
+    }
+  } // namespace
 
 
 
@@ -77,65 +176,31 @@ namespace ThermoContact
 
 
 
-  unsigned int
-  reached_state_of_rest(const std::vector<SteadyState> &states,
-                        const SteadyState              &end,
-                        const Scene                    &scene)
+  const std::vector<std::string> &
+  key_result_names()
   {
-    if (states.empty())
-      return 0;
-    const unsigned int nearest = nearest_state(states, end);
-    const SteadyState &state   = states[nearest];
-    const auto         is_near =
-      [](const double value, const double rest, const double scale) {
-        // what the scene does not have is NaN
-        return std::isnan(rest) || std::abs(value - rest) <= 1e-3 * scale;
-      };
-    double largest = scene.contact.law->is_active() ? scene.contact.gap : 0.;
-    for (const SteadyState &any : states)
-      largest = std::max(largest, std::abs(any.displacement_end));
-    return is_near(end.temperature_end,
-                   state.temperature_end,
-                   scene.heat.temperature_range()) &&
-               is_near(end.displacement_end, state.displacement_end, largest) ?
-             nearest + 1 :
-             0;
+    static const std::vector<std::string> names = names_of_results(false);
+    return names;
   }
 
 
 
-  const std::array<const char *, KeyResult::n_names> key_result_names = {
-    {"first_contact_time",
-     "contact_begins",
-     "contact_duration",
-     "max_contact_force",
-     "max_penetration",
-     "contact_impulse",
-     "restitution",
-     "final_displacement_end",
-     "final_temperature_end",
-     "reached_state_of_rest"}};
+  const std::vector<std::string> &
+  results_with_error_bars()
+  {
+    static const std::vector<std::string> names = names_of_results(true);
+    return names;
+  }
 
 
 
   KeyResults
   key_results(const Scene &scene, const RunHistory &history)
   {
-    const StepRecord  &record = history.record;
-    const auto        &events = history.events;
-    const unsigned int state = reached_state_of_rest(steady_state(scene).states,
-                                                     final_state(record),
-                                                     scene);
-    return {{events.empty() ? nan : events.front().time,
-             double(n_contact_begins(events)),
-             contact_duration(events, record.in_contact, record.time),
-             history.max_contact_force,
-             history.max_penetration,
-             record.contact_impulse,
-             restitution(events),
-             record.displacement_end,
-             record.temperature_end,
-             state > 0 ? state : nan}};
+    KeyResults values;
+    for (const auto &result : results)
+      values[result.name] = result.value(scene, history);
+    return values;
   }
 
 
@@ -143,9 +208,9 @@ namespace ThermoContact
   KeyResults
   smooth_key_results(const Scene &scene, const RunHistory &history)
   {
-    KeyResults results                    = key_results(scene, history);
-    results[KeyResult::max_contact_force] = history.force_peak.estimate();
-    results[KeyResult::max_penetration]   = history.penetration_peak.estimate();
-    return results;
+    KeyResults values           = key_results(scene, history);
+    values["max_contact_force"] = history.force_peak.estimate();
+    values["max_penetration"]   = history.penetration_peak.estimate();
+    return values;
   }
 } // namespace ThermoContact

@@ -2,7 +2,6 @@
 
 #include <thermocontact/base/multiples.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/report/key_results.h>
 #include <thermocontact/report/progress.h>
 
 namespace ThermoContact
@@ -30,11 +29,9 @@ namespace ThermoContact
     , units(scene.parameters)
     , start(Clock::now())
     , start_time(history.record.time)
-    , initial_energy_(starting_energy(history.record))
     , last_update(start)
     , last_step(history.record.step)
     , steps_per_second(0.)
-    , step_seconds_(0.)
   {}
 
 
@@ -44,8 +41,6 @@ namespace ThermoContact
   {
     if (history.attempts.empty())
       return; // the initial state
-    for (const StepAttempt &attempt : history.attempts)
-      step_seconds_ += attempt.wall_seconds;
     report_tenth(history.record);
     if (log.has_live_line())
       update_live_line(history.record);
@@ -132,7 +127,4 @@ namespace ThermoContact
     log.live_line(line + align_right(speed, 8) + " steps/s  " +
                   clock_time(seconds_left(record)) + " left");
   }
-
-
-
 } // namespace ThermoContact

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/text.h>
-#include <thermocontact/forecast/first_impact.h>
 #include <thermocontact/output/output_page.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/result_report.h>
@@ -23,40 +22,28 @@ namespace ThermoContact
 
 
 
-    /** Each of a few contacts that have ended, or the sum of all. */
+    /** How often there was contact, when and how long, and what it did. */
     std::string
-    describe_durations(const std::vector<ContactEvent> &events,
-                       const StepRecord                &record,
-                       const OutputUnits               &units)
+    describe_contact(const KeyResults  &results,
+                     const RunHistory  &history,
+                     const OutputUnits &units)
     {
-      constexpr unsigned int   few = 5;
+      constexpr unsigned int   few    = 5;
+      const auto              &events = history.events;
       std::vector<std::string> durations;
       for (unsigned int i = 1; i < events.size(); ++i)
         if (events[i].kind == ContactEvent::end)
           durations.push_back(
             units.text("time", events[i].time - events[i - 1].time));
-      std::string line;
-      if (!durations.empty() && durations.size() <= few)
-        line = ", for " + join_words(durations);
-      return line + (durations.size() > 1 || record.in_contact ?
-                       text(", in contact altogether ",
-                            units.text("time",
-                                       contact_duration(events,
-                                                        record.in_contact,
-                                                        record.time))) :
-                       "");
-    }
-
-
-
-    std::string
-    join_events(const RunHistory &history, const OutputUnits &units)
-    {
-      const auto &events = history.events;
-      std::string line   = text(n_contact_begins(events), " times");
+      std::string line = text(results.at("contact_begins"), " times");
       if (!events.empty())
-        line += ", first at t = " + units.text("time", events.front().time) +
-                describe_durations(events, history.record, units);
+        line += ", first at t = " + units.text("time", events.front().time);
+      if (!durations.empty() && durations.size() <= few)
+        line += ", for " + join_words(durations);
+      if (durations.size() > 1 ||
+          (!events.empty() && history.record.in_contact))
+        line += ", in contact altogether " +
+                units.text("time", results.at("contact_duration"));
       return line + ", peak force " +
              units.text("force", history.max_contact_force) +
              ", peak penetration " +
@@ -165,7 +152,9 @@ namespace ThermoContact
 
 
   std::vector<std::string>
-  step_warnings(const Scene &scene, const RunHistory &history)
+  step_warnings(const Scene      &scene,
+                const Forecast   &forecast,
+                const RunHistory &history)
   {
     std::vector<std::string> warnings;
     const StepRecord        &record = history.record;
@@ -180,22 +169,22 @@ namespace ThermoContact
              significant(100. * record.numerical_dissipation / there, 2),
              " % of the energy that was there: a smaller Time/Step size, or "
              "automatic"));
-    const auto forecast = first_impact(scene);
-    if (!forecast)
+    if (!forecast.impact)
       return warnings;
+    const double impact = forecast.impact->time;
     const double allowed =
-      std::min(*size, forecast->time) + largest_forecast_error * forecast->time;
+      std::min(*size, impact) + largest_forecast_error * impact;
     const double time =
       history.events.empty() ? record.time : history.events.front().time;
-    if (time > forecast->time + allowed ||
-        (!history.events.empty() && time < forecast->time - allowed))
+    if (time > impact + allowed ||
+        (!history.events.empty() && time < impact - allowed))
       {
         const OutputUnits units(scene.parameters);
         const auto        in_time = [&units](const double value) {
           return units.text("time", value, 3);
         };
         warnings.push_back(
-          "the first contact is at t = about " + in_time(forecast->time) +
+          "the first contact is at t = about " + in_time(impact) +
           ", and fixed steps of " + in_time(*size) +
           (history.events.empty() ? " have none up to t = " :
                                     " have it at t = ") +
@@ -208,6 +197,7 @@ namespace ThermoContact
 
   void
   report_result(const Scene          &scene,
+                const Forecast       &forecast,
                 const RunHistory     &history,
                 const SolverCounters &counters,
                 const RunTimes       &times,
@@ -217,17 +207,17 @@ namespace ThermoContact
     const StepRecord &record = history.record;
     const OutputUnits units(scene.parameters);
     if (scene.contact.law->is_active())
-      log.line("  contact   " + join_events(history, units));
+      log.line("  contact   " +
+               describe_contact(key_results(scene, history), history, units));
     log.line("  final     " +
              describe_steady_state(final_state(record), scene));
-    const auto rest = steady_state(scene).states;
-    if (!rest.empty())
+    if (const auto &rest = forecast.rest.states; !rest.empty())
       log.line("  at rest   " +
                compare_with_rest(rest[nearest_state(rest, final_state(record))],
                                  record,
                                  scene));
     log.line("  energy    " + describe_energy(record, initial_energy, units));
-    for (const std::string &warning : step_warnings(scene, history))
+    for (const std::string &warning : step_warnings(scene, forecast, history))
       log.line("  warning:  " + warning);
     log.line(text(
       "  cost      ",
@@ -260,33 +250,29 @@ namespace ThermoContact
                 const KeyErrors  &errors,
                 Log              &log)
   {
-    const KeyResults  values = key_results(scene, history);
     const OutputUnits units(scene.parameters);
     const auto        in = [&units](const std::string &key,
                              const double       value,
-                             const unsigned int digits = few_digits) {
-      return units.text(kind_of("summary.json", key), value, digits);
-    };
-    const auto bar = [&in](const std::string &key, const double error) {
-      return std::isnan(error) ? "unknown" : in(key, error, 2);
+                             const unsigned int digits) {
+      return std::isnan(value) ?
+                      "unknown" :
+                      units.text(kind_of("summary.json", key), value, digits);
     };
     for (const std::string &remark : errors.remarks)
       log.line("  warning:  " + remark);
     log.line(text("  errors    by ",
                   errors.n_repeats,
                   " repeats: value, +- in time, +- in space"));
-    for (const KeyResult::Name k : results_with_error_bars)
-      if (!std::isnan(values[k]))
-        {
-          const std::string name = key_result_names[k];
-          log.line(
-            text("            ",
-                 align_left(name, 24),
-                 align_left(in(name, values[k]), 12),
-                 "  +- ",
-                 align_left(bar(name + "_time_error", errors.time[k]), 8),
-                 "  +- ",
-                 bar(name + "_space_error", errors.space[k])));
-        }
+    const KeyResults values = key_results(scene, history);
+    for (const std::string &name : results_with_error_bars())
+      if (const double value = values.at(name); !std::isnan(value))
+        log.line(
+          text("            ",
+               align_left(name, 24),
+               align_left(in(name, value, few_digits), 12),
+               "  +- ",
+               align_left(in(name + "_time_error", errors.time.at(name), 2), 8),
+               "  +- ",
+               in(name + "_space_error", errors.space.at(name), 2)));
   }
 } // namespace ThermoContact

@@ -4,8 +4,7 @@
 #include <thermocontact/base/machine_memory.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/expected_memory.h>
-#include <thermocontact/forecast/first_impact.h>
-#include <thermocontact/forecast/forecast.h>
+#include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/scene_report.h>
 #include <thermocontact/scene/coarser_scenes.h>
@@ -25,12 +24,14 @@ namespace ThermoContact
 
 
     std::string
-    describe_body(const Scene &scene)
+    describe_body(const Scene &scene, const OutputUnits &units)
     {
       const MeshParameters &mesh = scene.parameters.mesh;
       const unsigned int    dim  = scene.parameters.dimension;
       return join_words(
-        {scene.geometry->description(),
+        {scene.geometry->description([&units](const double length) {
+           return units.text("position", length);
+         }),
          text(significant(mesh.n_cells(dim), 12),
               " cells of degree ",
               mesh.degree,
@@ -63,37 +64,18 @@ namespace ThermoContact
 
 
 
-    /** What of a body that is set up is factorised. */
-    template <int dim>
-    std::string
-    describe_factors(const Simulation<dim> &simulation)
-    {
-      const types::global_dof_index n = simulation.n_factorized_unknowns();
-      return !simulation.scene().linear_solver.is_iterative ?
-               text("factorised at once: ", n) :
-             n > 0 ? text("factorised on the coarsest level: ", n) :
-                     "algebraic multigrid on the coarsest level";
-    }
-
-
-
-    std::string
-    describe_linear_solver(const LinearSolver &solver)
-    {
-      return text(solver.name(),
-                  ", since ",
-                  solver.reason,
-                  solver.is_iterative ?
-                    text("; relative residual ", solver.tolerance) :
-                    "");
-    }
-
-
-
-    /** Prints what a body is expected to take of the memory of this machine. */
+    /** How linear systems are solved, and what of this machine that takes. */
     void
-    report_memory(const Scene &scene, const MPI_Comm communicator, Log &log)
+    report_solver(const Scene &scene, const MPI_Comm communicator, Log &log)
     {
+      const LinearSolver &solver = scene.linear_solver;
+      log.line(text("  solver    ",
+                    solver.name(),
+                    ", since ",
+                    solver.reason,
+                    solver.is_iterative ?
+                      text("; relative residual ", solver.tolerance) :
+                      ""));
       const double expected =
         share_of_ranks_here(communicator) *
         expected_memory(scene, Utilities::MPI::n_mpi_processes(communicator));
@@ -102,63 +84,26 @@ namespace ThermoContact
                gigabytes(available));
       if (expected > available)
         log.line(text("  warning:  that may not be enough memory",
-                      scene.linear_solver.is_iterative ?
+                      solver.is_iterative ?
                         "" :
                         "; Solver/Linear solver = iterative takes less"));
     }
 
 
 
-    /** A formula with its values at t = 0, or a length. */
     std::string
-    describe_gap(const Scene &scene, const OutputUnits &units)
-    {
-      const bool is_one = scene.contact.has_uniform_gap();
-      const bool moves  = scene.sources.has_moving_obstacle;
-      if (is_one && !moves)
-        return units.text("length", scene.contact.gap);
-      return scene.parameters.contact.gap_expression +
-             (is_one ?
-                " (" + units.text("length", scene.contact.gap) + " at t = 0)" :
-                "");
-    }
-
-
-
-    std::string
-    describe_contact(const Scene &scene)
-    {
-      const SceneContact &contact = scene.contact;
-      const OutputUnits   units(scene.parameters);
-      if (!contact.law->is_active())
-        return contact.law->description();
-      return join_words(
-        {contact.law->description(),
-         "g = " + describe_gap(scene, units),
-         contact.is_two_sided() ?
-           "g_2 = " + units.text("length", contact.rear_gap) :
-           "",
-         contact.has_massless_nodes ? "massless contact nodes" : ""});
-    }
-
-
-
-    std::string
-    describe_time(const Scene &scene)
+    describe_time(const Scene &scene, const OutputUnits &units)
     {
       const TimeParameters &time = scene.parameters.time;
-      const OutputUnits     units(scene.parameters);
-      const std::string     steps =
-        time.has_error_control() ?
-              text("error-controlled steps, tolerance ", time.tolerance) :
-              text("dt = ",
-               units.text("time", *time.step_size),
-               ", ",
-               time.n_steps(),
-               " steps");
       return join_words(
         {time.scheme,
-         steps,
+         time.has_error_control() ?
+           text("error-controlled steps, tolerance ", time.tolerance) :
+           text("dt = ",
+                units.text("time", *time.step_size),
+                ", ",
+                time.n_steps(),
+                " steps"),
          "T = " + units.text("time", time.end_time),
          scene.contact.locates_events ? "contact events located" : "",
          scene.has_prescribed_start ? "start of the paper" : "consistent start",
@@ -167,58 +112,50 @@ namespace ThermoContact
 
 
 
+    /** A number of things that have a plural in s. */
+    std::string
+    count(const std::size_t n, const std::string &name)
+    {
+      return text(n, ' ', name, n == 1 ? "" : "s");
+    }
+
+
+
     /** What steps follow of the loads. */
     std::string
     describe_loads(const LoadHistory &loads, const OutputUnits &units)
     {
-      unsigned int n_jumps = 0;
-      for (const LoadBreak &at : loads.breaks)
-        n_jumps += at.is_jump;
-      std::string line =
-        text("steps end at ",
-             n_jumps,
-             n_jumps == 1 ? " jump and " : " jumps and ",
-             loads.breaks.size() - n_jumps,
-             loads.breaks.size() - n_jumps == 1 ? " bend" : " bends");
+      const std::size_t n_jumps =
+        std::count_if(loads.breaks.begin(),
+                      loads.breaks.end(),
+                      [](const LoadBreak &at) { return at.is_jump; });
+      std::string line = "steps end at " + count(n_jumps, "jump") + " and " +
+                         count(loads.breaks.size() - n_jumps, "kink");
       double smallest = std::numeric_limits<double>::infinity();
       for (const LoadStretch &stretch : loads.stretches)
         smallest = std::min(smallest, stretch.width);
       if (!loads.stretches.empty())
-        line += text(", and are at most ",
-                     units.text("time", smallest),
-                     " where loads change");
+        line += ", and are at most " + units.text("time", smallest) +
+                " where loads change";
       return line;
     }
 
 
 
+    /** A line for each steady state. */
     std::string
-    describe_scales(const Scene &scene)
+    describe_rest(const SteadyForecast &rest, const Scene &scene)
     {
-      std::vector<std::string> words;
-      const OutputUnits        units(scene.parameters);
-      for (const auto &[name, value] : time_scales(scene))
-        words.push_back(text(name, ' ', units.text("time", value)));
-      return join_words(words);
-    }
-
-
-
-    /** A line for each state of rest. */
-    std::string
-    describe_rest(const Scene &scene)
-    {
-      const SteadyForecast forecast = steady_state(scene);
-      if (forecast.states.empty())
-        return forecast.remark;
+      if (rest.states.empty())
+        return rest.remark;
       std::string lines;
-      for (const SteadyState &state : forecast.states)
+      for (const SteadyState &state : rest.states)
         lines += (lines.empty() ? "" : "\n            ") +
                  describe_steady_state(state, scene) +
                  (scene.heat.exchange->is_constant() ? "" :
                   state.is_stable                    ? ", stable" :
                                                        ", unstable");
-      return lines + (forecast.remark.empty() ? "" : "; " + forecast.remark);
+      return lines + (rest.remark.empty() ? "" : "; " + rest.remark);
     }
 
 
@@ -241,12 +178,13 @@ namespace ThermoContact
 
 
     std::string
-    describe_critical_step(const double critical, const Scene &scene)
+    describe_critical_step(const double       critical,
+                           const Scene       &scene,
+                           const OutputUnits &units)
     {
       const TimeParameters &time = scene.parameters.time;
       const bool fails = scene.is_fixed_point && !time.has_error_control() &&
                          *time.step_size > critical;
-      const OutputUnits units(scene.parameters);
       return text("the paper's iteration fails in contact for dt > ",
                   units.text("time", critical),
                   fails                ? text(", as the ",
@@ -293,25 +231,6 @@ namespace ThermoContact
                                                 clock_time(cost.cpu_seconds));
       return line;
     }
-
-
-
-    /** What can be said of a run before it is made. */
-    void
-    report_forecast(const Scene &scene, const LoadHistory &loads, Log &log)
-    {
-      log.line("  scales    " + describe_scales(scene));
-      log.line("  at rest   " + describe_rest(scene));
-      if (const auto impact = first_impact(scene))
-        log.line("  impact    " +
-                 describe_impact(*impact, OutputUnits(scene.parameters)));
-      if (const auto critical = critical_step_size(scene))
-        log.line("  limit     " + describe_critical_step(*critical, scene));
-      if (const auto cost = expected_cost(scene, &loads))
-        log.line("  expected  " + describe_cost(*cost));
-      if (scene.parameters.output.has_error_bars)
-        log.line("  repeats   " + describe_repeats(scene.parameters));
-    }
   } // namespace
 
 
@@ -347,25 +266,30 @@ namespace ThermoContact
 
 
   void
-  report_scene(const Scene       &scene,
-               const LoadHistory &loads,
-               const MPI_Comm     communicator,
-               Log               &log)
+  report_scene(const Scene                   &scene,
+               const LoadHistory             &loads,
+               const Forecast                &forecast,
+               const std::vector<Assignment> &assignments,
+               const MPI_Comm                 communicator,
+               Log                           &log)
   {
     const Material    &material = scene.material;
     const unsigned int dim      = scene.parameters.dimension;
     const OutputUnits  units(scene.parameters);
+    const bool         has_units  = units.is_si() && is_in_si(assignments);
+    const auto         as_written = [&](const std::string &path,
+                                const std::string &in_scene) {
+      const Assignment *const given = last_assignment(assignments, path);
+      return has_units && given != nullptr ? given->value : in_scene;
+    };
     if (!scene.parameters.title.empty())
       log.line(scene.parameters.title);
     if (units.is_si())
       log.line("  units     " + units.description());
-    log.line("  body      " + describe_body(scene));
+    log.line("  body      " + describe_body(scene, units));
     log.line("  unknowns  " + describe_unknowns(scene));
     if (dim > 1)
-      {
-        log.line("  solver    " + describe_linear_solver(scene.linear_solver));
-        report_memory(scene, communicator, log);
-      }
+      report_solver(scene, communicator, log);
     log.line("  terms     " + join_words(scene_terms(scene)));
     if (scene.fields.has_displacement)
       log.line(
@@ -379,32 +303,71 @@ namespace ThermoContact
                       "" :
                       text("nu = ", scene.parameters.model.poisson_ratio)}));
     if (scene.fields.has_temperature)
-      log.line(
-        "  heat      " +
-        join_words(
-          {"theta_A = " +
-             (scene.sources.has_driven_temperature ?
-                scene.heat.fixed_end_drive->text() :
-                units.text("temperature", scene.heat.fixed_end_temperature)),
-           scene.heat.exchange->description(),
-           "theta_obs = " +
-             (scene.sources.has_varying_obstacle ?
-                scene.parameters.boundary.obstacle_expression :
-                units.text("temperature", scene.heat.obstacle_temperature)),
-           scene.heat.has_lateral_exchange() ?
-             text("m = ",
-                  scene.heat.lateral_exchange,
-                  ", theta_inf = ",
-                  units.text("temperature", scene.heat.ambient_temperature)) :
-             ""}));
+      {
+        const SceneHeat  &heat     = scene.heat;
+        const std::string exchange = as_written("Boundary/Heat exchange", "");
+        log.line(
+          "  heat      " +
+          join_words(
+            {"theta_A = " +
+               (scene.sources.has_driven_temperature ?
+                  as_written("Boundary/Fixed end temperature",
+                             heat.fixed_end_drive->text()) :
+                  units.text("temperature", heat.fixed_end_temperature)),
+             exchange.empty() ? heat.exchange->description() :
+                                "k = " + exchange,
+             "theta_obs = " +
+               (scene.sources.has_varying_obstacle ?
+                  as_written("Boundary/Obstacle temperature",
+                             scene.parameters.boundary.obstacle_expression) :
+                  units.text("temperature", heat.obstacle_temperature)),
+             heat.has_lateral_exchange() ?
+               text("m = ",
+                    heat.lateral_exchange,
+                    ", theta_inf = ",
+                    units.text("temperature", heat.ambient_temperature)) :
+               ""}));
+      }
     if (scene.sources.has_moving_end)
-      log.line("  fixed end u_A = " + scene.fixed_end_motion->text());
+      log.line("  fixed end u_A = " +
+               as_written("Boundary/Fixed end displacement",
+                          scene.fixed_end_motion->text()));
     if (scene.fields.has_displacement)
-      log.line("  contact   " + describe_contact(scene));
-    log.line("  time      " + describe_time(scene));
+      {
+        const SceneContact &contact = scene.contact;
+        const bool          is_one  = contact.has_uniform_gap();
+        std::string gap = is_one ? units.text("length", contact.gap) : "";
+        if (!is_one || scene.sources.has_moving_obstacle)
+          gap =
+            as_written("Contact/Gap", scene.parameters.contact.gap_expression) +
+            (is_one ? " (" + gap + " at t = 0)" : "");
+        log.line(
+          "  contact   " +
+          join_words({contact.law->description(),
+                      contact.law->is_active() ? "g = " + gap : "",
+                      contact.law->is_active() && contact.is_two_sided() ?
+                        "g_2 = " + units.text("length", contact.rear_gap) :
+                        "",
+                      contact.law->is_active() && contact.has_massless_nodes ?
+                        "massless contact nodes" :
+                        ""}));
+      }
+    log.line("  time      " + describe_time(scene, units));
     if (!loads.is_empty())
       log.line("  loads     " + describe_loads(loads, units));
-    report_forecast(scene, loads, log);
+    std::vector<std::string> scales;
+    for (const auto &[name, value] : time_scales(scene))
+      scales.push_back(name + ' ' + units.text("time", value));
+    log.line("  scales    " + join_words(scales));
+    log.line("  at rest   " + describe_rest(forecast.rest, scene));
+    if (forecast.impact)
+      log.line("  impact    " + describe_impact(*forecast.impact, units));
+    if (forecast.critical_step)
+      log.line("  limit     " +
+               describe_critical_step(*forecast.critical_step, scene, units));
+    log.line("  expected  " + describe_cost(forecast.cost));
+    if (scene.parameters.output.has_error_bars)
+      log.line("  repeats   " + describe_repeats(scene.parameters));
   }
 
 
@@ -418,8 +381,16 @@ namespace ThermoContact
     const Scene      &scene = simulation.scene();
     const OutputUnits units(scene.parameters);
     if (dim > 1)
-      log.line("  set up    in " + significant(seconds, 2) + " s, " +
-               describe_factors(simulation));
+      {
+        const types::global_dof_index n = simulation.n_factorized_unknowns();
+        log.line(text("  set up    in ",
+                      significant(seconds, 2),
+                      " s, ",
+                      !scene.linear_solver.is_iterative ?
+                        text("factorised at once: ", n) :
+                      n > 0 ? text("factorised on the coarsest level: ", n) :
+                              "algebraic multigrid on the coarsest level"));
+      }
     if (scene.contact.law->is_active() && !scene.contact.has_uniform_gap())
       {
         const auto [smallest, largest] =
@@ -434,21 +405,16 @@ namespace ThermoContact
 
 
   void
-  check_cost(const Scene       &scene,
-             const LoadHistory &loads,
-             const double       free_bytes,
-             const bool         is_forced,
-             Log               &log)
+  check_cost(const ExpectedCost &cost,
+             const double        free_bytes,
+             const bool          is_forced,
+             Log                &log)
   {
-    const auto cost = expected_cost(scene, &loads);
-    if (!cost)
-      return;
-    const double bytes =
-      cost->row_bytes + cost->snapshot_bytes + cost->face_bytes;
+    const double bytes = cost.row_bytes + cost.snapshot_bytes + cost.face_bytes;
     const std::string remedy =
       "Output/Contact interval and a larger Fields interval";
-    if (cost->steps > most_steps)
-      log.line("  doubt     about " + about(cost->steps) +
+    if (cost.steps > most_steps)
+      log.line("  doubt     about " + about(cost.steps) +
                " steps: is Time/End time that long?");
     if (bytes > free_bytes && !is_forced)
       throw InputError(

@@ -4,8 +4,6 @@
 #include <thermocontact/base/collective_errors.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/version.h>
-#include <thermocontact/forecast/first_impact.h>
-#include <thermocontact/forecast/forecast.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/result_report.h>
 #include <thermocontact/report/summary.h>
@@ -35,44 +33,22 @@ namespace ThermoContact
 
 
 
-    /** All states of rest, and the number, from 1, of the one at the end. */
-    void
-    add_states_of_rest(const std::vector<SteadyState> &states,
-                       const SteadyState              &end,
-                       const Scene                    &scene,
-                       nlohmann::ordered_json         &entries)
-    {
-      entries["states_of_rest"]        = nlohmann::ordered_json::array();
-      entries["reached_state_of_rest"] = nullptr;
-      const OutputUnits units(scene.parameters);
-      for (const SteadyState &state : states)
-        entries["states_of_rest"].push_back(
-          {{"displacement_end", units.of("length")(state.displacement_end)},
-           {"contact_force", units.of("force")(state.contact_force)},
-           {"temperature_end", units.of("temperature")(state.temperature_end)},
-           {"in_contact", state.in_contact},
-           {"is_stable", state.is_stable}});
-      if (const unsigned int state = reached_state_of_rest(states, end, scene))
-        entries["reached_state_of_rest"] = state;
-    }
-
-
-
     /**
      * What was known before the run, beside what came out; null where nothing
      * was.
      */
     nlohmann::ordered_json
-    predictions(const Scene &scene, const StepRecord &record)
+    predictions(const Scene      &scene,
+                const Forecast   &forecast,
+                const StepRecord &record,
+                const KeyResults &results)
     {
-      constexpr double  nan      = std::numeric_limits<double>::quiet_NaN();
-      const auto        forecast = steady_state(scene);
-      const auto       &states   = forecast.states;
+      constexpr double  nan    = std::numeric_limits<double>::quiet_NaN();
+      const auto       &states = forecast.rest.states;
+      const auto       &impact = forecast.impact;
       const SteadyState rest =
         states.empty() ? SteadyState{nan, nan, nan, false} :
                          states[nearest_state(states, final_state(record))];
-      const auto impact = first_impact(scene);
-      const auto cost   = expected_cost(scene);
 
       nlohmann::ordered_json entries = {
         {"final_contact_force", record.contact_force},
@@ -82,7 +58,7 @@ namespace ThermoContact
         {"predicted_contact_force", rest.contact_force},
         {"predicted_temperature_end", rest.temperature_end},
         {"predicted_in_contact", nullptr},
-        {"predicted_remark", forecast.remark},
+        {"predicted_remark", forecast.rest.remark},
         {"difference_displacement_end",
          record.displacement_end - rest.displacement_end},
         {"difference_contact_force", record.contact_force - rest.contact_force},
@@ -91,13 +67,25 @@ namespace ThermoContact
         {"predicted_first_contact_time", impact ? impact->time : nan},
         {"predicted_first_penetration",
          impact && impact->penetration > 0. ? impact->penetration : nan},
-        {"predicted_critical_step_size",
-         critical_step_size(scene).value_or(nan)},
-        {"predicted_steps", cost ? cost->steps : nan}};
+        {"predicted_critical_step_size", forecast.critical_step.value_or(nan)},
+        {"predicted_steps", forecast.cost.steps}};
       if (!states.empty())
         entries["predicted_in_contact"] = rest.in_contact;
-      if (!scene.heat.exchange->is_constant())
-        add_states_of_rest(states, final_state(record), scene, entries);
+      if (scene.heat.exchange->is_constant())
+        return entries;
+      const OutputUnits units(scene.parameters);
+      auto &all = entries["states_of_rest"] = nlohmann::ordered_json::array();
+      for (const SteadyState &state : states)
+        all.push_back(
+          {{"displacement_end", units.of("length")(state.displacement_end)},
+           {"contact_force", units.of("force")(state.contact_force)},
+           {"temperature_end", units.of("temperature")(state.temperature_end)},
+           {"in_contact", state.in_contact},
+           {"is_stable", state.is_stable}});
+      const double reached             = results.at("reached_state_of_rest");
+      entries["reached_state_of_rest"] = nullptr;
+      if (!std::isnan(reached))
+        entries["reached_state_of_rest"] = static_cast<unsigned int>(reached);
       return entries;
     }
 
@@ -125,11 +113,10 @@ namespace ThermoContact
     void
     add_errors(const KeyErrors &errors, nlohmann::ordered_json &entries)
     {
-      for (const KeyResult::Name k : results_with_error_bars)
+      for (const std::string &name : results_with_error_bars())
         {
-          const std::string name         = key_result_names[k];
-          entries[name + "_time_error"]  = errors.time[k];
-          entries[name + "_space_error"] = errors.space[k];
+          entries[name + "_time_error"]  = errors.time.at(name);
+          entries[name + "_space_error"] = errors.space.at(name);
         }
       for (const std::string &remark : errors.remarks)
         entries["warnings"].push_back(remark);
@@ -143,6 +130,7 @@ namespace ThermoContact
   write_summary(const std::string     &file_name,
                 const std::string     &status,
                 const Simulation<dim> &simulation,
+                const Forecast        &forecast,
                 const RunTimes        &times,
                 const KeyErrors       *errors)
   {
@@ -151,7 +139,7 @@ namespace ThermoContact
     const StepRecord    &record   = history.record;
     const SolverCounters counters = simulation.counters();
     const auto          &space    = simulation.discretization();
-    const auto          &events   = history.events;
+    const KeyResults     results  = key_results(scene, history);
 
     const std::vector<double> memory =
       peak_memory_per_rank(space.communicator());
@@ -176,12 +164,12 @@ namespace ThermoContact
       {"linear_iterations", counters.linear_iterations},
       {"max_linear_iterations", counters.max_linear_iterations},
       {"active_set_iterations", counters.active_set_iterations},
-      {"contact_begins", n_contact_begins(events)},
-      {"first_contact_time", nullptr},
-      {"contact_duration",
-       contact_duration(events, record.in_contact, record.time)},
+      {"contact_begins",
+       static_cast<unsigned int>(results.at("contact_begins"))},
+      {"first_contact_time", results.at("first_contact_time")},
+      {"contact_duration", results.at("contact_duration")},
       {"contact_impulse", record.contact_impulse},
-      {"restitution", restitution(events)},
+      {"restitution", results.at("restitution")},
       {"max_penetration", history.max_penetration},
       {"max_contact_force", history.max_contact_force},
       {"final_time", record.time},
@@ -199,12 +187,9 @@ namespace ThermoContact
       {"peak_memory_mb", std::accumulate(memory.begin(), memory.end(), 0.)},
       {"peak_memory_mb_per_rank", memory},
       {"warnings", history.warnings}};
-    if (!events.empty())
-      summary["first_contact_time"] = events.front().time;
-
-    for (const std::string &warning : step_warnings(scene, history))
+    for (const std::string &warning : step_warnings(scene, forecast, history))
       summary["warnings"].push_back(warning);
-    summary.update(predictions(scene, record));
+    summary.update(predictions(scene, forecast, record, results));
     if (errors != nullptr)
       add_errors(*errors, summary);
     if (const OutputUnits units(scene.parameters); units.is_si())
@@ -212,13 +197,10 @@ namespace ThermoContact
 
     std::string fault;
     if (Utilities::MPI::this_mpi_process(space.communicator()) == 0)
-      {
-        fault = write_atomically(
-          file_name,
-          summary.dump(
-            2, ' ', false, nlohmann::json::error_handler_t::replace) +
-            '\n');
-      }
+      fault = write_atomically(
+        file_name,
+        summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+          '\n');
     throw_everywhere<ComputationError>(fault, space.communicator());
   }
 
@@ -228,6 +210,7 @@ namespace ThermoContact
   template void write_summary<dim>(const std::string &,     \
                                    const std::string &,     \
                                    const Simulation<dim> &, \
+                                   const Forecast &,        \
                                    const RunTimes &,        \
                                    const KeyErrors *)
 

@@ -75,19 +75,27 @@ namespace ThermoContact
 
 
 
+    std::string
+    words_of_length(const Scene &scene, const double length)
+    {
+      return QuantityUnits(scene.parameters).text_for_entry("length", length);
+    }
+
+
+
     /** The entry of the gap on a side, with what it says. */
     std::string
     entry_of_gap(const Scene &scene, const int side)
     {
-      const QuantityUnits units(scene.parameters);
       if (side < 0)
         return "Contact/Rear gap = " +
-               units.text_for_entry("length", scene.contact.rear_gap);
+               words_of_length(scene, scene.contact.rear_gap);
       return "Contact/Gap" +
              (scene.contact.has_uniform_gap() ?
-                " = " + units.text_for_entry("length", scene.contact.gap) :
-              units.is_si() ? "" :
-                              " = " + scene.parameters.contact.gap_expression);
+                " = " + words_of_length(scene, scene.contact.gap) :
+              QuantityUnits(scene.parameters).is_si() ?
+                "" :
+                " = " + scene.parameters.contact.gap_expression);
     }
 
 
@@ -146,13 +154,10 @@ namespace ThermoContact
         *std::min_element(state.gap.begin(), state.gap.end());
       if (smallest + body.scene.contact.rear_gap > 0.)
         return;
-      const QuantityUnits units(body.scene.parameters);
-      throw InputError(
-        "Contact/Rear gap = " +
-        units.text_for_entry("length", body.scene.contact.rear_gap) +
-        "\n  allowed: above " + units.text_for_entry("length", -smallest) +
-        ", minus the smallest Contact/Gap\n  remedy:  a larger "
-        "one: the stops overlap");
+      throw InputError(entry_of_gap(body.scene, -1) + "\n  allowed: above " +
+                       words_of_length(body.scene, -smallest) +
+                       ", minus the smallest Contact/Gap\n  remedy:  a larger "
+                       "one: the stops overlap");
     }
 
 

@@ -4,8 +4,6 @@
 #include <thermocontact/simulation/measurements.h>
 #include <thermocontact/space/node_laws.h>
 
-#include <deal.II/base/bounding_box.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,10 +16,19 @@ namespace ThermoContact
     , mean_weights(body.discretization.make_vector(Field::temperature))
   {
     if (body.scene.fields.has_displacement)
-      mid_weights = find_weights(0.5);
-    if (body.scene.has_midpoint_mass)
-      last_cell_weights =
-        find_weights(1. - 0.5 * body.scene.parameters.mesh.contact_spacing());
+      {
+        const auto &geometry = body.discretization.geometry();
+        const auto  place_at = [&](const double x) {
+          return Place<dim>{geometry.on_axis(x), geometry.on_axis(x)};
+        };
+        std::vector<Place<dim>> places = {place_at(0.5)};
+        if (body.scene.has_midpoint_mass)
+          places.push_back(
+            place_at(1. - 0.5 * body.scene.parameters.mesh.contact_spacing()));
+        on_axis = std::make_unique<PointValues<dim>>(body.scene,
+                                                     body.discretization,
+                                                     places);
+      }
     if (!body.scene.fields.has_temperature)
       return;
     Vector ones(mean_weights);
@@ -34,69 +41,6 @@ namespace ThermoContact
     body.equations.lateral_exchange().vmult(lateral_weights, ones);
     lateral_weights /= body.discretization.geometry().cross_section();
     lateral_sum = ones * lateral_weights;
-  }
-
-
-
-  template <int dim>
-  std::vector<std::pair<types::global_dof_index, double>>
-  Measurements<dim>::weights_at(
-    const Point<dim>                                     &point,
-    const typename DoFHandler<dim>::active_cell_iterator &cell) const
-  {
-    const Discretization<dim>           &space = body.discretization;
-    const FiniteElement<dim>            &fe    = space.finite_element();
-    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
-    cell->get_dof_indices(dofs);
-    const Point<dim> unit_point =
-      space.mapping().transform_real_to_unit_cell(cell, point);
-    std::vector<std::pair<types::global_dof_index, double>> weights;
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-      if (fe.system_to_component_index(i).first ==
-          space.first_component(Field::displacement))
-        weights.emplace_back(dofs[i] - space.first_dof(Field::displacement),
-                             fe.shape_value(i, unit_point));
-    return weights;
-  }
-
-
-
-  template <int dim>
-  typename Measurements<dim>::Weights
-  Measurements<dim>::find_weights(const double position) const
-  {
-    const Discretization<dim> &space = body.discretization;
-    const Point<dim>           point = space.geometry().on_axis(position);
-    const MPI_Comm             communicator = space.communicator();
-    const unsigned int         this_rank =
-      Utilities::MPI::this_mpi_process(communicator);
-    auto found = space.dof_handler().end();
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() &&
-          cell->bounding_box().point_inside(point, Tolerances::in_cell))
-        {
-          found = cell;
-          break;
-        }
-
-    // The point may lie between cells of several ranks, and its degrees of
-    // freedom may belong to a rank that does not own the cell.
-    const bool         is_found = found != space.dof_handler().end();
-    const unsigned int rank =
-      Utilities::MPI::min(is_found ? this_rank :
-                                     std::numeric_limits<unsigned int>::max(),
-                          communicator);
-    std::vector<std::pair<types::global_dof_index, double>> weights;
-    if (rank == this_rank)
-      weights = weights_at(point, found);
-    weights = Utilities::MPI::broadcast(communicator, weights, rank);
-
-    const IndexSet &owned = space.owned_by_block()[Field::displacement];
-    Weights         entries;
-    for (const auto &[dof, weight] : weights)
-      if (owned.is_element(dof))
-        entries.emplace_back(owned.index_within_set(dof), weight);
-    return entries;
   }
 
 
@@ -141,7 +85,8 @@ namespace ThermoContact
   Measurements<dim>::measure_displacement(const State &state,
                                           StepRecord  &record)
   {
-    const ContactEnd<dim> &end = body.contact_end();
+    const ContactEnd<dim>     &end  = body.contact_end();
+    const std::vector<double> &axis = on_axis->evaluate(state);
     end.get_values(Field::displacement, state.displacement, contact_values);
     record.displacement_end = end.mean(contact_values);
     if (body.law().is_active())
@@ -159,7 +104,7 @@ namespace ThermoContact
         end.get_values(Field::displacement, state.velocity, contact_values);
         record.velocity_end = end.mean(contact_values);
         if (body.scene.has_midpoint_mass)
-          record.velocity_end = value(last_cell_weights, state.velocity);
+          record.velocity_end = axis[2 * PointValues<dim>::velocity + 1];
       }
 
     const auto [smallest, largest] =
@@ -177,49 +122,34 @@ namespace ThermoContact
     record.stress_end = mean_traction() - record.contact_force;
 
     if (dim > 1)
-      {
-        measure_face(state, record.face);
-        record.face.min_gap = record.gap;
-      }
+      measure_face(state, record);
 
-    record.displacement_mid = value(mid_weights, state.displacement);
-  }
-
-
-
-  template <int dim>
-  double
-  Measurements<dim>::value(const Weights &weights, const Vector &vector) const
-  {
-    double sum = 0.;
-    for (const auto &[entry, weight] : weights)
-      sum += weight * vector.begin()[entry];
-    const MPI_Comm communicator = body.discretization.communicator();
-    return Utilities::MPI::n_mpi_processes(communicator) > 1 ?
-             Utilities::MPI::sum(sum, communicator) :
-             sum;
+    record.displacement_mid =
+      axis[PointValues<dim>::displacement * on_axis->n_places()];
   }
 
 
 
   template <int dim>
   void
-  Measurements<dim>::measure_face(const State &state, FaceRecord &face)
+  Measurements<dim>::measure_face(const State &state, StepRecord &record)
   {
     const ContactEnd<dim> &end  = body.contact_end();
     const Point<dim>       axis = body.discretization.geometry().on_axis(1.);
     const bool is_axis_inside   = !body.scene.geometry->has_axis_at_side();
-    face                        = FaceRecord();
+    record.contact_area = record.max_pressure = record.moment_y =
+      record.moment_z                         = 0.;
+    record.min_gap                            = record.gap;
     for (unsigned int i = 0; i < end.n_nodes(); ++i)
       if (const double p = state.contact_pressure[i]; p != 0.)
         {
-          face.contact_area += end.share(i);
-          face.max_pressure = std::max(face.max_pressure, std::abs(p));
+          record.contact_area += end.share(i);
+          record.max_pressure = std::max(record.max_pressure, std::abs(p));
           if (!is_axis_inside)
             continue;
           const Tensor<1, dim> arm = end.nodes()[i].position - axis;
-          face.moment_y += end.share(i) * p * (dim > 1 ? arm[dim > 1] : 0.);
-          face.moment_z += end.share(i) * p * (dim > 2 ? arm[dim - 1] : 0.);
+          record.moment_y += end.share(i) * p * (dim > 1 ? arm[dim > 1] : 0.);
+          record.moment_z += end.share(i) * p * (dim > 2 ? arm[dim - 1] : 0.);
         }
   }
 

@@ -149,12 +149,8 @@ namespace ThermoContact
                      const Vector *velocity) const
   {
     Vector forces(momentum_load);
-    body.equations.momentum_residual(state.temperature,
-                                     state.displacement,
-                                     velocity,
-                                     nullptr,
-                                     momentum_load,
-                                     forces);
+    body.equations.momentum_residual(
+      state, velocity, nullptr, momentum_load, forces);
     body.equations.zero_constrained(Field::displacement, forces);
     return forces;
   }

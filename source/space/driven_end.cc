@@ -182,12 +182,8 @@ namespace ThermoContact
                               const Vector &acceleration,
                               const Vector &momentum_load) const
   {
-    equations.momentum_residual(state.temperature,
-                                state.displacement,
-                                &state.velocity,
-                                &acceleration,
-                                momentum_load,
-                                momentum_product);
+    equations.momentum_residual(
+      state, &state.velocity, &acceleration, momentum_load, momentum_product);
     return -dot(entries_[Field::displacement],
                 momentum_product,
                 state.velocity);

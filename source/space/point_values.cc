@@ -14,11 +14,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {} // namespace
-
-
-
   template <int dim>
   std::vector<Place<dim>>
   places_on_axis(const Discretization<dim> &discretization)
@@ -65,7 +60,7 @@ namespace ThermoContact
                                 const std::vector<Place<dim>> &places)
     : scene(scene)
     , discretization(discretization)
-    , n_places(places.size())
+    , n_places_(places.size())
     , values(n_quantities * places.size())
   {
     const auto all_shares =
@@ -73,7 +68,7 @@ namespace ThermoContact
                                  local_shares(places));
 
     // a share of form n_forms counts the cells of a place
-    std::vector<double> n_cells(n_places, 0.);
+    std::vector<double> n_cells(n_places_, 0.);
     for (const auto &of_rank : all_shares)
       for (const Share &share : of_rank)
         if (share.form == n_forms)
@@ -218,7 +213,7 @@ namespace ThermoContact
                                const Quantity quantity)
   {
     const double *const local  = vector.begin();
-    double *const       result = values.data() + quantity * n_places;
+    double *const       result = values.data() + quantity * n_places_;
     for (const Term &term : terms[form])
       result[term.place] += factor * term.weight * local[term.entry];
   }
@@ -261,8 +256,8 @@ namespace ThermoContact
   void
   PointValues<dim>::set_absent(const Quantity quantity)
   {
-    std::fill_n(values.begin() + quantity * n_places,
-                n_places,
+    std::fill_n(values.begin() + quantity * n_places_,
+                n_places_,
                 std::numeric_limits<double>::quiet_NaN());
   }
 

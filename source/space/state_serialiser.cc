@@ -2,77 +2,25 @@
 
 #include <thermocontact/space/state_serialiser.h>
 
-#include <deal.II/fe/fe_tools.h>
-
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <stdexcept>
 
 namespace ThermoContact
 {
   namespace
   {
+    /** A number that a cell has on all ranks. */
     template <int dim>
-    using Coordinates = std::array<std::uint64_t, dim>;
-
-
-
-    /** Whole coordinates of the cells, and how many there are along each. */
-    template <int dim>
-    class CellGrid
+    std::uint64_t
+    number_of(const typename DoFHandler<dim>::active_cell_iterator &cell)
     {
-    public:
-      explicit CellGrid(const Triangulation<dim> &mesh)
-        : n_levels(mesh.n_global_levels() - 1)
-      {
-        // All ranks know the coarsest cells, whose corners repeat exactly.
-        for (const auto &cell : mesh.cell_iterators_on_level(0))
-          for (unsigned int d = 0; d < dim; ++d)
-            corners[d].push_back(cell->vertex(0)[d]);
-        for (std::vector<double> &values : corners)
-          {
-            std::sort(values.begin(), values.end());
-            values.erase(std::unique(values.begin(), values.end()),
-                         values.end());
-          }
-      }
-
-      std::uint64_t
-      n_along(const unsigned int d) const
-      {
-        return static_cast<std::uint64_t>(corners[d].size()) << n_levels;
-      }
-
-      Coordinates<dim>
-      operator()(typename Triangulation<dim>::cell_iterator cell) const
-      {
-        Coordinates<dim> result{};
-        unsigned int     n_refinements = 0;
-        // child i has the bits of i as its place in the parent
-        while (cell->level() > 0)
-          {
-            const auto parent = cell->parent();
-            for (unsigned int i = 0; i < parent->n_children(); ++i)
-              if (parent->child_index(i) == cell->index())
-                for (unsigned int d = 0; d < dim; ++d)
-                  result[d] |= std::uint64_t((i >> d) & 1) << n_refinements;
-            ++n_refinements;
-            cell = parent;
-          }
-        for (unsigned int d = 0; d < dim; ++d)
-          result[d] |=
-            static_cast<std::uint64_t>(std::lower_bound(corners[d].begin(),
-                                                        corners[d].end(),
-                                                        cell->vertex(0)[d]) -
-                                       corners[d].begin())
-            << n_refinements;
-        return result;
-      }
-
-    private:
-      const unsigned int                   n_levels;
-      std::array<std::vector<double>, dim> corners;
-    };
+      std::uint64_t number = cell->id().get_coarse_cell_id();
+      for (const std::uint8_t child : cell->id().get_child_indices())
+        number = (number << dim) + child;
+      return number;
+    }
   } // namespace
 
 
@@ -84,14 +32,10 @@ namespace ThermoContact
     , has_displacement(discretization.has_field(Field::displacement))
     , n_values((has_temperature ? 1 : 0) + (has_displacement ? 2 * dim : 0))
   {
-    const FiniteElement<dim>       &fe     = discretization.finite_element();
-    const unsigned int              degree = discretization.degree();
-    const std::vector<unsigned int> place_of_node =
-      FETools::hierarchic_to_lexicographic_numbering<dim>(degree);
-    const Triangulation<dim> &mesh =
-      discretization.dof_handler().get_triangulation();
-    const CellGrid<dim>                  grid(mesh);
-    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
+    const FiniteElement<dim> &fe       = discretization.finite_element();
+    const unsigned int        n_places = fe.base_element(0).dofs_per_cell;
+    std::map<types::global_dof_index, Node> first_of_entry;
+    std::vector<types::global_dof_index>    dofs(fe.dofs_per_cell);
 
     const auto entry = [&](const Field::Block field,
                            const unsigned int component,
@@ -104,47 +48,38 @@ namespace ThermoContact
       return owned.is_element(dof) ? owned.index_within_set(dof) :
                                      numbers::invalid_dof_index;
     };
+    // the first of the cells around a node, all of which its owner knows
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
       {
-        if (!cell->is_locally_owned())
+        if (cell->is_artificial())
           continue;
         cell->get_dof_indices(dofs);
-        const Coordinates<dim> corner =
-          grid(typename Triangulation<dim>::cell_iterator(&mesh,
-                                                          cell->level(),
-                                                          cell->index()));
-        for (unsigned int i = 0; i < place_of_node.size(); ++i)
+        const std::uint64_t first = number_of<dim>(cell) * n_places;
+        for (unsigned int i = 0; i < n_places; ++i)
           {
-            if (entry(has_temperature ? Field::temperature :
-                                        Field::displacement,
-                      0,
-                      i) == numbers::invalid_dof_index)
+            Node       node{first + i, 0, {}};
+            const auto here =
+              entry(has_temperature ? Field::temperature : Field::displacement,
+                    0,
+                    i);
+            if (here == numbers::invalid_dof_index)
               continue;
-            Node          node{0, 0, {}};
-            std::uint64_t place = place_of_node[i], stride = 1;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                node.number +=
-                  stride * (corner[d] * degree + place % (degree + 1));
-                stride *= grid.n_along(d) * degree + 1;
-                place /= degree + 1;
-                if (has_displacement)
-                  node.displacement[d] = entry(Field::displacement, d, i);
-              }
+            for (unsigned int d = 0; has_displacement && d < dim; ++d)
+              node.displacement[d] = entry(Field::displacement, d, i);
             if (has_temperature)
-              node.temperature = entry(Field::temperature, 0, i);
-            nodes.push_back(node);
+              node.temperature = here;
+            const auto found = first_of_entry.emplace(here, node).first;
+            if (node.number < found->second.number)
+              found->second = node;
           }
       }
+    for (const auto &[entry, node] : first_of_entry)
+      nodes.push_back(node);
     const auto is_before = [](const Node &a, const Node &b) {
       return a.number < b.number;
     };
-    const auto is_same = [](const Node &a, const Node &b) {
-      return a.number == b.number;
-    };
     std::sort(nodes.begin(), nodes.end(), is_before);
-    nodes.erase(std::unique(nodes.begin(), nodes.end(), is_same), nodes.end());
   }
 
 

@@ -318,8 +318,7 @@ namespace ThermoContact
   template <int dim>
   void
   ThermoviscoelasticOperator<dim>::momentum_residual(
-    const Vector &temperature,
-    const Vector &displacement,
+    const State  &state,
     const Vector *velocity,
     const Vector *acceleration,
     const Vector &momentum_load,
@@ -331,13 +330,56 @@ namespace ThermoContact
         residual.add(factor, momentum_scratch);
       };
     residual = momentum_load;
-    add(-1., stiffness(), displacement);
+    add(-1., stiffness(), state.displacement);
     if (material.has_thermal_stress())
-      add(material.thermal_stress, thermal_stress(), temperature);
+      add(material.thermal_stress, thermal_stress(), state.temperature);
     if (velocity != nullptr && material.has_viscosity())
       add(-material.viscosity, viscous_stiffness(), *velocity);
     if (acceleration != nullptr && material.has_inertia())
       add(-material.inertia, momentum_mass(), *acceleration);
+  }
+
+
+
+  template <int dim>
+  void
+  ThermoviscoelasticOperator<dim>::subtract_stage_product(
+    const double  tau,
+    const Vector &temperature_rate,
+    const Vector &velocity,
+    Vector       &heat,
+    Vector       &momentum) const
+  {
+    const auto subtract = [](const double     factor,
+                             const LinearMap &matrix,
+                             const Vector    &x,
+                             Vector          &product,
+                             Vector          &rows) {
+      matrix.vmult(product, x);
+      rows.add(-factor, product);
+    };
+    if (discretization.has_field(Field::temperature))
+      {
+        subtract(1., heat_mass(), temperature_rate, heat_scratch, heat);
+        subtract(tau, conduction(), temperature_rate, heat_scratch, heat);
+        subtract_heating(velocity, heat);
+        zero_constrained(Field::temperature, heat);
+      }
+    if (!discretization.has_field(Field::displacement))
+      return;
+    Vector &scratch = momentum_scratch;
+    subtract(tau * tau, stiffness(), velocity, scratch, momentum);
+    if (material.has_viscosity())
+      subtract(tau * material.viscosity,
+               viscous_stiffness(),
+               velocity,
+               scratch,
+               momentum);
+    if (material.has_inertia())
+      subtract(material.inertia, momentum_mass(), velocity, scratch, momentum);
+    if (discretization.has_field(Field::temperature))
+      add_thermal_stress(temperature_rate, tau * tau, momentum);
+    zero_constrained(Field::displacement, momentum);
   }
 
 

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <new>
 #include <optional>
 
 namespace ThermoContact
@@ -23,118 +25,52 @@ namespace ThermoContact
 
 
 
-    /** Makes repeats one after the other, and counts them. */
-    template <int dim>
-    class Repeats
-    {
-    public:
-      Repeats(const Simulation<dim>       &simulation,
-              const std::function<void()> &look_up,
-              Log                         &log,
-              KeyErrors                   &errors)
-        : simulation(simulation)
-        , look_up(look_up)
-        , log(log)
-        , errors(errors)
-        , values(smooth_key_results(simulation.scene(), simulation.history()))
-      {}
-
-      /**
-       * Differences of the key results of a scene to those of the run; nothing
-       * if it fails. 0 of what neither has, NaN of what one has.
-       */
-      std::optional<KeyResults>
-      differences(const CoarserScene &scene)
-      {
-        ++errors.n_repeats;
-        log.live_line(text(
-          "  error bars: repeat ", errors.n_repeats, " with ", scene.words));
-        try
-          {
-            check_scene(scene.parameters);
-            Simulation<dim> repeat(scene.parameters,
-                                   simulation.discretization().communicator());
-            repeat.run({[this](const Simulation<dim> &) { look_up(); }});
-            KeyResults result =
-              smooth_key_results(repeat.scene(), repeat.history());
-            for (const KeyResult::Name k : results_with_error_bars)
-              result[k] = std::isnan(values[k]) && std::isnan(result[k]) ?
-                            0. :
-                            result[k] - values[k];
-            return result;
-          }
-        catch (const Interruption &)
-          {
-            throw;
-          }
-        catch (const InputError &error)
-          {
-            add_failure(scene, error.what());
-          }
-        catch (const ComputationError &error)
-          {
-            add_failure(scene, error.what());
-          }
-        catch (const std::bad_alloc &)
-          {
-            // perhaps of this rank alone: the others wait for it
-            if (Utilities::MPI::n_mpi_processes(
-                  simulation.discretization().communicator()) > 1)
-              throw;
-            add_failure(scene, "there is not enough memory");
-          }
-        return {};
-      }
-
-    private:
-      const Simulation<dim>       &simulation;
-      const std::function<void()> &look_up;
-      Log                         &log;
-      KeyErrors                   &errors;
-      const KeyResults             values;
-
-      void
-      add_failure(const CoarserScene &scene, const std::string &reason)
-      {
-        errors.remarks.push_back(text("error bars: the repeat with ",
-                                      scene.words,
-                                      " fails: ",
-                                      reason.substr(0, reason.find('\n'))));
-      }
-    };
+    /**
+     * Differences of the key results of a scene to those of the run: 0 of what
+     * neither has, NaN of what one has; nothing if it cannot be run.
+     */
+    using Differences =
+      std::function<std::optional<KeyResults>(const CoarserScene &)>;
 
 
 
-    /** (D9.3) of what differences there are. */
-    template <int dim>
     KeyResults
-    time_errors(const Simulation<dim> &simulation, Repeats<dim> &repeats)
+    all_unknown()
     {
       KeyResults bars;
-      bars.fill(unknown);
-      bool is_first = true;
-      for (const CoarserScene &scene : coarser_in_time(simulation.parameters()))
+      for (const std::string &k : results_with_error_bars())
+        bars[k] = unknown;
+      return bars;
+    }
+
+
+
+    /**
+     * (D9.3) of what differences there are.
+     *
+     * @param missed what the largest values of the step ends miss
+     */
+    KeyResults
+    time_errors(const Parameters  &parameters,
+                const KeyResults  &missed,
+                const Differences &differences_of)
+    {
+      KeyResults bars     = all_unknown();
+      bool       is_first = true;
+      for (const CoarserScene &scene : coarser_in_time(parameters))
         {
-          const auto differences = repeats.differences(scene);
-          if (differences)
-            for (const KeyResult::Name k : results_with_error_bars)
-              {
-                const double bar = scene.weight * std::abs((*differences)[k]);
-                // what a coarser one misses tells nothing
-                if (is_first)
-                  bars[k] = bar;
-                else if (bar > bars[k])
-                  bars[k] = bar;
-              }
+          if (const auto differences = differences_of(scene))
+            for (auto &[k, bar] : bars)
+              // what a coarser one misses tells nothing
+              if (const double of_scene =
+                    scene.weight * std::abs(differences->at(k));
+                  is_first || of_scene > bar)
+                bar = of_scene;
           is_first = false;
         }
-      const KeyResults values =
-        key_results(simulation.scene(), simulation.history());
-      const KeyResults smooth =
-        smooth_key_results(simulation.scene(), simulation.history());
-      for (const KeyResult::Name k : results_with_error_bars)
-        if (const double missed = smooth[k] - values[k]; missed > bars[k])
-          bars[k] = missed;
+      for (auto &[k, bar] : bars)
+        if (missed.at(k) > bar)
+          bar = missed.at(k);
       return bars;
     }
 
@@ -167,42 +103,40 @@ namespace ThermoContact
                  const double      smallest)
     {
       double largest = 0.;
-      for (const KeyResult::Name k : results_with_error_bars)
-        if (std::abs(near[k]) > 2. * time[k] && std::abs(far[k]) > 0.)
-          largest = std::max(largest, rate(near[k], far[k], smallest));
+      for (const std::string &k : results_with_error_bars())
+        if (std::abs(near.at(k)) > 2. * time.at(k) && std::abs(far.at(k)) > 0.)
+          largest = std::max(largest, rate(near.at(k), far.at(k), smallest));
       return largest;
     }
 
 
 
     /** (D9.4) of what differences there are. */
-    template <int dim>
     KeyResults
-    space_errors(const Simulation<dim> &simulation,
-                 const KeyResults      &time,
-                 Repeats<dim>          &repeats)
+    space_errors(const Parameters  &parameters,
+                 const KeyResults  &time,
+                 const Differences &differences_of)
     {
-      KeyResults bars;
-      bars.fill(unknown);
-      const auto scenes = coarser_in_space(simulation.parameters());
+      KeyResults bars   = all_unknown();
+      const auto scenes = coarser_in_space(parameters);
       if (scenes.empty())
         return bars;
-      const auto near = repeats.differences(scenes[0]);
+      const auto near = differences_of(scenes[0]);
       if (!near)
         return bars;
       KeyResults far = bars;
       if (scenes.size() > 1)
-        far = repeats.differences(scenes[1]).value_or(far);
+        far = differences_of(scenes[1]).value_or(far);
       const double smallest = scenes[0].smallest_rate;
       const double largest  = largest_rate(*near, far, time, smallest);
-      for (const KeyResult::Name k : results_with_error_bars)
+      for (auto &[k, bar] : bars)
         {
-          const double own    = rate((*near)[k], far[k], smallest);
+          const double own    = rate(near->at(k), far.at(k), smallest);
           const double common = std::max(own, std::sqrt(own * largest));
           // what follows a geometric sequence of differences
           const double factor =
             common < 1. ? common / (1. - common) : largest_factor;
-          bars[k] = std::min(factor, largest_factor) * std::abs((*near)[k]);
+          bar = std::min(factor, largest_factor) * std::abs(near->at(k));
         }
       return bars;
     }
@@ -216,17 +150,63 @@ namespace ThermoContact
              const std::function<void()> &look_up,
              Log                         &log)
   {
-    KeyErrors    errors;
-    Repeats<dim> repeats(simulation, look_up, log, errors);
-    errors.time  = time_errors(simulation, repeats);
-    errors.space = space_errors(simulation, errors.time, repeats);
-    const KeyResults values =
-      key_results(simulation.scene(), simulation.history());
+    const Scene     &scene  = simulation.scene();
+    const KeyResults values = key_results(scene, simulation.history());
+    const KeyResults smooth = smooth_key_results(scene, simulation.history());
+    const MPI_Comm   communicator = simulation.discretization().communicator();
+    KeyErrors        errors;
+    const auto       add_failure = [&](const CoarserScene &coarser,
+                                 const std::string  &reason) {
+      errors.remarks.push_back(
+        "error bars: the repeat with " + coarser.words +
+        " fails: " + reason.substr(0, reason.find('\n')));
+    };
+    const Differences differences =
+      [&](const CoarserScene &coarser) -> std::optional<KeyResults> {
+      ++errors.n_repeats;
+      log.live_line(text(
+        "  error bars: repeat ", errors.n_repeats, " with ", coarser.words));
+      try
+        {
+          check_scene(coarser.parameters);
+          Simulation<dim> repeat(coarser.parameters, communicator);
+          repeat.run({[&](const Simulation<dim> &) { look_up(); }});
+          KeyResults result =
+            smooth_key_results(repeat.scene(), repeat.history());
+          for (auto &[k, value] : result)
+            value = std::isnan(smooth.at(k)) && std::isnan(value) ?
+                      0. :
+                      value - smooth.at(k);
+          return result;
+        }
+      catch (const Interruption &)
+        {
+          throw;
+        }
+      catch (const std::runtime_error &error)
+        {
+          add_failure(coarser, error.what());
+        }
+      catch (const std::bad_alloc &)
+        {
+          // perhaps of this rank alone: the others wait for it
+          if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+            throw;
+          add_failure(coarser, "there is not enough memory");
+        }
+      return {};
+    };
+
+    KeyResults missed;
+    for (const auto &[k, value] : values)
+      missed[k] = smooth.at(k) - value;
+    errors.time  = time_errors(scene.parameters, missed, differences);
+    errors.space = space_errors(scene.parameters, errors.time, differences);
     const bool has_largest_force =
-      !is_largest_force_of_mesh(simulation.scene(), simulation.events());
-    for (const KeyResult::Name k : results_with_error_bars)
-      if (std::isnan(values[k]) ||
-          (k == KeyResult::max_contact_force && !has_largest_force))
+      !is_largest_force_of_mesh(scene, simulation.events());
+    for (const std::string &k : results_with_error_bars())
+      if (std::isnan(values.at(k)) ||
+          (k == "max_contact_force" && !has_largest_force))
         errors.time[k] = errors.space[k] = unknown;
     if (!has_largest_force)
       errors.remarks.push_back(

@@ -36,8 +36,7 @@ namespace ThermoContact
       std::vector<RunMemory> runs; ///< those that have no row yet
       double                 bytes_of_reference = 0.;
       bool                   has_bodies         = false;
-      double                 steps              = 0.; ///< of @p n_known runs
-      unsigned int           n_known            = 0;
+      double                 steps              = 0.;
       unsigned int           n_refused          = 0;
       std::string            refused; ///< the first ones, and why
     };
@@ -50,6 +49,19 @@ namespace ThermoContact
     {
       std::vector<std::string> warnings; // the run will tell them
       return load_history(scene, ProblemData<dim>(scene), warnings);
+    }
+
+
+
+    /** What the scene of a run costs; throws if the run cannot be run. */
+    ExpectedCost
+    expected_cost(const Scene &scene)
+    {
+      const unsigned int dim = scene.parameters.dimension;
+      return expected_cost(scene,
+                           dim == 1 ? loads_of<1>(scene) :
+                           dim == 2 ? loads_of<2>(scene) :
+                                      loads_of<3>(scene));
     }
 
 
@@ -72,15 +84,7 @@ namespace ThermoContact
             if (!table.has(run))
               forecast.runs.push_back(
                 {plan.description(run), expected_memory(scene, 1)});
-            const unsigned int dim   = scene.parameters.dimension;
-            const LoadHistory  loads = dim == 1 ? loads_of<1>(scene) :
-                                       dim == 2 ? loads_of<2>(scene) :
-                                                  loads_of<3>(scene);
-            if (const auto cost = expected_cost(scene, &loads))
-              {
-                forecast.steps += cost->steps;
-                ++forecast.n_known;
-              }
+            forecast.steps += expected_cost(scene).steps;
           }
         catch (const InputError &error)
           {
@@ -184,18 +188,22 @@ namespace ThermoContact
   void
   check_any_run(const StudyTable &table)
   {
-    StudyForecast forecast;
-    for (unsigned int run = 0;
-         run < std::min(table.plan().n_runs(), max_checked);
-         ++run)
-      {
-        const StudyForecast one = read_scenes(table, {run});
-        if (one.n_refused == 0)
+    const StudyPlan &plan = table.plan();
+    SceneReader      reader(plan.scene_assignments());
+    std::string      first;
+    for (unsigned int run = 0; run < plan.n_runs(); ++run)
+      try
+        {
+          plan.read_scene(plan.overrides(run), reader);
+          expected_cost(Scene(reader.scene()));
           return;
-        if (forecast.n_refused++ == 0)
-          forecast.refused = one.refused;
-      }
-    throw InputError("Study/Vary: no run can be run" + forecast.refused);
+        }
+      catch (const InputError &error)
+        {
+          if (first.empty())
+            first = plan.description(run) + ": " + error.what();
+        }
+    throw InputError("Study/Vary: no run can be run\n  " + first);
   }
 
 
@@ -211,11 +219,11 @@ namespace ThermoContact
     std::vector<unsigned int> runs(std::min(n_runs, max_checked));
     std::iota(runs.begin(), runs.end(), 0);
     const StudyForecast forecast = read_scenes(table, runs);
-    if (forecast.n_known > 0)
+    if (const auto n = runs.size() - forecast.n_refused; n > 0)
       log.line(text("  expected  ",
                     about(forecast.steps * parameters.repetitions),
                     " steps, about, of ",
-                    forecast.n_known,
+                    n,
                     " runs"));
     if (table.size() < n_runs)
       if (const std::string lines = describe_memory(forecast); !lines.empty())

@@ -231,22 +231,34 @@ namespace ThermoContact
 
 
 
-  StudyPlan::Axis
-  StudyPlan::read_axis(const std::string &text)
+  std::vector<StudyPlan::Axis>
+  StudyPlan::read_set(const std::string &entry, const std::string &set)
   {
-    Axis axis;
-    for (const std::string &part : split_entries(text))
+    std::vector<Axis>     axes;
+    std::set<std::string> paths;
+    for (const std::string &text : split_at(set, ";"))
       {
-        axis.push_back(read_variation("Vary", part));
-        if (axis.back().values.size() != axis.front().values.size())
-          refuse_notation("Vary",
-                          text,
-                          std::to_string(axis.front().values.size()) +
-                            " values of the first and " +
-                            std::to_string(axis.back().values.size()) +
-                            " of another entry that goes with it");
+        Axis axis;
+        for (const std::string &part : split_entries(text))
+          {
+            axis.push_back(read_variation(entry, part));
+            const auto n = axis.back().values.size();
+            if (n != axis.front().values.size())
+              refuse_notation(entry,
+                              text,
+                              std::to_string(axis.front().values.size()) +
+                                " values of the first and " +
+                                std::to_string(n) +
+                                " of another entry that goes with it");
+          }
+        for (const Variation &variation : axis)
+          if (!paths.insert(variation.path).second)
+            throw InputError("Study/" + entry + ": " + quote(variation.path) +
+                             " twice in one run\n  remedy:  name each entry "
+                             "once");
+        axes.push_back(axis);
       }
-    return axis;
+    return axes;
   }
 
 
@@ -258,34 +270,24 @@ namespace ThermoContact
     for (const std::string &set : split_at(vary, ";;"))
       {
         first_runs.push_back(n_all);
-        sets.emplace_back();
-        double                n = 1.;
-        std::set<std::string> paths;
-        for (const std::string &text : split_at(set, ";"))
+        sets.push_back(read_set("Vary", set));
+        double n = 1.;
+        for (const Axis &axis : sets.back())
           {
-            sets.back().push_back(read_axis(text));
-            n *= sets.back().back().front().values.size();
-            for (const Variation &variation : sets.back().back())
-              {
-                const std::string &path = variation.path;
-                if (!paths.insert(path).second)
-                  throw InputError("Study/Vary: " + quote(path) +
-                                   " twice in one run\n  remedy:  name each "
-                                   "entry once");
-                if (std::find(varied_.begin(), varied_.end(), path) ==
-                    varied_.end())
-                  varied_.push_back(path);
-              }
+            n *= axis.front().values.size();
+            for (const auto &[path, values] : axis)
+              if (std::find(varied_.begin(), varied_.end(), path) ==
+                  varied_.end())
+                varied_.push_back(path);
           }
         n_all += n;
         if (n_all > max_runs)
-          {
-            std::ostringstream message;
-            message << "Study/Vary: " << n_all
-                    << " runs or more\n  allowed: at most " << max_runs
-                    << "\n  remedy:  fewer values, or several studies";
-            throw InputError(message.str());
-          }
+          throw InputError(text("Study/Vary: ",
+                                n_all,
+                                " runs or more\n  allowed: at most ",
+                                max_runs,
+                                "\n  remedy:  fewer values, or several "
+                                "studies"));
       }
     first_runs.push_back(n_all);
   }
@@ -296,18 +298,14 @@ namespace ThermoContact
   StudyPlan::read_reference(const std::string &text)
   {
     reference_.emplace();
-    for (const std::string &part : split_at(text, ";"))
-      {
-        const Variation variation = read_variation("Reference", part);
-        if (variation.values.size() > 1)
-          throw InputError("Study/Reference: several values in '" +
-                           quote(part) + "'\n  allowed: one value per entry");
-        if (find_override(*reference_, variation.path))
-          throw InputError("Study/Reference: " + quote(variation.path) +
-                           " twice in one run\n  remedy:  name each entry "
-                           "once");
-        reference_->emplace_back(variation.path, variation.values[0]);
-      }
+    for (const Axis &axis : read_set("Reference", text))
+      for (const auto &[path, values] : axis)
+        {
+          if (values.size() > 1)
+            throw InputError("Study/Reference: several values of " +
+                             quote(path) + "\n  allowed: one value per entry");
+          reference_->emplace_back(path, values[0]);
+        }
   }
 
 

@@ -19,38 +19,16 @@ namespace ThermoContact
 {
   namespace
   {
-    // study.txt has errors of these, in this order
-    const Trajectory::Quantity tabled_quantities[] = {
-      Trajectory::displacement_end,
-      Trajectory::velocity_end,
-      Trajectory::contact_force,
-      Trajectory::temperature_end};
-
-
-
-    /** The numbers of the runs of a set. */
-    std::vector<unsigned int>
-    runs_of(const StudyPlan &plan, const unsigned int set)
-    {
-      std::vector<unsigned int> runs;
-      for (unsigned int run = 0; run < plan.n_runs(); ++run)
-        if (plan.set_of(run) == set)
-          runs.push_back(run);
-      return runs;
-    }
-
-
-
     /**
      * The entry that a set of combinations refines: the last of those in whose
      * powers errors fall that has several values, all of them numbers. Empty
      * if there is none.
      */
     std::string
-    refined_entry(const StudyPlan &plan, const unsigned int set)
+    refined_entry(const StudyPlan &plan, const std::vector<unsigned int> &runs)
     {
       std::map<std::string, std::set<std::string>> values;
-      for (const unsigned int run : runs_of(plan, set))
+      for (const unsigned int run : runs)
         for (const auto &[path, value] : plan.overrides(run))
           values[path].insert(value);
       std::string refined;
@@ -72,12 +50,12 @@ namespace ThermoContact
     /** The runs of a set that differ in the refined entry alone, by the rest.
      */
     std::map<std::string, std::vector<unsigned int>>
-    group(const StudyPlan   &plan,
-          const unsigned int set,
-          const std::string &refined)
+    group(const StudyPlan                 &plan,
+          const std::vector<unsigned int> &runs,
+          const std::string               &refined)
     {
       std::map<std::string, std::vector<unsigned int>> groups;
-      for (const unsigned int run : runs_of(plan, set))
+      for (const unsigned int run : runs)
         {
           std::vector<std::string> others;
           for (const auto &[path, value] : plan.overrides(run))
@@ -102,7 +80,7 @@ namespace ThermoContact
         refined.empty() ? "run" : (grows ? "" : "1/") + refined;
       std::vector<std::pair<std::string, std::string>> errors; // name, column
       if (study.plan().reference())
-        for (const auto q : tabled_quantities)
+        for (unsigned int q = 0; q < Trajectory::energy; ++q)
           {
             const std::string name = Trajectory::names[q];
             errors.emplace_back(name, "error_" + name);
@@ -146,8 +124,12 @@ namespace ThermoContact
       std::ostringstream text;
       for (unsigned int set = 0; set < study.plan().n_sets(); ++set)
         {
-          const std::string refined = refined_entry(study.plan(), set);
-          for (const auto &[name, runs] : group(study.plan(), set, refined))
+          std::vector<unsigned int> of_set;
+          for (unsigned int run = 0; run < study.plan().n_runs(); ++run)
+            if (study.plan().set_of(run) == set)
+              of_set.push_back(run);
+          const std::string refined = refined_entry(study.plan(), of_set);
+          for (const auto &[name, runs] : group(study.plan(), of_set, refined))
             {
               text << (name.empty() ? "scene of the file" : name) << '\n';
               std::vector<unsigned int> done;
@@ -187,21 +169,20 @@ namespace ThermoContact
     {
       std::vector<std::string> names = study.plan().varied();
       names.push_back("status");
-      std::copy_if(key_result_names.begin(),
-                   key_result_names.end(),
-                   std::back_inserter(names),
-                   [&study](const std::string &name) {
-                     for (unsigned int i = 0; i < study.plan().n_runs(); ++i)
-                       if (parse_number(study.words(i, name)))
-                         return true;
-                     return false;
-                   });
+      for (const std::string &name : key_result_names())
+        for (unsigned int i = 0; i < study.plan().n_runs(); ++i)
+          if (parse_number(study.words(i, name)))
+            {
+              names.push_back(name);
+              break;
+            }
       std::string page =
         "# " + (title.empty() ? "Study" : title) + "\n\n| run | ";
       std::string line = "| --- | ";
       for (const std::string &name : names)
         {
-          page += cell(name);
+          const std::string unit = study.unit(name);
+          page += cell(unit.empty() ? name : name + " [" + unit + "]");
           line += "--- | ";
         }
       page += '\n' + line + '\n';

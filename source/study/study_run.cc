@@ -69,14 +69,20 @@ namespace ThermoContact
         times.loop   = timer.wall_time() - times.output;
         times.wall   = since_start.wall_time();
         run.loop_seconds.push_back(times.loop);
-        run.n_dofs  = simulation.discretization().dof_handler().n_dofs();
-        run.n_steps = simulation.record().step;
-        run.n_rejected_steps = simulation.history().n_rejected_steps;
-        run.n_factorizations = simulation.counters().factorizations;
-        run.n_solves         = simulation.counters().solves;
+        const SolverCounters counters = simulation.counters();
+        run.counts                    = {{"dofs",
+                                          simulation.discretization().dof_handler().n_dofs()},
+                                         {"steps", simulation.record().step},
+                                         {"rejected_steps", simulation.history().n_rejected_steps},
+                                         {"factorizations", counters.factorizations},
+                                         {"solves", counters.solves}};
         run.trajectory.set_events(simulation.events());
         if (output)
-          write_summary(directory + "/summary.json", status, simulation, times);
+          write_summary(directory + "/summary.json",
+                        status,
+                        simulation,
+                        Forecast(simulation.scene(), simulation.loads()),
+                        times);
       };
       try
         {

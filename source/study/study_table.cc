@@ -25,14 +25,7 @@ namespace ThermoContact
   {
     const double nan = std::numeric_limits<double>::quiet_NaN();
 
-    double
-    minimum(const std::vector<double> &sorted)
-    {
-      return sorted.empty() ? nan : sorted.front();
-    }
-
-
-
+    /** The middle of numbers in order of size; NaN if there are none. */
     double
     median(const std::vector<double> &sorted)
     {
@@ -42,60 +35,13 @@ namespace ThermoContact
 
 
 
-    Trajectory::Difference
-    error_of(const StudyRun &run)
-    {
-      if (run.error)
-        return *run.error;
-      Trajectory::Difference none;
-      none.maximum.fill(nan);
-      none.final_value.fill(nan);
-      none.first_contact_time = nan;
-      return none;
-    }
-
-
-
-    // study.csv has its errors in this order
-    const Trajectory::Quantity quantities[] = {Trajectory::displacement_end,
-                                               Trajectory::velocity_end,
-                                               Trajectory::contact_force,
-                                               Trajectory::temperature_end};
-
-
-
     /** What a row of study.csv is made of. */
     struct StudyRow
     {
       unsigned int             number; ///< of the run
       std::vector<std::string> entries;
       const StudyRun          &run;
-      Trajectory::Difference   error;
     };
-
-
-
-    /** A column with a member of StudyRun. */
-    template <typename Value>
-    CsvColumn<StudyRow>
-    run_column(const std::string &name, Value StudyRun::*const member)
-    {
-      return {name, [member](const StudyRow &row) { return row.run.*member; }};
-    }
-
-
-
-    /** A column with an error of a quantity. */
-    CsvColumn<StudyRow>
-    error_column(const std::string &prefix,
-                 Trajectory::Values Trajectory::Difference::*const error,
-                 const Trajectory::Quantity                        quantity)
-    {
-      return {prefix + Trajectory::names[quantity],
-              [error, quantity](const StudyRow &row) {
-                return (row.error.*error)[quantity];
-              }};
-    }
 
 
 
@@ -103,9 +49,6 @@ namespace ThermoContact
     CsvColumns<StudyRow>
     make_columns(const StudyPlan &plan)
     {
-      const auto maximum     = &Trajectory::Difference::maximum;
-      const auto final_value = &Trajectory::Difference::final_value;
-
       CsvColumns<StudyRow> columns = {{"run", &StudyRow::number}};
       for (unsigned int e = 0; e < plan.varied().size(); ++e)
         columns.emplace_back(plan.varied()[e], [e](const StudyRow &row) {
@@ -114,32 +57,40 @@ namespace ThermoContact
       columns.emplace_back("status", [](const StudyRow &row) {
         return row.run.failure.empty() ? "done" : "failed: " + row.run.failure;
       });
-      columns.push_back(run_column("dofs", &StudyRun::n_dofs));
-      columns.push_back(run_column("steps", &StudyRun::n_steps));
-      columns.push_back(
-        run_column("rejected_steps", &StudyRun::n_rejected_steps));
-      columns.push_back(
-        run_column("factorizations", &StudyRun::n_factorizations));
-      columns.push_back(run_column("solves", &StudyRun::n_solves));
+      for (const std::string name :
+           {"dofs", "steps", "rejected_steps", "factorizations", "solves"})
+        columns.emplace_back(name, [name](const StudyRow &row) {
+          const auto found = row.run.counts.find(name);
+          return found == row.run.counts.end() ? 0u : found->second;
+        });
       columns.emplace_back("loop_seconds", [](const StudyRow &row) {
-        return minimum(row.run.loop_seconds);
+        return row.run.loop_seconds.empty() ? nan :
+                                              row.run.loop_seconds.front();
       });
-      for (const auto q : quantities)
-        columns.push_back(error_column("error_", maximum, q));
+      const auto add_largest = [&columns](const unsigned int q) {
+        columns.emplace_back(std::string("error_") + Trajectory::names[q],
+                             [q](const StudyRow &row) {
+                               return row.run.error.maximum[q];
+                             });
+      };
+      for (unsigned int q = 0; q < Trajectory::energy; ++q)
+        add_largest(q);
       columns.emplace_back("error_first_contact_time", [](const StudyRow &row) {
-        return row.error.first_contact_time;
+        return row.run.error.first_contact_time;
       });
-      columns.push_back(error_column("error_", maximum, Trajectory::energy));
+      add_largest(Trajectory::energy);
       columns.emplace_back("loop_seconds_median", [](const StudyRow &row) {
         return median(row.run.loop_seconds);
       });
-      for (const auto q : quantities)
-        columns.push_back(error_column("final_error_", final_value, q));
-      columns.push_back(
-        error_column("final_error_", final_value, Trajectory::energy));
-      for (unsigned int k = 0; k < key_result_names.size(); ++k)
-        columns.emplace_back(key_result_names[k], [k](const StudyRow &row) {
-          return row.run.key_results ? (*row.run.key_results)[k] : nan;
+      for (unsigned int q = 0; q < Trajectory::n_quantities; ++q)
+        columns.emplace_back(std::string("final_error_") + Trajectory::names[q],
+                             [q](const StudyRow &row) {
+                               return row.run.error.final_value[q];
+                             });
+      for (const std::string &name : key_result_names())
+        columns.emplace_back(name, [name](const StudyRow &row) {
+          const auto found = row.run.key_results.find(name);
+          return found == row.run.key_results.end() ? nan : found->second;
         });
       return columns;
     }
@@ -157,16 +108,6 @@ namespace ThermoContact
           conversions[i + 1].unit = unit_of_entry(plan.varied()[i]);
       return conversions;
     }
-
-
-
-    /** The line of names, the last one of a head. */
-    std::string
-    names_of_head(const std::string &head)
-    {
-      const auto end = head.find_last_of('\n', head.size() - 2);
-      return head.substr(end + 1, head.size() - end - 2);
-    }
   } // namespace
 
 
@@ -180,8 +121,10 @@ namespace ThermoContact
     , units_(parameters)
     , head(csv_comments(parameters.title) +
            csv_head(make_columns(plan), conversions_of(plan, parameters)))
-    , names_(split_row(names_of_head(head)))
-  {}
+  {
+    for (const auto &column : make_columns(plan))
+      names_.push_back(column.name);
+  }
 
 
 
@@ -196,7 +139,7 @@ namespace ThermoContact
     scene.scales.temperature_unit = parameters.scales.temperature_unit;
     std::string row;
     append_csv_row(make_columns(plan_),
-                   {run, plan_.entries(run), result, error_of(result)},
+                   {run, plan_.entries(run), result},
                    row,
                    conversions_of(plan_, scene));
     // one call, so that rows of several ranks do not mix
@@ -229,7 +172,7 @@ namespace ThermoContact
         do
           std::getline(file, line);
         while (file && !line.empty() && line[0] == '#');
-        if (line != names_of_head(head))
+        if (split_row(line) != names_)
           fail("its columns are not those of this study");
         n_read = file.tellg();
       }
@@ -292,6 +235,16 @@ namespace ThermoContact
   {
     const auto column = std::find(names_.begin(), names_.end(), name);
     return rows.at(run)[column - names_.begin()];
+  }
+
+
+
+  std::string
+  StudyTable::unit(const std::string &name) const
+  {
+    const Conversions conversions = conversions_of(plan_, parameters);
+    const auto        column = std::find(names_.begin(), names_.end(), name);
+    return conversions.empty() ? "" : conversions[column - names_.begin()].unit;
   }
 
 

@@ -110,7 +110,7 @@ namespace ThermoContact
   Trajectory::Difference
   Trajectory::compare(const Trajectory &reference) const
   {
-    Difference difference{};
+    Difference difference(0.);
     for (std::size_t n = 1; n < times.size(); ++n)
       {
         const Values exact = reference.interpolate(times[n]);

@@ -468,48 +468,19 @@ namespace ThermoContact
                                           const StageRates          &rates)
   {
     const ThermoviscoelasticOperator<dim> &equations = body.equations;
-    const Material                        &material  = body.scene.material;
     const double tau = factorizations.front().matrix.tau();
     equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
-    const auto subtract = [](const LinearMap &matrix,
-                             const double     factor,
-                             const Vector    &x,
-                             Vector          &rows) {
-      Vector product(rows);
-      matrix.vmult(product, x);
-      rows.add(-factor, product);
-    };
-    if (body.scene.fields.has_temperature)
-      {
-        const Vector &rate = rates.temperature_rate;
-        subtract(equations.heat_mass(), 1., rate, heat_rhs);
-        subtract(equations.conduction(), tau, rate, heat_rhs);
-        equations.subtract_heating(rates.velocity, heat_rhs);
-        if (!flux.empty())
-          body.contact_end().subtract_load(Field::temperature,
-                                           flux,
-                                           1.,
-                                           heat_rhs);
-        equations.zero_constrained(Field::temperature, heat_rhs);
-        equations.add_thermal_stress(rate, tau * tau, momentum_rhs);
-      }
-    const Vector &velocity = rates.velocity;
-    if (material.has_inertia())
-      subtract(equations.momentum_mass(),
-               material.inertia,
-               velocity,
-               momentum_rhs);
-    if (material.has_viscosity())
-      subtract(equations.viscous_stiffness(),
-               tau * material.viscosity,
-               velocity,
-               momentum_rhs);
-    subtract(equations.stiffness(), tau * tau, velocity, momentum_rhs);
+    equations.subtract_stage_product(
+      tau, rates.temperature_rate, rates.velocity, heat_rhs, momentum_rhs);
+    if (!flux.empty())
+      body.contact_end().subtract_load(Field::temperature, flux, 1., heat_rhs);
     body.contact_end().subtract_load(Field::displacement,
                                      rates.pressure,
                                      tau,
                                      momentum_rhs);
+    if (body.scene.fields.has_temperature)
+      equations.zero_constrained(Field::temperature, heat_rhs);
     equations.zero_constrained(Field::displacement, momentum_rhs);
   }
 

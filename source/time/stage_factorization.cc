@@ -135,7 +135,8 @@ namespace ThermoContact
     heat_correction     = heat_rhs;
     momentum_correction = momentum_rhs;
     solve_once(heat_rhs, momentum_rhs, temperature_rate, velocity);
-    subtract_products(temperature_rate, velocity);
+    stage_operator.subtract_stage_product(
+      tau_, temperature_rate, velocity, heat_residual, momentum_residual);
     solve_once(heat_residual,
                momentum_residual,
                heat_correction,
@@ -144,42 +145,6 @@ namespace ThermoContact
       temperature_rate += heat_correction;
     if (discretization.has_field(Field::displacement))
       velocity += momentum_correction;
-  }
-
-
-
-  template <int dim>
-  void
-  StageFactorization<dim>::subtract_products(const Vector &temperature_rate,
-                                             const Vector &velocity)
-  {
-    const Material &material = stage_operator.coefficients();
-    Vector         &scratch  = momentum_correction;
-    if (discretization.has_field(Field::temperature))
-      {
-        stage_operator.heat_mass().vmult(heat_correction, temperature_rate);
-        heat_residual -= heat_correction;
-        stage_operator.conduction().vmult(heat_correction, temperature_rate);
-        heat_residual.add(-tau_, heat_correction);
-        stage_operator.subtract_heating(velocity, heat_residual);
-        stage_operator.zero_constrained(Field::temperature, heat_residual);
-      }
-    if (!discretization.has_field(Field::displacement))
-      return;
-    stage_operator.stiffness().vmult(scratch, velocity);
-    momentum_residual.add(-tau_ * tau_, scratch);
-    stage_operator.viscous_stiffness().vmult(scratch, velocity);
-    momentum_residual.add(-tau_ * material.viscosity, scratch);
-    if (material.has_inertia())
-      {
-        stage_operator.momentum_mass().vmult(scratch, velocity);
-        momentum_residual.add(-material.inertia, scratch);
-      }
-    if (discretization.has_field(Field::temperature))
-      stage_operator.add_thermal_stress(temperature_rate,
-                                        tau_ * tau_,
-                                        momentum_residual);
-    stage_operator.zero_constrained(Field::displacement, momentum_residual);
   }
 
 

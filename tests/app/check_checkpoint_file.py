@@ -4,14 +4,12 @@
 
 usage: check_checkpoint_file.py DIR
 
-A checkpoint is a line with its format, a line of JSON with size and CRC-32 of
-each part that follows, and the parts: archives of Boost, in which a text is its
-length, 8 bytes, and its letters.
+A checkpoint is a line with its format, one with the CRC-32 of the next, a line of
+JSON with size and CRC-32 of each part that follows, and the parts.
 """
 import json
 import re
 import shutil
-import struct
 import sys
 import zlib
 from pathlib import Path
@@ -20,23 +18,12 @@ sys.dont_write_bytecode = True
 from program import run, settings  # noqa: E402
 
 
-def text(word):
-    return struct.pack("<Q", len(word)) + word.encode()
-
-
 def replace(path, old, new):
-    """In one of the parts, once; with the checksum of the result."""
-    form, header, rest = path.read_bytes().split(b"\n", 2)
-    header = json.loads(header)
-    assert rest.count(old) == 1, (old, rest.count(old))
-    parts = []
-    for part in header["parts"]:
-        data, rest = rest[:part["size"]], rest[part["size"]:]
-        data = data.replace(old, new)
-        part.update(size=len(data), checksum=zlib.crc32(data))
-        parts.append(data)
-    path.write_bytes(b"\n".join([form, json.dumps(header).encode(),
-                                 b"".join(parts)]))
+    """In the line of JSON, once; with its checksum."""
+    form, _, header, parts = path.read_bytes().split(b"\n", 3)
+    assert header.count(old.encode()) == 1, (old, header.count(old.encode()))
+    header = header.replace(old.encode(), new.encode())
+    path.write_bytes(b"\n".join([form, str(zlib.crc32(header)).encode(), header, parts]))
 
 
 def damage(path):
@@ -68,19 +55,20 @@ def main():
     reference = Path(sys.argv[1])
     with open(reference / "checkpoint.bin", "rb") as file:
         file.readline()
+        file.readline()
         version = json.loads(file.readline())["version"]
     resume(reference, "untouched", lambda newest, previous: None)
     resume(reference, "another version", lambda newest, previous: replace(
-        newest, text(version), text("0.0.5-older")))
+        newest, json.dumps(version), '"0.0.5-older"'))
     resume(reference, "damaged", lambda newest, previous: damage(newest))
     resume(reference, "all damaged", lambda newest, previous: (
         damage(newest), damage(previous)))
     resume(reference, "another format", lambda newest, previous:
            newest.write_bytes(newest.read_bytes()[1:]))
     resume(reference, "an entry unknown then", lambda newest, previous: replace(
-        newest, text("Mesh/Grading"), text("Mesh/" + "Gradinf")))
+        newest, '"Mesh/Grading"', '"Mesh/Gradinf"'))
     resume(reference, "numbers of another mesh", lambda newest, previous: replace(
-        newest, text("Mesh/Cells") + text("8"), text("Mesh/Cells") + text("9")),
+        newest, '"Mesh/Cells":"8"', '"Mesh/Cells":"9"'),
         "Mesh/Cells=9")
 
 

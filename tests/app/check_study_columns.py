@@ -23,7 +23,7 @@ QUANTITIES = ("displacement_end", "velocity_end", "contact_force", "temperature_
 KEY_RESULTS = ("first_contact_time", "max_contact_force", "max_penetration",
                "contact_impulse", "final_displacement_end", "final_temperature_end",
                "contact_begins", "contact_duration", "restitution",
-               "reached_state_of_rest")
+               "reached_state_of_rest", "final_contact_force")
 EXEMPT = {(f"study.csv/{name}", way) for name in ("loop_seconds", "loop_seconds_median")
           for way in ("times 1.001", "one row late", "one row early")}
 
@@ -173,7 +173,8 @@ def check_key_results(study):
             lambda run: run.contact["displacement_end"][-1],
             lambda run: run.contact["temperature_end"][-1],
             lambda run: run.events["kind"].count("begin") if len(run.events) else 0,
-            duration, restitution, state_of_rest)):
+            duration, restitution, state_of_rest,
+            lambda run: run.contact["contact_force"][-1])):
         yield from column(study, name, value, 1e-9)
 
 

@@ -22,7 +22,10 @@ WORDS = {"restart": "how-to", "sweep": "how-to", "damping": "parameters", "toler
          "install": "how-to", "probes": "parameters", "friction": "laws", "restitution": "laws",
          "Poisson": "parameters", "checkpoint": "how-to", "max_contact_force": "output",
          "error bars": "numerics", "slow": "messages", "time step": "accuracy", "MPI": "how-to",
-         "steady state": "model", "preload": "laws", "convergence order": "accuracy"}
+         "steady state": "model", "preload": "laws", "convergence order": "accuracy",
+         "resume": "how-to", "Robin": "model", "order": "accuracy", "error bar": "numerics",
+         "memory": "performance", "study": "how-to", "fit": "fit-of-a-stop",
+         "thermal switch": "gallery"}
 FIRST = """
 const fs = require("fs"), folder = process.argv[1], [,, ...queries] = process.argv;
 const document = {getElementById: () => ({addEventListener() {}})};

@@ -39,7 +39,8 @@ RESULTS = {"time of the first contact": "first_contact_time",
            "coefficient of restitution": "restitution",
            r"final displacement  $u(1, T)$": "final_displacement_end",
            r"final temperature  $\theta(1, T)$": "final_temperature_end",
-           "steady state reached, number": "reached_state_of_rest"}
+           "steady state reached, number": "reached_state_of_rest",
+           "final contact force": "final_contact_force"}
 BIFURCATION = {r"$u(1)$ at multiples of $P$": "displacement_end",
                r"$u_t(1)$ at multiples of $P$": "velocity_end",
                r"$\theta(1)$ at multiples of $P$": "temperature_end",

@@ -43,6 +43,7 @@
 
 #include <thermocontact/simulation/simulation.h>
 
+#include <deal.II/base/function_parser.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 

@@ -47,7 +47,7 @@ namespace
   {
     std::vector<double> y, pressure;
     double              mean;
-    FaceRecord          face;
+    StepRecord          face;
   };
 
 
@@ -61,7 +61,7 @@ namespace
     Contact       contact;
     const auto    observe = [&](const Simulation<2> &s) {
       contact.mean = s.record().contact_force;
-      contact.face = s.record().face;
+      contact.face = s.record();
       for (const auto &node : s.discretization().contact_end().nodes())
         contact.y.push_back(node.position[1]);
       contact.pressure = s.state().contact_pressure;
@@ -168,14 +168,14 @@ namespace
 
 
   /** Sums over the nodes of 3 x 3 cells of degree 1 on a square of side 0.3. */
-  FaceRecord
+  StepRecord
   sum_over_nodes(const std::vector<Point<3>> &nodes,
                  const std::vector<double>   &pressure)
   {
     const auto is_inside = [](const double y) {
       return y > 1e-9 && y < 0.3 - 1e-9;
     };
-    FaceRecord face;
+    StepRecord face;
     for (unsigned int i = 0; i < nodes.size(); ++i)
       if (const double p = pressure[i]; p > 0.)
         {
@@ -203,13 +203,13 @@ namespace
                                               "Mesh/Degree=1",
                                               "Contact/Gap=-0.03+y/9+z/8"}),
                              MPI_COMM_SELF);
-    FaceRecord    found, expected;
+    StepRecord    found, expected;
     simulation.run({[&](const Simulation<3> &s) {
       std::vector<Point<3>> nodes;
       for (const auto &node : s.discretization().contact_end().nodes())
         nodes.push_back(node.position);
       expected = sum_over_nodes(nodes, s.state().contact_pressure);
-      found    = s.record().face;
+      found    = s.record();
     }});
     const auto same = [](const double a, const double b) {
       return std::abs(a - b) <= 1e-12 * std::abs(b);

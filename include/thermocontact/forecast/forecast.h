@@ -3,6 +3,8 @@
 #ifndef thermocontact_forecast_forecast_h
 #define thermocontact_forecast_forecast_h
 
+#include <thermocontact/forecast/first_impact.h>
+#include <thermocontact/forecast/steady_state.h>
 #include <thermocontact/method/load_history.h>
 #include <thermocontact/scene/scene.h>
 
@@ -54,15 +56,32 @@ namespace ThermoContact
 
   /**
    * Number of steps, exact if they are fixed and nothing shortens them, for
-   * error-controlled ones within a factor of about two (doc/accuracy.md); size
-   * of the files that grow with time; processor time of a body.
+   * error-controlled ones within a factor of about two (doc/accuracy.md), of
+   * about three if they follow sources; size of the files that grow with time;
+   * processor time of a body.
    *
-   * @param loads what error-controlled steps follow of sources, which makes
-   *   their number one within a factor of about three; null: not known
-   * @return nothing for error-controlled steps under sources that are not known
+   * @param loads what error-controlled steps follow of sources
    */
-  std::optional<ExpectedCost>
-  expected_cost(const Scene &scene, const LoadHistory *loads = nullptr);
+  ExpectedCost
+  expected_cost(const Scene &scene, const LoadHistory &loads);
+
+
+
+  /** What is known of a run before it is made. */
+  struct Forecast
+  {
+    Forecast(const Scene &scene, const LoadHistory &loads)
+      : rest(steady_state(scene))
+      , impact(first_impact(scene))
+      , critical_step(critical_step_size(scene))
+      , cost(expected_cost(scene, loads))
+    {}
+
+    SteadyForecast             rest;
+    std::optional<FirstImpact> impact;
+    std::optional<double>      critical_step;
+    ExpectedCost               cost;
+  };
 } // namespace ThermoContact
 
 #endif

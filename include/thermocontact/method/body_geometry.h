@@ -28,9 +28,9 @@ namespace ThermoContact
 
     virtual ~BodyGeometry() = default;
 
-    /** The body with its numbers, for the screen. */
+    /** The body for the screen. @param length writes one in its unit */
     virtual std::string
-    description() const;
+    description(const std::function<std::string(double)> &length) const;
 
     /** Area of the contact end (1 in 1-D), by which results are scaled. */
     virtual double

@@ -19,13 +19,6 @@ namespace ThermoContact
     std::uint64_t begin    = 0;
     std::uint64_t size     = 0;
     std::uint32_t checksum = 0;
-
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
-    {
-      archive &begin &size &checksum;
-    }
   };
 
 
@@ -55,7 +48,7 @@ namespace ThermoContact
 
     OutputProgress output;
 
-    /** Where the nodes of each rank are in the file. */
+    /** Where progress, then the nodes of each rank, are in the file. */
     std::string            path;
     std::vector<PartPlace> parts;
 
@@ -102,29 +95,21 @@ namespace ThermoContact
   keep_as_newest(const std::string &directory, const Checkpoint &checkpoint);
 
   /**
-   * Looks whether the tables of a run are as long as @p progress says; on one
-   * rank.
+   * Compares a checkpoint with the run that is to go on from it. Title, end
+   * time, the directory, the intervals of the output and the number of ranks
+   * may differ. The tables in @p directory are at least as long as they were.
+   * Collective.
    *
-   * @return what is wrong, with path and remedy, or nothing
-   */
-  std::string
-  find_short_file(const std::string &directory, const OutputProgress &progress);
-
-  /**
-   * Compares a checkpoint with the run that is to go on from it. End time,
-   * the directory, the intervals of the output and the number of ranks may
-   * differ.
-   *
-   * @param parameters path and value of every parameter of that run
-   * @param units of messages
-   * @throw InputError naming what differs, or an end time before the
-   *   checkpoint
+   * @param entries path and value of every parameter of that run
+   * @throw InputError naming what differs, a file that is too short, or an end
+   *   time before the checkpoint
    */
   void
   check_compatibility(const Checkpoint                         &checkpoint,
-                      const std::map<std::string, std::string> &parameters,
-                      const double                              end_time,
-                      const QuantityUnits                      &units);
+                      const std::string                        &directory,
+                      const std::map<std::string, std::string> &entries,
+                      const Parameters                         &parameters,
+                      const MPI_Comm                            communicator);
 } // namespace ThermoContact
 
 #endif

@@ -25,14 +25,13 @@ namespace ThermoContact
     /**
      * @param directory of the run
      * @param parameters path and value of every parameter
-     * @param interval seconds; 0: only when the run is to end
+     * @param simulation Output/Checkpoint interval 0: only when it is to end
      * @param output borrowed
      */
     Checkpointer(const std::string                        &directory,
                  const std::map<std::string, std::string> &parameters,
-                 const double                              interval,
-                 Output<dim>                              &output,
-                 const MPI_Comm                            communicator);
+                 const Simulation<dim>                    &simulation,
+                 Output<dim>                              &output);
 
     /**
      * Writes what is due. Collective.
@@ -57,23 +56,21 @@ namespace ThermoContact
   private:
     const std::string                        directory;
     const std::map<std::string, std::string> parameters;
-    const double                             interval;
+    const double                             interval; ///< seconds
+    const double                             end_time;
     Output<dim>                             &output;
     const MPI_Comm                           communicator;
     const SignalWatch                        signals;
     Timer                                    timer;
     Timer                                    since_last;
 
-    void
-    write(const Simulation<dim> &simulation);
-
-    /** The signal that any rank has had, or 0. */
+    /** The largest number that any rank has. */
     int
-    common_signal() const;
+    common(const int number) const;
 
     /** As rank 0 sees the time. */
     bool
-    is_due(const Simulation<dim> &simulation) const;
+    is_due(const StepRecord &record) const;
   };
 } // namespace ThermoContact
 

@@ -8,6 +8,10 @@
 #include <thermocontact/simulation/measurements.h>
 #include <thermocontact/time/step_controller.h>
 
+#include <array>
+#include <string>
+#include <vector>
+
 namespace ThermoContact
 {
   /**
@@ -35,6 +39,25 @@ namespace ThermoContact
   /** The columns of steps.csv. */
   CsvColumns<StepAttempt>
   attempt_columns();
+
+  /** A row of probes.csv: values as PointValues gives them. */
+  struct ProbeRow
+  {
+    double                     time;
+    const std::vector<double> &values;
+  };
+
+  /** The columns of probes.csv. */
+  CsvColumns<ProbeRow>
+  probe_columns(const unsigned int n_places);
+
+  /** The coordinates of each place of Output/Probes; none: there are none. */
+  std::vector<std::array<double, 3>>
+  probe_positions(const Parameters &parameters);
+
+  /** They as comment lines. */
+  std::string
+  probe_comments(const Parameters &parameters);
 } // namespace ThermoContact
 
 #endif

@@ -4,12 +4,9 @@
 #define thermocontact_output_field_output_h
 
 #include <thermocontact/output/output_units.h>
-#include <thermocontact/output/rod_snapshot.h>
 #include <thermocontact/output/snapshot_series.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
-
-#include <deal.II/base/data_out_base.h>
 
 #include <chrono>
 #include <optional>
@@ -87,27 +84,22 @@ namespace ThermoContact
     std::optional<SnapshotSeries> contact_face;       ///< if there is one
     std::optional<SnapshotSeries> obstacle;           ///< if it moves
     const std::shared_ptr<dealii::Function<dim>> gap; ///< of an obstacle
-    std::optional<RodSnapshot> rod_snapshot;          ///< of a rod of few cells
-    std::chrono::steady_clock::time_point last_lists;
+    std::chrono::steady_clock::time_point        last_lists;
 
     /** All, as far as they are there. */
     std::vector<SnapshotSeries *>
     all_series();
 
-    /**
-     * Writes the fields from this rank's pieces; returns what is wrong, on all
-     * ranks. Collective.
-     */
+    /** Writes the file of the fields; returns what is wrong. Collective. */
     std::string
-    write_fields(const std::vector<std::string>      &pieces,
-                 const dealii::DataOutBase::VtkFlags &flags) const;
+    write_fields(const State &state);
 
     /**
      * Writes what is small: contact end, obstacle, PVD files. Rank 0 does;
      * returns what is wrong, or nothing. Collective.
      */
     std::string
-    write_others(const State &state, const DataOutBase::VtkFlags &flags);
+    write_others(const State &state);
   };
 } // namespace ThermoContact
 

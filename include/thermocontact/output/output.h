@@ -6,7 +6,6 @@
 #include <thermocontact/output/csv_file.h>
 #include <thermocontact/output/csv_rows.h>
 #include <thermocontact/output/field_output.h>
-#include <thermocontact/output/probe_output.h>
 #include <thermocontact/output/space_time_output.h>
 #include <thermocontact/simulation/simulation.h>
 
@@ -24,13 +23,6 @@ namespace ThermoContact
   {
     std::map<std::string, std::uint64_t> sizes; ///< of tables by name, in bytes
     std::vector<double>                  snapshot_times;
-
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
-    {
-      archive &sizes &snapshot_times;
-    }
   };
 
 
@@ -66,7 +58,10 @@ namespace ThermoContact
 
     /** Seconds spent in snapshots and in space-time.vtu. */
     double
-    output_seconds() const;
+    output_seconds() const
+    {
+      return field_timer.wall_time();
+    }
 
     /**
      * Completes the files of a run that is done, among them space-time.vtu.
@@ -105,25 +100,32 @@ namespace ThermoContact
       are_reached(const double time);
     };
 
-    const std::string      directory;
-    const OutputParameters parameters;
-    const double           end_time;
-    const MPI_Comm         communicator;
-    const bool             is_writer;
-    const OutputUnits      units;
-    FieldOutput<dim>       field_output;
-    Timer                  field_timer;
-    Timer                  since_flush;
-    CsvFile<StepRecord>    contact_file;
-    CsvFile<StepRecord>    poincare_file;
-    CsvFile<EventRow>      events_file;
-    CsvFile<StepAttempt>   steps_file;
-    unsigned int           n_written_events = 0;
-    unsigned int           n_rows           = 0;
-    Multiples              of_fields;
-    Multiples              of_contact;
-    Multiples              of_space_time;
-    Multiples              of_period;
+    const std::string                     directory;
+    const OutputParameters                parameters;
+    const double                          end_time;
+    const MPI_Comm                        communicator;
+    const bool                            is_writer;
+    const OutputUnits                     units;
+    FieldOutput<dim>                      field_output;
+    Timer                                 field_timer;
+    Timer                                 since_flush;
+    const std::vector<Place<dim>>         probes;
+    PointValues<dim>                      probe_values;
+    CsvFile<StepRecord>                   contact_file;
+    CsvFile<StepRecord>                   poincare_file;
+    CsvFile<EventRow>                     events_file;
+    CsvFile<StepAttempt>                  steps_file;
+    CsvFile<ProbeRow>                     probes_file;
+    std::unique_ptr<SpaceTimeOutput<dim>> space_time_output; ///< if asked for
+    unsigned int                          n_written_events = 0;
+    unsigned int                          n_rows           = 0;
+    Multiples                             of_fields;
+    Multiples                             of_contact;
+    Multiples                             of_space_time;
+    Multiples                             of_period;
+
+    /** All tables of the run by name; not open if they are not asked for. */
+    std::map<std::string, TableFile *> tables;
 
     /**
      * As in OutputProgress; also of tables that an earlier part of the run has
@@ -131,25 +133,12 @@ namespace ThermoContact
      */
     std::map<std::string, std::uint64_t> sizes;
 
-    std::unique_ptr<ProbeOutput<dim>>     probe_output; ///< if asked for
-    std::unique_ptr<SpaceTimeOutput<dim>> space_time_output;
-
-    /** All tables of the run by name; not open if they are not asked for. */
-    std::map<std::string, TableFile *>
-    tables();
-
     /** Opens what is asked for; on one rank. */
     void
     open_tables(const Simulation<dim> &simulation);
 
     void
     restore(const OutputProgress &progress, const Simulation<dim> &simulation);
-
-    void
-    write_events(const std::vector<ContactEvent> &events);
-
-    void
-    write_attempts(const std::vector<StepAttempt> &attempts);
 
     /** On one rank; returns the first fault, or nothing. */
     std::string

@@ -7,8 +7,6 @@
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
 
-#include <deal.II/base/data_out_base.h>
-
 #include <string>
 #include <vector>
 
@@ -20,13 +18,15 @@ namespace ThermoContact
    * since patches need several times the memory of the fields. Cells of degree
    * p are cut into p parts along each direction. The stress is
    * $C\varepsilon(u+\zeta v)-a\theta I$, if dim > 1 a tensor in space.
+   *
+   * @param cycle number of the snapshot
    */
   template <int dim>
   std::vector<std::string>
-  snapshot_pieces(const Body<dim>             &body,
-                  const State                 &state,
-                  const DataOutBase::VtkFlags &flags,
-                  const OutputUnits           &units);
+  snapshot_pieces(const Body<dim>   &body,
+                  const State       &state,
+                  const unsigned int cycle,
+                  const OutputUnits &units);
 } // namespace ThermoContact
 
 #endif

@@ -23,7 +23,11 @@ namespace ThermoContact
     /** @param time_unit in which the PVD file has the times */
     SnapshotSeries(const std::string &directory,
                    const std::string &name,
-                   const Conversion  &time_unit);
+                   const Conversion  &time_unit)
+      : directory(directory)
+      , name(name)
+      , time_unit(time_unit)
+    {}
 
     /** Times of the snapshots so far. */
     const std::vector<double> &
@@ -41,7 +45,10 @@ namespace ThermoContact
 
     /** That snapshot is there, of a state at @p time. */
     void
-    add(const double time);
+    add(const double time)
+    {
+      times_.push_back(time);
+    }
 
     /**
      * Writes the PVD file if it lacks snapshots; returns what is wrong, or
@@ -52,7 +59,12 @@ namespace ThermoContact
 
     /** Goes on behind the snapshots at @p times. */
     void
-    restore(const std::vector<double> &times);
+    restore(const std::vector<double> &times)
+    {
+      times_   = times;
+      n_listed = 0;
+      n_synced = times.size(); // before the checkpoint was written
+    }
 
     /**
      * Removes what an earlier run has written after these snapshots; returns
@@ -73,7 +85,6 @@ namespace ThermoContact
     const std::string   name;
     const Conversion    time_unit;
     std::vector<double> times_;
-    std::string         entries;      ///< of the PVD file
     unsigned int        n_listed = 0; ///< snapshots in it
     unsigned int        n_synced = 0; ///< snapshots
 

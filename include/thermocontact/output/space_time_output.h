@@ -4,11 +4,13 @@
 #define thermocontact_output_space_time_output_h
 
 #include <thermocontact/base/table_file.h>
-#include <thermocontact/output/space_time_file.h>
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/point_values.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -16,8 +18,9 @@ namespace ThermoContact
    * The whole run in one picture: space-time.vtu, whose first coordinate is x
    * and whose second is time, with temperature, displacement, velocity and
    * stress as in the snapshots, in dim > 1 their axial components along the
-   * axis. While the run goes on the columns are appended to space-time.columns;
-   * the VTU file is made of it at the end.
+   * axis. While the run goes on columns are appended to space-time.columns, as
+   * doubles of the machine: the time, then the values of each field that is
+   * present at all places. The VTU file is made of it at the end.
    */
   template <int dim>
   class SpaceTimeOutput
@@ -31,7 +34,10 @@ namespace ThermoContact
      * that is not 0. On one rank.
      */
     void
-    open(const std::uint64_t size);
+    open(const std::uint64_t size)
+    {
+      columns_file.open(columns_path, "", size);
+    }
 
     /** Adds a column. Collective. A fault shows when file() is flushed. */
     void
@@ -45,10 +51,14 @@ namespace ThermoContact
     }
 
     /**
-     * Makes space-time.vtu from the columns so far. On one rank.
+     * Makes space-time.vtu from the columns so far, but not if all are at one
+     * time. Between places of a cell and two columns lies one quadrilateral, so
+     * that values may jump between cells; none between columns whose times are
+     * equal in the single precision of the file. Memory does not grow with the
+     * number of columns. On one rank.
      *
      * @param is_done removes the columns if no checkpoint needs them
-     * @return what is wrong, or nothing
+     * @return what is wrong, with the path, or nothing
      */
     std::string
     write_vtu(const bool is_done);
@@ -58,9 +68,13 @@ namespace ThermoContact
     const std::string             columns_path;
     const OutputUnits             units;
     const std::vector<Place<dim>> places;
-    SpaceTimeLayout               layout;
+    const unsigned int            places_per_cell;
     PointValues<dim>              point_values;
     TableFile                     columns_file;
+
+    /** Those that the scene has, and their names. */
+    std::vector<unsigned int> quantities;
+    std::vector<std::string>  names;
   };
 } // namespace ThermoContact
 

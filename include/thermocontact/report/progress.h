@@ -35,20 +35,6 @@ namespace ThermoContact
     void
     observe(const RunHistory &history);
 
-    /** Wall time of all attempts at steps so far, in seconds. */
-    double
-    step_seconds() const
-    {
-      return step_seconds_;
-    }
-
-    /** What the audit (D4.1) starts from: $\hat E$ of the initial state. */
-    double
-    initial_energy() const
-    {
-      return initial_energy_;
-    }
-
   private:
     using Clock = std::chrono::steady_clock;
 
@@ -57,11 +43,9 @@ namespace ThermoContact
     const OutputUnits       units;
     const Clock::time_point start;
     const double            start_time; ///< of the scene, not of the clock
-    const double            initial_energy_;
     Clock::time_point       last_update;
     unsigned int            last_step;
     double                  steps_per_second;
-    double                  step_seconds_;
 
     /** Wall time if the rest of the time goes as fast as that so far. */
     double

@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/log.h>
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/forecast/forecast.h>
 #include <thermocontact/report/key_results.h>
 #include <thermocontact/time/stage_solver.h>
 
@@ -19,16 +20,20 @@ namespace ThermoContact
    * the first impact by more than a step.
    */
   std::vector<std::string>
-  step_warnings(const Scene &scene, const RunHistory &history);
+  step_warnings(const Scene      &scene,
+                const Forecast   &forecast,
+                const RunHistory &history);
 
   /**
-   * Prints contacts, the final state beside the state of rest that the scene
+   * Prints contacts, the final state beside the steady state that the scene
    * tends to, the energy audit, and what the run cost.
    *
-   * @param initial_energy Progress::initial_energy()
+   * @param initial_energy starting_energy() of the state that this process
+   *   began with
    */
   void
   report_result(const Scene          &scene,
+                const Forecast       &forecast,
                 const RunHistory     &history,
                 const SolverCounters &counters,
                 const RunTimes       &times,

@@ -4,7 +4,8 @@
 #define thermocontact_report_scene_report_h
 
 #include <thermocontact/base/log.h>
-#include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/forecast/forecast.h>
+#include <thermocontact/input/parameter_text.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <string>
@@ -31,13 +32,17 @@ namespace ThermoContact
    * the result, before anything is set up. Collective.
    *
    * @param loads that steps follow
+   * @param assignments of the file: in SI units expressions are shown as they
+   *   stand there
    * @param communicator of the ranks that share the body
    */
   void
-  report_scene(const Scene       &scene,
-               const LoadHistory &loads,
-               const MPI_Comm     communicator,
-               Log               &log);
+  report_scene(const Scene                   &scene,
+               const LoadHistory             &loads,
+               const Forecast                &forecast,
+               const std::vector<Assignment> &assignments,
+               const MPI_Comm                 communicator,
+               Log                           &log);
 
   /**
    * Prints what set-up adds to that, and the warnings so far.
@@ -54,17 +59,15 @@ namespace ThermoContact
    * Warns of a run that would take more than 1e8 steps or write more than 10
    * GB.
    *
-   * @param loads that steps follow
    * @param free_bytes of the disk of the results
    * @param is_forced it may be too small
    * @throw InputError if it is
    */
   void
-  check_cost(const Scene       &scene,
-             const LoadHistory &loads,
-             const double       free_bytes,
-             const bool         is_forced,
-             Log               &log);
+  check_cost(const ExpectedCost &cost,
+             const double        free_bytes,
+             const bool          is_forced,
+             Log                &log);
 } // namespace ThermoContact
 
 #endif

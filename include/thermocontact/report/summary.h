@@ -4,6 +4,7 @@
 #define thermocontact_report_summary_h
 
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/forecast/forecast.h>
 #include <thermocontact/report/key_results.h>
 #include <thermocontact/simulation/simulation.h>
 
@@ -23,6 +24,7 @@ namespace ThermoContact
   write_summary(const std::string     &file_name,
                 const std::string     &status,
                 const Simulation<dim> &simulation,
+                const Forecast        &forecast,
                 const RunTimes        &times,
                 const KeyErrors       *errors = nullptr);
 } // namespace ThermoContact

@@ -4,35 +4,16 @@
 #define thermocontact_simulation_measurements_h
 
 #include <thermocontact/space/body.h>
+#include <thermocontact/space/point_values.h>
 #include <thermocontact/space/state.h>
 
+#include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace ThermoContact
 {
-  /** What a contact end that is a face, not a point, shows beside its means. */
-  struct FaceRecord
-  {
-    double contact_area = 0.; ///< part of the face with $p>0$
-    double max_pressure = 0.;
-    double min_gap      = 0.; ///< $g-u$
-
-    /** Means of $p$ times $y$, $z$ from the axis; 0 where the axis is a side.
-     */
-    double moment_y = 0.;
-    double moment_z = 0.;
-
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
-    {
-      archive &contact_area &max_pressure &min_gap &moment_y &moment_z;
-    }
-  };
-
-
-
   /**
    * One row of contact.csv. Extensive quantities are per unit cross-section;
    * values at the contact end are means over it. Values of a field that the
@@ -64,19 +45,82 @@ namespace ThermoContact
     double       contact_dissipation   = 0.; ///< sum of (D4.7)
     double       lateral_heat_flux     = 0.; ///< to the surroundings
     double       lateral_dissipation   = 0.; ///< sum of (D4.5)
-    FaceRecord   face;                       ///< of a body in 2-D or 3-D
-    EnergyTerms  energy_terms; ///< the terms of energy; not in the file
+    double       contact_area          = 0.; ///< part of the face with $p>0$
+    double       max_pressure          = 0.;
+    double       min_gap               = 0.; ///< $g-u$
+
+    /** Means of $p$ times $y$, $z$ from the axis; 0 where the axis is a side.
+     */
+    double moment_y = 0.;
+    double moment_z = 0.;
+
+    EnergyTerms energy_terms; ///< the terms of energy; not in the file
+
+    /**
+     * The columns of contact.csv in their order: calls @p column with the name
+     * and the member of each, or a function of a record that gives its number,
+     * and, if not all scenes have it, with one that says of a Scene whether it
+     * does.
+     */
+    template <class Column>
+    static void
+    for_each_column(const Column &column)
+    {
+      using R = StepRecord;
+      column("step", &R::step);
+      column("time", &R::time);
+      column("step_size", &R::step_size);
+      column("displacement_end", &R::displacement_end);
+      column("displacement_mid", &R::displacement_mid);
+      column("velocity_end", &R::velocity_end);
+      column("stress_end", &R::stress_end);
+      column("gap", &R::gap);
+      column("penetration", &R::penetration);
+      column("contact_force", &R::contact_force);
+      column("contact_impulse", &R::contact_impulse);
+      column("temperature_end", &R::temperature_end);
+      column("heat_flux_end", &R::heat_flux_end);
+      column("energy", &R::energy);
+      column("dissipation", &R::dissipation);
+      column("numerical_dissipation", &R::numerical_dissipation);
+      column("in_contact", &R::in_contact);
+      column("iterations", &R::iterations);
+      column("work", &R::work);
+      column("temperature_mean", &R::temperature_mean);
+      const auto has_face = [](const Scene &scene) {
+        return scene.parameters.dimension > 1;
+      };
+      column("contact_area", &R::contact_area, has_face);
+      column("max_pressure", &R::max_pressure, has_face);
+      column("min_gap", &R::min_gap, has_face);
+      column("moment_y", &R::moment_y, has_face);
+      column("moment_z", &R::moment_z, has_face);
+      column("algebraic", &R::algebraic, [](const Scene &scene) {
+        return scene.linear_solver.is_iterative;
+      });
+      column("contact_dissipation",
+             &R::contact_dissipation,
+             [](const Scene &scene) {
+               return scene.contact.law->damping() > 0.;
+             });
+      const auto has_lateral_exchange = [](const Scene &scene) {
+        return scene.heat.has_lateral_exchange();
+      };
+      column("lateral_heat_flux", &R::lateral_heat_flux, has_lateral_exchange);
+      column("lateral_dissipation",
+             &R::lateral_dissipation,
+             has_lateral_exchange);
+    }
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &step &time &step_size &displacement_end &displacement_mid
-        &velocity_end &stress_end &gap &penetration &contact_force
-          &contact_impulse &temperature_end &heat_flux_end &energy &dissipation
-            &numerical_dissipation &in_contact &iterations &work
-              &temperature_mean &algebraic &contact_dissipation
-                &lateral_heat_flux &lateral_dissipation &face &energy_terms;
+      for_each_column([&](const char *, const auto value, const auto &...) {
+        if constexpr (std::is_member_object_pointer<decltype(value)>::value)
+          archive &(this->*value);
+      });
+      archive &energy_terms;
     }
   };
 
@@ -103,38 +147,23 @@ namespace ThermoContact
   private:
     Body<dim> &body;
 
-    /** Position in the local vector and weight; empty on other ranks. */
-    using Weights = std::vector<std::pair<unsigned int, double>>;
+    /**
+     * In the middle of the body and, where nodes do not have the velocity, of
+     * the last cell.
+     */
+    std::unique_ptr<PointValues<dim>> on_axis;
 
-    Weights mid_weights; ///< of the middle of the body
-
-    /** Of the middle of the last cell, where nodes do not have the velocity. */
-    Weights              last_cell_weights;
     Vector               mean_weights;
     Vector               lateral_weights;  ///< of the temperature in the loss
     double               lateral_sum = 0.; ///< their sum
     std::vector<double>  contact_values;
     std::vector<NodeLaw> contact_laws;
 
-    /** Of the axial displacement at @p position on the axis. Collective. */
-    Weights
-    find_weights(const double position) const;
-
-    /** What they weigh, on all ranks. */
-    double
-    value(const Weights &weights, const Vector &vector) const;
-
-    /** Weights of the displacements of a cell in that at @p point. */
-    std::vector<std::pair<types::global_dof_index, double>>
-    weights_at(
-      const Point<dim>                                     &point,
-      const typename DoFHandler<dim>::active_cell_iterator &cell) const;
-
     void
     measure_displacement(const State &state, StepRecord &record);
 
     void
-    measure_face(const State &state, FaceRecord &face);
+    measure_face(const State &state, StepRecord &record);
 
     /** Mean traction on the contact end; 0 if there is none. */
     double

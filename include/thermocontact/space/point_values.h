@@ -64,6 +64,10 @@ namespace ThermoContact
       n_quantities
     };
 
+    /** Of the quantities, in the order of the enumeration. */
+    static constexpr std::array<const char *, n_quantities> names = {
+      {"temperature", "displacement", "velocity", "stress"}};
+
     /**
      * The references are borrowed.
      *
@@ -80,6 +84,12 @@ namespace ThermoContact
      */
     const std::vector<double> &
     evaluate(const State &state);
+
+    unsigned int
+    n_places() const
+    {
+      return n_places_;
+    }
 
   private:
     /** Linear form of the nodal values of a field. */
@@ -117,7 +127,7 @@ namespace ThermoContact
 
     const Scene                           &scene;
     const Discretization<dim>             &discretization;
-    const unsigned int                     n_places;
+    const unsigned int                     n_places_;
     std::array<std::vector<Term>, n_forms> terms;
     std::vector<double>                    values;
 

@@ -188,12 +188,22 @@ namespace ThermoContact
      * @param velocity,acceleration null: their terms are left out
      */
     void
-    momentum_residual(const Vector &temperature,
-                      const Vector &displacement,
+    momentum_residual(const State  &state,
                       const Vector *velocity,
                       const Vector *acceleration,
                       const Vector &momentum_load,
                       Vector       &residual) const;
+
+    /**
+     * Takes the product of the matrix of a stage of length @p tau, (D2.1), with
+     * rates from its right-hand side; constrained rows become zero.
+     */
+    void
+    subtract_stage_product(const double  tau,
+                           const Vector &temperature_rate,
+                           const Vector &velocity,
+                           Vector       &heat,
+                           Vector       &momentum) const;
 
     /** @p heat $-= aDv$, with zero constrained rows. */
     void

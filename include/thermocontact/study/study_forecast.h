@@ -27,9 +27,9 @@ namespace ThermoContact
 
 
   /**
-   * A study of which some run can be run.
+   * Refuses a study of which no run can be run.
    *
-   * @throw InputError of the first one if all are refused
+   * @throw InputError with the message of the first one
    */
   void
   check_any_run(const StudyTable &table);

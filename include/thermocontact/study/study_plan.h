@@ -116,8 +116,9 @@ namespace ThermoContact
     static Variation
     read_variation(const std::string &entry, const std::string &text);
 
-    static Axis
-    read_axis(const std::string &text);
+    /** The axes of a set. @param entry Vary or Reference, for messages */
+    static std::vector<Axis>
+    read_set(const std::string &entry, const std::string &set);
 
     void
     read_sets(const std::string &vary);

@@ -10,8 +10,8 @@
 #include <thermocontact/study/study_plan.h>
 #include <thermocontact/study/trajectory.h>
 
-#include <array>
-#include <optional>
+#include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,18 +20,17 @@ namespace ThermoContact
   /** What a run of a study cost and what came out. */
   struct StudyRun
   {
-    std::string         failure; ///< empty: done
-    unsigned int        n_dofs           = 0;
-    unsigned int        n_steps          = 0;
-    unsigned int        n_rejected_steps = 0;
-    unsigned int        n_factorizations = 0;
-    unsigned int        n_solves         = 0;
+    std::string failure; ///< empty: done
+
+    /** By their keys in summary.json: dofs, steps and the like. */
+    std::map<std::string, unsigned int> counts;
     std::vector<double> loop_seconds; ///< of each repetition, in order of size
     Trajectory          trajectory;
-    std::optional<Trajectory::Difference> error; ///< none without reference
 
-    /** As key_results(); none of a run that failed. */
-    std::optional<KeyResults> key_results;
+    /** NaN without a reference. */
+    Trajectory::Difference error{std::numeric_limits<double>::quiet_NaN()};
+
+    KeyResults key_results; ///< none of a run that failed
 
     /** Of its scene, which may have another rod than others of the study. */
     ScalesParameters scales;

@@ -87,6 +87,10 @@ namespace ThermoContact
       return names_;
     }
 
+    /** The unit of a column; empty: none. */
+    std::string
+    unit(const std::string &name) const;
+
     /** A field of a row that is read, as it stands. */
     const std::string &
     words(const unsigned int run, const std::string &name) const;

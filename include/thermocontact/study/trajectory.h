@@ -54,6 +54,14 @@ namespace ThermoContact
       Values maximum;     ///< over the step ends after t = 0
       Values final_value; ///< at the last of them
       double first_contact_time;
+
+      /** All of them @p value. */
+      explicit Difference(const double value)
+        : first_contact_time(value)
+      {
+        maximum.fill(value);
+        final_value.fill(value);
+      }
     };
 
     /**

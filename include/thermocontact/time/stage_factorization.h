@@ -97,13 +97,6 @@ namespace ThermoContact
                Vector &temperature_rate,
                Vector &velocity);
 
-    /**
-     * Takes the products of (D2.2) with a solution from the residuals; the
-     * corrections are scratch.
-     */
-    void
-    subtract_products(const Vector &temperature_rate, const Vector &velocity);
-
     /** False if blocks grow: nothing is factorised then. */
     bool
     factorize_rod(const RodMatrices &matrices, const Material &material);
