@@ -177,6 +177,11 @@ def check_study():
     compare_tables("study", Run("study"), Run("study-plain"))
     if "of at most 250 mm has" not in screen:  # half a scale of displacement
         faults.append("study: no target in metres")
+    # between the error and what it is in metres, half of it: too small for all
+    smallest = min(Run("study-plain").study["error_displacement_end"])
+    screen = execute("aimed", *study, *SCALES, f"Study/Target error={0.75 * smallest}")
+    if "No run has an error of displacement_end" not in screen:
+        faults.append("study: a target in other units than errors")
     status, _, message = run("--output", "no", *settings([
         *study, *SCALES, "Study/Vary=Scales/Time = 1 | 2"]), "scene.prm")
     if status != 2 or "which all rows of study.csv have in common" not in message:
