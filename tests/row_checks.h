@@ -105,21 +105,6 @@ namespace ThermoContact
       *value /= scale;
     return result;
   }
-
-
-
-  /** Whether a force above @p bound of each sign is among the rows. */
-  inline bool
-  meets_both(const std::vector<StepRecord> &rows, const double bound)
-  {
-    double largest = 0., smallest = 0.;
-    for (const StepRecord &r : rows)
-      {
-        raise(largest, r.contact_force);
-        smallest = std::min(smallest, r.contact_force);
-      }
-    return largest > bound && smallest < -bound;
-  }
 } // namespace ThermoContact
 
 #endif

@@ -66,6 +66,8 @@ def results(number, overrides, has_bars):
     summary = json.loads((directory / "summary.json").read_text())
     with open(directory / "contact.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(row for row in file if row[0] != "#"))
+    if has_bars:
+        check_screen(summary, (directory / "log.txt").read_text(encoding="utf-8"))
     shutil.rmtree(directory)
     values = {key: math.nan if summary[key] is None else summary[key] for key in KEYS}
     for key, column in PEAKS.items():
@@ -74,6 +76,17 @@ def results(number, overrides, has_bars):
              [float(row["velocity_end"]) - gap_rate(overrides)]
              for row in rows], exponent(overrides))
     return summary, values
+
+
+def check_screen(summary, log):
+    """Bars of a value, in time and in space, to two digits."""
+    for key in KEYS:
+        bars = [summary[f"{key}_{kind}_error"] for kind in ("time", "space")]
+        words = re.search(rf"^ +{key} +\S+ +\+- (\S+) +\+- (\S+)$", log, re.M)
+        if summary[key] is not None and not (words and all(
+                word == "unknown" if bar is None else abs(float(word) - bar) <= 0.051 * bar
+                for word, bar in zip(words.groups(), bars))):
+            raise RuntimeError(f"log.txt: {words and words[0]}, not {bars}")
 
 
 def has_rates(overrides):

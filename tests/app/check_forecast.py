@@ -39,10 +39,10 @@ rows = rows_of(directory / "contact.csv")
 events = rows_of(directory / "events.csv")
 
 if summary["predicted_in_contact"] is None:
-    print("rest:", summary["predicted_remark"])
+    print("rest:", summary["predicted_remark"], end="; ")
 elif summary["final_time"] < 50:
     print("rest: not yet" + (", " if summary["predicted_remark"] else "") +
-          summary["predicted_remark"])
+          summary["predicted_remark"], end="; ")
 else:
     differences = [abs(summary[name]) for name in
                    ("difference_displacement_end", "difference_temperature_end",
@@ -50,15 +50,15 @@ else:
     same = summary["predicted_in_contact"] == summary["final_in_contact"]
     print("rest:", "in contact" if summary["predicted_in_contact"] else "open",
           "as the run", same, "; within 1e-6:",
-          verdict(max(differences) < 1e-6, differences))
+          verdict(max(differences) < 1e-6, differences), end="; ")
 
 time, penetration = (summary["predicted_first_contact_time"],
                      summary["predicted_first_penetration"])
 begin = next((float(event["time"]) for event in events if event["kind"] == "begin"), None)
 if time is None:
-    print("impact: no forecast")
+    print("impact: no forecast", end="; ")
 elif begin is None:
-    print("impact: none yet")
+    print("impact: none yet", end="; ")
 else:
     end = next((float(event["time"]) for event in events if event["kind"] == "end"), 1e99)
     peak = max(float(row["penetration"]) for row in rows if float(row["time"]) <= end)
@@ -67,7 +67,7 @@ else:
     if penetration is not None:
         print("; penetration within 30 per cent:",
               verdict(abs(penetration - peak) < 0.3 * peak, (penetration, peak)), end="")
-    print()
+    print(end="; ")
 
 entries = Settings(directory / "used.prm")
 if entries["Model/Fields"] == "displacement" and entries.get("Initial values/Velocity") == "x":
@@ -77,7 +77,7 @@ if entries["Model/Fields"] == "displacement" and entries.get("Initial values/Vel
     top = 1 - arrival - epsilon * math.log((1 - arrival + epsilon) / epsilon)
     print("closed form: time to 0.1 per cent:", verdict(abs(time / arrival - 1) < 1e-3, time),
           "; penetration to 1 per cent:", verdict(abs(penetration / (epsilon * top) - 1) < 0.01,
-                                                 penetration))
+                                                 penetration), end="; ")
 
 steps, predicted = summary["steps"], summary["predicted_steps"]
 log = (directory / "log.txt").read_text(encoding="utf-8")

@@ -24,7 +24,8 @@ sys.dont_write_bytecode = True
 from contents import contents, different  # noqa: E402
 
 PROGRAM = os.environ["THERMOCONTACT"]
-N_KILLS = 5
+N_KILLS = 3
+INTERVAL = 0.05  # of checkpoints in the scenes, in seconds
 
 
 def compare(expected, directory):
@@ -54,6 +55,15 @@ class Run:
              str(self.directory), *options, str(self.prm)],
             stderr=subprocess.PIPE, text=True, start_new_session=True,
             **settings)
+
+    def steps_of_checkpoints(self):
+        """Runs it; the steps of the checkpoints that are seen, and its seconds."""
+        process, steps, begin = self.start(), set(), time.time()
+        while process.poll() is None:
+            steps.add(self.step())
+            time.sleep(0.002)
+        process.communicate()
+        return steps, time.time() - begin
 
     def finish(self, *options, **settings):
         process = self.start(*options, **settings)
@@ -177,10 +187,10 @@ def main():
     expected = contents(reference)
     for directory in ("uninterrupted", "killed", "termi nated", "hung up", "limited"):
         shutil.rmtree(directory, ignore_errors=True)
-    begin = time.time()
-    Run(reference, Path("uninterrupted")).finish()
-    seconds = time.time() - begin
-    print("again:", compare(expected, Path("uninterrupted")))
+    steps, seconds = Run(reference, Path("uninterrupted")).steps_of_checkpoints()
+    few = seconds / INTERVAL + 3  # none, the first, the last
+    print("again:", compare(expected, Path("uninterrupted")), "checkpoints",
+          "at their interval" if len(steps) <= few else f"{len(steps)} in {seconds} s")
     kill_again_and_again(reference, expected, seconds)
     if len(expected["contact.csv"]) > 200000:  # more than any other file
         terminate(reference, expected)

@@ -42,7 +42,7 @@ FACTORS = {  # the first one that fits
     "*error_temperature_end": (THETA, 0, "K"), "difference_temperature*": (THETA, 0, "K"),
     "*wall_seconds": (1, 0, "s"), "*_seconds*": (1, 0, "s"), "peak_memory*": (1, 0, "MB"),
     "max_penetration": METRES, "max_contact_force": (FORCE, 0, "N"), "*_area": NONE,
-    "*_in_contact": NONE, "contact_begins": NONE, "predicted_first_penetration": METRES,
+    "*in_contact": NONE, "is_stable": NONE, "contact_begins": NONE, "predicted_first_penetration": METRES,
     "time": MINUTES, "step_size": MINUTES, "*_time": MINUTES, "*duration": MINUTES,
     "*step_size": MINUTES, "TIME": MINUTES,
     "*displacement*": METRES, "*gap": METRES, "penetration": METRES,
@@ -102,6 +102,9 @@ def compare_summaries(name, si, plain):
     for key, value in si.items():
         if isinstance(value, float) and "seconds" not in key and "memory" not in key:
             compare(f"{name}/summary.json", key, value, plain[key], 1e-13)
+    for state, other in zip(si.get("states_of_rest", ()), plain.get("states_of_rest", ())):
+        for key in state:
+            compare(f"{name}/states_of_rest", key, state[key], other[key], 1e-13)
 
 
 def meshes_of(directory):
@@ -174,6 +177,11 @@ def check_study():
     compare_tables("study", Run("study"), Run("study-plain"))
     if "of at most 250 mm has" not in screen:  # half a scale of displacement
         faults.append("study: no target in metres")
+    # between the error and what it is in metres, half of it: too small for all
+    smallest = min(Run("study-plain").study["error_displacement_end"])
+    screen = execute("aimed", *study, *SCALES, f"Study/Target error={0.75 * smallest}")
+    if "No run has an error of displacement_end" not in screen:
+        faults.append("study: a target in other units than errors")
     status, _, message = run("--output", "no", *settings([
         *study, *SCALES, "Study/Vary=Scales/Time = 1 | 2"]), "scene.prm")
     if status != 2 or "which all rows of study.csv have in common" not in message:
@@ -245,7 +253,8 @@ def check_messages():
 
 
 Path("scene.prm").write_text("# defaults\n", encoding="utf-8")
-counts = [check_scene("rod", *COMMON, "Contact/Rear gap=0.02"), check_scene("strip", *COMMON, *STRIP)]
+counts = [check_scene("rod", *COMMON, "Contact/Rear gap=0.02",
+                      "Boundary/Heat exchange=1+pressure"), check_scene("strip", *COMMON, *STRIP)]
 check_study()
 check_resume()
 check_messages()

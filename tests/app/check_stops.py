@@ -7,8 +7,9 @@ usage: check_stops.py DIR
 DIR holds a finished run of one process that wrote all steps, and so many probes
 that probes.csv is its largest file by far. A limit on the size of files, within
 a row of probes.csv, ends the run there; its checkpoints are of each step. What
-it computes in the end must be what stands in DIR, byte for byte; wall times and
-memory are left out, and used.prm, which names the directory.
+it computes in the end must be what stands in DIR, byte for byte, with the lines of
+log.txt on the result; wall times and memory are left out, and used.prm, which names the
+directory.
 """
 import csv
 import json
@@ -67,6 +68,14 @@ def chosen_steps(reference, n_steps):
     return sorted(step for step in chosen if 5 <= step < n_steps - 1)
 
 
+def result(directory):
+    """The last lines of log.txt on contact, the final state, the state of rest, energy but
+    for what rounding leaves of it."""
+    log = (directory / "log.txt").read_text(encoding="utf-8")
+    return [re.findall(rf"^  {title} .*?(?:; defect|$)", log, re.M)[-1:] for title in (
+        "contact", "final", "at rest", "energy")]
+
+
 def newest_step(directory):
     with open(directory / "checkpoint.bin", "rb") as file:
         file.readline()
@@ -96,6 +105,8 @@ def main():
             status, _, message = run("--quiet", "--output", directory, *resume,
                                      *AT_THE_END, reference / "used.prm")
             faults += [f"{what}: {name}" for name in different(expected, directory)]
+            if result(directory) != result(reference) and what == "resumed":
+                faults.append(f"log.txt: {result(directory)}, not {result(reference)}")
             if status != 0:
                 faults.append(f"{what}: {message}")
     print("stopped several times, resumed, and resumed when it was done:"

@@ -11,8 +11,8 @@ import re
 import numpy
 
 from falsify import Checks
-from polynomials import Element
-from run_files import differences, nearly
+from polynomials import Element, lobatto_nodes
+from run_files import differences, due, nearly
 
 EXACT, SINGLE, ROUGH = 1e-10, 2e-5, 0.1
 TIMES = ("set_up_seconds", "loop_seconds", "step_seconds", "factorization_seconds",
@@ -147,9 +147,12 @@ def check_contact_law(run):
     elif not scene.is_wide or "t" not in s_gap:  # at t = 0 the law is without it
         rate = scene.at_end("Contact/Gap", c["time"] + 1e-6) - g
         v = c["velocity_end"] - numpy.where(side > 0, rate * 1e6, 0.)
-        yield differences(p[1:], (side * (numpy.maximum(0, -c["gap"]) / scene.epsilon) **
-                                  scene.m * numpy.maximum(0, 1 + scene.c * side * v))[1:],
+        spring = side * (numpy.maximum(0, -c["gap"]) / scene.epsilon)**scene.m
+        yield differences(p[1:], (spring * numpy.maximum(0, 1 + scene.c * side * v))[1:],
                           1e-5, max(1., abs(p).max()))
+        if scene.is_euler and not scene.is_wide and "t" not in s_gap:
+            taken = numpy.cumsum(c["step_size"] * (p - spring) * v)
+            yield differences(c["contact_dissipation"], taken, 1e-5, max(1., abs(taken).max()))
 
 
 @column("heat_flux_end", "temperature_end", "temperature_mean")
@@ -244,8 +247,17 @@ def check_rates(run):
        "contact.csv/displacement_mid", "contact.csv/temperature_end",
        "contact.csv/displacement_end", "contact.csv/velocity_end")
 def check_probes(run):
-    """The middle and the end of a rod are those of contact.csv, and of the snapshots."""
+    """The middle and the end of a rod are those of contact.csv, and of the snapshots, which
+    are at the multiples of their interval and have vectors of 3 components."""
     c, q = run.contact, run.probes
+    interval = run.settings.number("Output/Fields interval")
+    yield differences([time for time, _ in run.snapshots()],
+                      c["time"][due(c["time"], interval, c["time"][-1])], EXACT, 1.)
+    for _, mesh in run.snapshots():
+        for field, values in mesh.point_data.items():
+            n = {"temperature": 1, "stress": 1 if scene_of(run).is_rod else 9}.get(field, 3)
+            if values.size != n * len(mesh.points):
+                yield f"components of {field}"
     yield differences(q["time"], c["time"], 0)
     pairs = [("displacement_1", "displacement_mid")] + ([
         (f"{name}_2", f"{name}_end") for name in ("temperature", "displacement", "velocity")]
@@ -274,6 +286,40 @@ def check_probes(run):
                 if not (x.min() - SINGLE * scale <= found <= x.max() + SINGLE * scale) and \
                         not (math.isnan(found) and field == "velocity"):
                     yield f"{field}_{i} at {time:g} is {found}, not {x}"
+
+
+def extremes(x, values):
+    """Places, and the smallest and the largest value at each: stresses have two."""
+    places, index = numpy.unique(numpy.round(x, 5), return_inverse=True)
+    return places, *(function.reduceat(values[numpy.argsort(index, kind="stable")],
+                                       numpy.unique(numpy.sort(index), return_index=True)[1])
+                     for function in (numpy.minimum, numpy.maximum))
+
+
+@column("displacement_end", "velocity_end", "temperature_end")
+def check_space_time(run):
+    """A rod's file over x and t: rows at its interval, the end, the snapshots."""
+    mesh, c = run.space_time(), run.contact
+    if mesh is None or not scene_of(run).is_rod:
+        return
+    x, t = mesh.points[:, 0], mesh.points[:, 1]
+    interval = run.settings.number("Output/Space-time interval")
+    times = c["time"][due(c["time"], interval, c["time"][-1])]
+    yield differences(numpy.unique(t), times, SINGLE, 1.)
+    for field, values in mesh.point_data.items():
+        values = values.reshape(len(t), -1)[:, 0].astype(float)
+        for time in times if field != "stress" else ():
+            found = values[(abs(t - time) < 1e-6) & (x > 1 - 1e-6)]
+            yield differences(found[:1], c[f"{field}_end"][c["time"] == time], SINGLE,
+                              1e-3 + numpy.nanmax(abs(values)))
+        for time, snapshot in run.snapshots():
+            if abs(times - time).min() < 1e-12:
+                there = snapshot.point_data[field].reshape(len(snapshot.points), -1)[:, 0]
+                now = abs(t - time) < 1e-6
+                for one, two in zip(extremes(x[now], values[now]),
+                                    extremes(snapshot.points[:, 0], there.astype(float))):
+                    fault = differences(one, two, SINGLE, 1e-3 + numpy.nanmax(abs(values)))
+                    yield fault and f"{field} over time at {time:g}: {fault}"
 
 
 @column("energy", "dissipation", "temperature_mean")
@@ -389,12 +435,43 @@ def check_face(run):
             yield name
 
 
-@column("max_pressure", "min_gap")
+def weights_of_face(settings):
+    """Of the nodes sorted by y, then by z: integrals of their polynomials."""
+    degree, cells = int(settings["Mesh/Degree"]), int(settings["Mesh/Cells across"])
+    weights = numpy.zeros(cells * degree + 1)
+    for first in range(0, cells * degree, degree):
+        weights[first:first + degree + 1] += Element(lobatto_nodes(degree)).integrals / cells
+    return weights if settings["Dimension"] == "2" else numpy.outer(weights, weights).ravel()
+
+
+@column("max_pressure", "min_gap", "contact_force", "contact_area")
 def check_nodes(run):
-    """The law at each node of a body's face, in the snapshots of it."""
+    """The law at each node of a body's face, in the snapshots of it, whose temperature is
+    that of the body; means by the weights of the nodes."""
     c, scene = run.contact, scene_of(run)
-    for time, face in run.snapshots("contact.pvd"):
+    if len(run.snapshots("contact.pvd")) != (len(run.snapshots()) if not scene.is_rod and
+                                             scene.has_obstacle else 0):
+        yield "not as many contact faces as snapshots"
+    for (time, face), (_, body) in zip(run.snapshots("contact.pvd"), run.snapshots()):
         row = int(numpy.argmin(abs(c["time"] - time)))
+        places, nodes = numpy.unique(numpy.round(face.points, 6), axis=0, return_index=True)
+        weights = weights_of_face(run.settings)
+        at_nodes = {name: values.ravel()[nodes].astype(float)
+                    for name, values in face.point_data.items()}
+        if len(places) != len(weights) or abs(places[:, 0] - 1).max() > 1e-6:
+            yield f"{len(places)} nodes of the face"
+        closed = at_nodes["contact_pressure"] != 0
+        if (at_nodes["in_contact"] != closed).any():
+            yield "in_contact of the face"
+        for name, values in (("contact_force", at_nodes["contact_pressure"]),
+                             ("contact_area", closed)):
+            yield differences([c[name][row]], [weights @ values], SINGLE,
+                              1e-3 + abs(at_nodes["contact_pressure"]).max())
+        if scene.has_heat:
+            away = numpy.linalg.norm(places[:, None] - body.points[None], axis=2)
+            both = away.min(axis=1) < 1e-6
+            there = body.point_data["temperature"].ravel()[away[both].argmin(axis=1)]
+            yield differences(at_nodes["temperature"][both], there, SINGLE, 1.)
         p, gap = (face.point_data[name].ravel().astype(float) for name in (
             "contact_pressure", "gap"))
         for name, value in (("max_pressure", abs(p).max()), ("min_gap", gap.min())):

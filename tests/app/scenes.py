@@ -32,6 +32,8 @@ def draw(seed):
         draw_heat(r, s)
     if moves:
         draw_motion(r, s, heat)
+    if dim == 1 and r.random() < 0.3:
+        s["Output/Space-time interval"] = "0.25"
     return s
 
 
@@ -40,7 +42,7 @@ def draw_heat(r, s):
     s["Boundary/Fixed end temperature"] = r.choice(["10", "5", "-8", "10*cos(t)"])
     s["Boundary/Heat exchange"] = r.choice(["1", "0", "3", "3", "1+20*pressure"])
     if s["Boundary/Heat exchange"] in ("1", "3"):
-        s["Boundary/Obstacle temperature"] = r.choice(["0", "4", "2*t"])
+        s["Boundary/Obstacle temperature"] = r.choice(["0", "4", "1.23456789012+2*t"])
     if r.random() < 0.3:
         s |= {"Boundary/Lateral heat exchange": "2", "Boundary/Ambient temperature": "-3"}
     if r.random() < 0.2:
@@ -76,3 +78,5 @@ def draw_motion(r, s, heat):
         s["Sources/Body force"] = "0.5*x*cos(2*t)"
     if r.random() < 0.2:
         s["Boundary/Fixed end displacement"] = "0.03*(1-cos(5*t))"
+    if s["Dimension"] != "1" and s.get("Contact/Gap") == "0.1" and "Contact/Rear gap" not in s:
+        s["Contact/Gap"] = "0.05+0.5*(y-0.03)^2"

@@ -22,6 +22,10 @@ class WideScene(dict):
             self.draw_obstacle()
         if self.heat:
             self.draw_heat()
+        one_node = self["Mesh/Cells"] == self["Mesh/Degree"] == 1
+        if self.get("Model/Inertia") and not one_node and self.happens(0.2) and (
+                self["Model/Viscosity"] or "Contact/Damping" not in self):
+            self["Contact/Massless nodes"] = "on"
 
     def happens(self, probability):
         return self.r.random() < probability
@@ -90,7 +94,7 @@ class WideScene(dict):
         conserves = self.scheme == "energy conserving"
         b = 0 if self.happens(0.1) and not conserves else self.number(0.01, 10, 1e-9, 1e8)
         self["Model/Inertia"] = b
-        self["Model/Viscosity"] = 0 if self.happens(0.2) else self.number(1e-3, 1, 1e-9, 1e6)
+        self["Model/Viscosity"] = 0 if self.happens(0.2 if b else 0.5) else self.number(1e-3, 1, 1e-9, 1e6)
         if self.heat:
             self["Model/Coupling"] = self.signed(1e-3, 1, 1e-12, 1e3)
             self["Model/Thermoelastic heating"] = self.pick("true", "true", "true", "false")

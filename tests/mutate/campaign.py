@@ -1,28 +1,34 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws faults, builds them, runs tests with them: see scripts/mutate."""
+import collections
+import concurrent.futures
 import contextlib
+import hashlib
 import json
 import math
 import os
 import random
 import re
+import resource
 import shlex
 import shutil
 import signal
 import subprocess
 import tempfile
-import time
+import threading
 from pathlib import Path
 
 from clang import cindex
 
-from operators import Source
+from operators import Fault, Source
 
 ENCODING = "latin-1"  # a character to a byte: libclang counts bytes
 LEFT_OUT = {".git", "build", "results", "__pycache__"}
 # They read texts of the project, which the faults change, not the program.
 READERS = re.compile(r"(app|unit|verification)/build$|documents/(links|paths|rooms|site)$")
-LONGEST = 1800  # seconds
+LINES_OF_FILE = 8  # that are drawn at once, since reading a file takes seconds
+# A process with a fault may write and allocate without end.
+LARGEST_FILE, LARGEST_MEMORY = 2**30, 6 * 2**30  # bytes
 SWITCH_HEADER = Path("include/fault_switch.h")  # of the copy
 SWITCH = """#pragma once
 #include <cstdlib>
@@ -63,9 +69,9 @@ class Failure(Exception):
     """What ends a campaign, in words."""
 
 
-def copy_project(top, copy):
-    """Files that are the same stay as they are, so that only what has changed is
-    built."""
+def copy_project(top, copy, texts):
+    """texts: of files that differ from the project's. Files that are the same stay
+    as they are, so that only what has changed is built."""
     wanted = {SWITCH_HEADER}
     write(copy / SWITCH_HEADER, SWITCH.encode())
     for directory, folders, names in os.walk(top):
@@ -74,7 +80,8 @@ def copy_project(top, copy):
             path = Path(directory) / name
             place = path.relative_to(top)
             wanted.add(place)
-            write(copy / place, path.read_bytes())
+            write(copy / place, texts[place.as_posix()].encode(ENCODING)
+                  if place.as_posix() in texts else path.read_bytes())
             shutil.copymode(path, copy / place)
     for path in sorted(copy.rglob("*")):
         if path.is_file() and path.relative_to(copy) not in wanted:
@@ -127,10 +134,11 @@ class Parser:
                 source.visit(cursor)
         return source
 
-    def compiles(self, source, fault):
-        text = apply(source.text, {0: fault}).encode(ENCODING).decode("utf-8")
-        return not any(problem.severity >= cindex.Diagnostic.Error for problem in
-                       self.parse(source.name, text).diagnostics)
+    def errors(self, name, text):
+        """Lines that do not compile."""
+        return {problem.location.line for problem in self.parse(
+            name, text.encode(ENCODING).decode("utf-8")).diagnostics
+            if problem.severity >= cindex.Diagnostic.Error}
 
 
 def apply(text, faults):
@@ -152,58 +160,77 @@ def equivalents(path):
 
 def draw(parser, top, copy, options):
     chance = random.Random(options.seed)
-    names = sorted(path.relative_to(copy).as_posix() for room in options.rooms or ["*"]
-                   for pattern in (f"source/{room}/*.cc",
-                                   f"include/thermocontact/{room}/*.h")
-                   for path in copy.glob(pattern))
+    names = sorted(path.relative_to(copy).as_posix() for pattern in (
+        [pattern for room in options.rooms for pattern in (
+            f"source/{room}/*.cc", f"include/thermocontact/{room}/*.h")] or
+        ["source/**/*.cc", "include/thermocontact/*/*.h"])
+        for path in copy.glob(pattern))
     if not names:
         raise Failure(f"no rooms {options.rooms}")
     lines = [(copy / name).read_bytes().count(b"\n") for name in names]
     explained = equivalents(top / "tests/mutate/equivalent.txt")
-    sources, faults = {}, {}
-    for _ in range(50 * options.n):
-        if len(faults) == options.n:
+    faults = {}
+    for _ in range(20 * options.n):
+        if len(faults) >= options.n:
             break
         name = chance.choices(names, lines)[0]
-        if name not in sources:
-            sources[name] = parser.source(name)
-        source = sources[name]
-        if not source.faults:
-            continue
-        kind = chance.choice(sorted({kind for kind, _ in source.faults}))
-        fault = chance.choice([fault for fault in source.faults.values()
-                               if fault.kind == kind])
-        if not any(fault.file == file and fault.was.startswith(expression)
-                   for file, expression in explained) and not any(
-                fault.file == other.file and fault.begin <= other.end and
-                other.begin <= fault.end for other in faults.values()) and \
-                parser.compiles(source, fault):
+        source = parser.source(name)
+        drawn = {}
+        for line in chance.choices(range(1, lines[names.index(name)] + 1),
+                                   k=LINES_OF_FILE):
+            of_line = [fault for fault in source.faults.values() if fault.line == line]
+            if of_line:
+                kind = chance.choice(sorted({fault.kind for fault in of_line}))
+                fault = chance.choice([one for one in of_line if one.kind == kind])
+                if not any(fault.file == file and fault.was.startswith(expression)
+                           for file, expression in explained) and not any(
+                        fault.file == other.file and fault.begin <= other.end and
+                        other.begin <= fault.end
+                        for other in [*faults.values(), *drawn.values()]):
+                    drawn[len(faults) + len(drawn)] = fault
+        for number in refused(parser, source, drawn):
+            del drawn[number]
+        for fault in drawn.values():
+            print(f"  {len(faults)}: {words(fault)}", flush=True)
             faults[len(faults)] = fault
-            print(f"  {len(faults) - 1}: {words(fault)}", flush=True)
-    return sources, faults
+    return faults
 
 
-def build(copy, tree, sources, faults, targets):
+def refused(parser, source, faults):
+    """Those that do not compile, by the lines of the messages."""
+    wrong = parser.errors(source.name, apply(source.text, faults)) if faults else ()
+    of_lines = {number for number, fault in faults.items() if any(
+        fault.line <= line - 1 <= fault.line + fault.was.count(" ") // 4 + 2
+        for line in wrong)}  # below the line that switches faults on
+    return of_lines or (set(faults) if wrong else set())
+
+
+def with_faults(texts, faults):
+    """The texts of the files that have faults, with them."""
+    return {name: apply(texts[name], {number: fault for number, fault in
+                                      faults.items() if fault.file == name})
+            for name in {fault.file for fault in faults.values()}}
+
+
+def build(copy, tree, texts, journal, targets):
     """All faults at once; those that the compiler refuses, though libclang does
     not, are left out."""
     while True:
-        for name, source in sources.items():
-            write(copy / name, apply(source.text, {
-                number: fault for number, fault in faults.items()
-                if fault.file == name}).encode(ENCODING))
+        for name, text in {**texts, **with_faults(texts, journal.faults)}.items():
+            write(copy / name, text.encode(ENCODING))
         try:
             run_quietly(tree / "build.log", "make", "-C", tree, *targets)
             return
         except Failure:
-            places = re.findall(r"((?:source|include)/\S+?):\d+:\d+: error",
+            places = re.findall(rf"{re.escape(str(copy))}/(\S+?):\d+:\d+: error",
                                 (tree / "build.log").read_text(errors="replace"))
-            refused = [number for number, fault in faults.items()
+            refused = [number for number, fault in journal.faults.items()
                        if fault.file in places]
             if not refused:
                 raise
             for number in refused:
                 print(f"  {number}: does not compile", flush=True)
-                del faults[number]
+                journal.write("refused", number)
 
 
 def words(fault):
@@ -217,22 +244,41 @@ class Test:
     def __init__(self, name, commands, skipped):
         self.name, self.commands, self.skipped = name, commands, skipped
 
-    def fails(self, limit, **environment):
-        """limit: seconds for each command, whose children end with it."""
+    def run(self, cost=None, **environment):
+        """Whether it fails, and its processor time in seconds. cost: what it takes
+        without a fault; with one it may take five times as long. Its children end
+        with it."""
+        used = 0
         with tempfile.TemporaryDirectory(prefix="mutate-") as scratch:
             for command in self.commands:
                 process = subprocess.Popen(
                     command, cwd=scratch, env={**os.environ, **environment},
                     stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                    stdin=subprocess.DEVNULL, start_new_session=True)
-                with contextlib.suppress(subprocess.TimeoutExpired):
-                    process.wait(limit)
-                with contextlib.suppress(ProcessLookupError):
-                    os.killpg(process.pid, signal.SIGKILL)
-                status = process.wait()
-                if status != 0:
-                    return status != self.skipped
-        return False
+                    stdin=subprocess.DEVNULL, start_new_session=True,
+                    preexec_fn=lambda: set_limits(cost))
+                # of the clock, for what waits without end: others may be at work
+                timer = threading.Timer(300 + 50 * (cost or 60), kill, [process.pid])
+                timer.start()
+                _, status, usage = os.wait4(process.pid, 0)
+                timer.cancel()
+                process.returncode = os.waitstatus_to_exitcode(status)
+                kill(process.pid)
+                used += usage.ru_utime + usage.ru_stime
+                if process.returncode != 0:
+                    return process.returncode != self.skipped, used
+        return False, used
+
+
+def kill(group):
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(group, signal.SIGKILL)
+
+
+def set_limits(cost):
+    resource.setrlimit(resource.RLIMIT_FSIZE, (LARGEST_FILE,) * 2)
+    resource.setrlimit(resource.RLIMIT_AS, (LARGEST_MEMORY,) * 2)
+    if cost is not None:
+        resource.setrlimit(resource.RLIMIT_CPU, (int(20 + 5 * cost),) * 2)
 
 
 def tests_of(tree, costs, regex):
@@ -266,24 +312,74 @@ def targets_of(tests):
     return sorted(programs)
 
 
-def try_faults(faults, tests, costs):
-    """By the number of each fault: the test that notices it."""
-    noticed = {}
-    for test in tests:
-        if len(noticed) == len(faults):
-            break
-        with tempfile.NamedTemporaryFile("r", prefix="mutate-") as reached:
-            start = time.time()
-            if test.fails(LONGEST, THERMOCONTACT_REACHED=reached.name):
-                raise Failure(f"{test.name} fails without a fault")
-            costs[test.name] = time.time() - start
-            numbers = {int(line) for line in reached}
-        for number in sorted(numbers - set(noticed)):
-            if test.fails(30 + 10 * costs[test.name],
-                          THERMOCONTACT_FAULT=str(number)):
-                noticed[number] = test.name
-                print(f"  {number}: {test.name}", flush=True)
-    return noticed
+class Journal:
+    """What a campaign has found, line by line, so that one that was stopped goes
+    on: its faults, the faults that each test reaches, who noticed what."""
+
+    def __init__(self, path, campaign):
+        self.path, self.faults = path, {}
+        self.reached, self.costs, self.tried = {}, {}, {}
+        lines = path.read_text().splitlines() if path.exists() else []
+        if not lines or json.loads(lines[0]) != campaign:
+            path.write_text(json.dumps(campaign) + "\n")
+        for line in lines[1:] if lines and json.loads(lines[0]) == campaign else []:
+            self.take(json.loads(line))
+
+    def take(self, entry):
+        kind, *values = entry
+        if kind == "fault":
+            number, fault = values
+            self.faults[number] = Fault(*fault[:-1], tuple(map(tuple, fault[-1])))
+        elif kind == "refused":
+            del self.faults[values[0]]
+        elif kind == "test":
+            name, self.costs[name], self.reached[name] = values[0], *values[1:]
+        else:
+            number, name, is_noticed = values
+            self.tried[number, name] = is_noticed
+
+    def write(self, *entry):
+        self.take(json.loads(json.dumps(entry)))
+        with open(self.path, "a") as file:
+            file.write(json.dumps(entry) + "\n")
+
+    def noticed(self):
+        """By the number of a fault: the first test that notices it."""
+        return {number: name for (number, name), is_noticed in
+                reversed(self.tried.items()) if is_noticed}
+
+
+def try_faults(faults, tests, journal, options):
+    """Each test with each fault that it reaches and that nothing has noticed."""
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for test in tests:
+            left = set(faults) - set(journal.noticed())
+            if not left or journal.costs.get(test.name, 0) > options.longest:
+                continue
+            if test.name not in journal.reached:
+                with tempfile.NamedTemporaryFile("r", prefix="mutate-") as reached:
+                    fails, cost = test.run(THERMOCONTACT_REACHED=reached.name)
+                    numbers = sorted({int(line) for line in reached})
+                if fails:
+                    print(f"  {test.name} fails without a fault: left out", flush=True)
+                    continue
+                journal.write("test", test.name, cost, numbers)
+            if journal.costs[test.name] > options.longest:
+                continue
+            jobs = {pool.submit(test.run, journal.costs[test.name],
+                                THERMOCONTACT_FAULT=str(number)): number
+                    for number in sorted(left & set(journal.reached[test.name]))
+                    if (number, test.name) not in journal.tried}
+            for job in concurrent.futures.as_completed(jobs):
+                fails, _ = job.result()
+                journal.write("tried", jobs[job], test.name, fails)
+                if fails:
+                    print(f"  {jobs[job]}: {test.name}", flush=True)
+
+
+def room(fault):
+    """A folder of source or include, or the file of main()'s."""
+    return Path(fault.file).parts[-2]
 
 
 def interval(hits, n):
@@ -291,7 +387,7 @@ def interval(hits, n):
     z = 1.959964
     middle = (hits + z * z / 2) / (n + z * z)
     half = z / (n + z * z) * math.sqrt(hits * (n - hits) / n + z * z / 4)
-    return middle - half, middle + half
+    return max(0, middle - half), min(1, middle + half)
 
 
 def run(top, options):
@@ -303,27 +399,41 @@ def run(top, options):
     work = top / "build/mutate"
     copy, tree = work / "source", work / "release"
     tree.mkdir(parents=True, exist_ok=True)
-    copy_project(top, copy)
+    texts = {path.relative_to(top).as_posix(): path.read_text(ENCODING)
+             for path in sorted([*top.glob("source/**/*.cc"),
+                                 *top.glob("include/thermocontact/*/*.h")])}
+    journal = Journal(work / "journal.txt", [
+        options.n, options.seed, options.rooms,
+        hashlib.sha1(repr(texts).encode()).hexdigest()])
+    copy_project(top, copy, with_faults(texts, journal.faults))
     run_quietly(work / "cmake.log", "cmake", "-S", copy, "-B", tree,
                 "-DCMAKE_BUILD_TYPE=Release", "-DTHERMOCONTACT_UNIT_TESTS=ON",
                 "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
-    file = work / "costs.json"
-    costs = json.loads(file.read_text()) if file.exists() else {}
-    tests = tests_of(tree, costs, options.tests)
-    print(f"faults, drawn by {options.seed}:", flush=True)
-    sources, faults = draw(Parser(copy, tree), top, copy, options)
+    if not journal.faults:
+        print(f"faults, drawn by {options.seed}:", flush=True)
+        for number, fault in draw(Parser(copy, tree), top, copy, options).items():
+            journal.write("fault", number, fault)
+    tests = tests_of(tree, journal.costs, options.tests)
     print(f"noticed by, of {len(tests)} tests, after building {tree}:", flush=True)
-    build(copy, tree, sources, faults, ["thermocontact", "thermocontact_test_driver",
-                                        *targets_of(tests)])
-    try:
-        noticed = try_faults(faults, tests, costs)
-    finally:
-        file.write_text(json.dumps(costs, indent=0))
-    survivors = [fault for number, fault in faults.items()
-                 if number not in noticed]
-    print("survivors:", *map(words, survivors), sep="\n  ")
-    low, high = interval(len(noticed), len(faults))
-    print(f"{len(noticed)} of {len(faults)} noticed: "
-          f"{100 * len(noticed) / len(faults):.0f} %, in an interval of "
-          f"{100 * low:.0f} to {100 * high:.0f} %")
-    return 1 if survivors else 0
+    build(copy, tree, texts, journal, [
+        "thermocontact", "thermocontact_test_driver", *targets_of(tests)])
+    try_faults(journal.faults, tests, journal, options)
+    return report(journal.faults, journal)
+
+
+def report(faults, journal):
+    """The survivors and the rates; exit status 1 if a fault survives."""
+    noticed = journal.noticed()
+    reached = set().union(*journal.reached.values())
+    print("survivors:", *(f"  {number}: {words(fault)}" + (
+        "" if number in reached else " (no test reaches it)")
+        for number, fault in faults.items() if number not in noticed), sep="\n")
+    rooms = collections.defaultdict(list)
+    for number, fault in faults.items():
+        rooms[room(fault)].append(number in noticed)
+    for name, hits in [*sorted(rooms.items()), (
+            "all", [number in noticed for number in faults])]:
+        low, high = interval(sum(hits), len(hits))
+        print(f"{name}: {sum(hits)} of {len(hits)} noticed, {100 * low:.0f} to "
+              f"{100 * high:.0f} %")
+    return 1 if set(faults) - set(noticed) else 0

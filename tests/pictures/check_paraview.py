@@ -4,7 +4,7 @@
 
 scripts/paraview renders a rod and a block with ParaView itself, and refuses what it
 cannot. Exit status 77, "skipped", without Xvfb. What the pictures show is looked at
-by check_scene.py, what the files hold by tests/app/fields.prm.
+by check_scene.py, what the files hold by tests/app/properties.prm.
 """
 import os
 import shutil

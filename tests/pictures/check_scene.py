@@ -143,6 +143,12 @@ def check_contact_face(directory):
         y, values = axes.lines[0].get_data()
         check(f"contact face of {directory}, {field}", set(zip(
             mesh.points[:, 1], mesh.point_data[field].ravel())) == set(zip(y, values)))
+    axes = figures[0].axes[0]
+    axes.clear()
+    y = numpy.array([0.2, 0.0, 0.1])  # as cells may be written
+    paraview_contact.draw_line(axes, y, 10 * y, "", "")
+    check("a line in the order of y", numpy.array_equal(
+        axes.lines[0].get_xydata(), [[0, 0], [0.1, 1], [0.2, 2]]))
 
 
 def check_factors():

@@ -47,15 +47,17 @@ BIFURCATION = {r"$u(1)$ at multiples of $P$": "displacement_end",
                "peak force of a period": "peaks"}
 
 
-def write_table(path, columns):
+def write_table(path, columns, units=()):
     path.parent.mkdir(exist_ok=True)
-    path.write_text("# A study\n# thermocontact 0\n" + ",".join(columns) + "\n" +
+    path.write_text("# A study\n# thermocontact 0\n" + (
+        f"# units: {','.join(units)}\n" if units else "") + ",".join(columns) + "\n" +
                     "".join(",".join(map(str, row)) + "\n"
                             for row in zip(*columns.values())))
 
 
-def make_study(name, header, varied, changes=()):
-    """changes: (column, run, word). Column k of run i holds (k + 2) 1.37^i / 1000."""
+def make_study(name, header, varied, changes=(), has_units=False):
+    """changes: (column, run, word). Column k of run i holds (k + 2) 1.37^i / 1000, in a
+    unit with the name of the column."""
     n = len(next(iter(varied.values())))
     rest = header[header.index("status"):]
     table = {"run": list(range(n)), **varied, **{
@@ -63,7 +65,8 @@ def make_study(name, header, varied, changes=()):
         for k, column in enumerate(rest)}, "status": ["done"] * n}
     for column, i, word in changes:
         table[column][i] = word
-    write_table(Path(name, "study.csv"), table)
+    write_table(Path(name, "study.csv"), table, [
+        f"of {column}" for column in table] if has_units else ())
     return table
 
 
@@ -134,25 +137,28 @@ def check_results(plot, header):
              for x in ("1", "10", "0.1", "0.01", "100")]
     xs, ys = map(list, zip(*pairs))
     table = make_study("map", header, {"Contact/Compliance": xs, "Contact/Gap": ys}, [
-        (name, i, "nan") for name in header if "error_" in name for i in range(20)])
+        (name, i, "nan") for name in header if "error_" in name for i in range(20)], True)
     figure = drawings.figures_of(plot, "map")["results"]
     panels = [axes for axes in figure.axes if axes.get_title()]
     for panel in panels:
-        title = panel.get_title()
+        title, _, unit = panel.get_title().replace("(L, T)", "(1, T)").partition(" [")
+        check(f"unit of {title}", unit == f"of {RESULTS[title]}]", unit)
         cells = numpy.reshape(panel.collections[0].get_array(), (4, 5))
         expected = [[table[RESULTS[title]][pairs.index((x, y))] for x in sorted(
             set(xs), key=float)] for y in sorted(set(ys), key=float)]
         check(f"map of {title}", numpy.array_equal(cells, expected) and [
             text.get_text() for text in panel.get_xticklabels()] == sorted(
                 set(xs), key=float))
-    check("maps", [panel.get_title() for panel in panels] == list(RESULTS) and {
-        panel.get_xlabel() for panel in panels} == {"", "compliance"} and {
-            panel.get_ylabel() for panel in panels} == {"", "gap"})
+    check("maps", [panel.get_title().replace("(L, T)", "(1, T)").partition(" [")[0] for panel in panels] == list(
+        RESULTS) and {panel.get_xlabel() for panel in panels} == {
+            "", "compliance [of Contact/Compliance]"} and {
+                panel.get_ylabel() for panel in panels} == {"", "gap [of Contact/Gap]"})
 
 
 def check_bifurcation(plot, header):
     """The points of the last two of four periods of 2, and the largest force in each,
-    in every other at the rear one of two stops; run 2 has none."""
+    in every other at the rear one of two stops, at the end of the third period the largest,
+    which is not one of the fourth; run 2 has none."""
     gaps = ["0.1", "0.3", "0.2"]
     make_study("driven", header, {"Contact/Gap": gaps})
     times = [0.25 * n for n in range(33)]
@@ -162,14 +168,14 @@ def check_bifurcation(plot, header):
                 name: [round((k + 2) * 0.1 + i + 0.01 * n, 9) for n in range(5)]
                 for k, name in enumerate(list(BIFURCATION.values())[:3])}})
         write_table(Path(f"driven/run-{i}/contact.csv"), {
-            "time": times, "contact_force": [
+            "time": times, "contact_force": [3 + i if t == 6 else
                 round((-1)**(t // 2) * (1 + i + 0.1 * (t // 2)), 9)
                 if t % 2 == 1.25 else 0.5 for t in times]})
     figure = drawings.figures_of(plot, "driven", "--figure", "bifurcation",
                                  "--periods", "2")["bifurcation"]
     for k, (panel, label) in enumerate(zip(figure.axes, BIFURCATION)):
         expected = [(float(gaps[i]), round(
-            1 + i + 0.1 * (n - 1) if BIFURCATION[label] == "peaks" else
+            (3 + i if n == 3 else 1 + i + 0.1 * (n - 1)) if BIFURCATION[label] == "peaks" else
             (k + 2) * 0.1 + i + 0.01 * n, 9)) for i in range(2) for n in (3, 4)]
         points = [tuple(point) for line in panel.lines for point in line.get_xydata()]
         check(f"bifurcation: {label}", panel.get_ylabel() == label and

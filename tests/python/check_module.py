@@ -140,8 +140,15 @@ def check_errors(folder):
 
 def check_units():
     """A rod in SI units: a column has its unit, an entry may have one."""
-    contact = thermocontact.run({"Contact/Stiffness": "0.1 GN/m", "Time/End time": "2 h"},
-                                base=source / "prm/units/steel-rod.prm").contact
+    with tempfile.TemporaryDirectory() as scratch:
+        contact = thermocontact.run({"Contact/Stiffness": "0.1 GN/m", "Time/End time": "2 h"},
+                                    base=source / "prm/units/steel-rod.prm",
+                                    output=scratch).contact
+        lines = (Path(scratch) / "contact.csv").read_text(encoding="utf-8").splitlines()
+    names = next(line for line in lines if not line.startswith("#")).split(",")
+    units = next(line for line in lines if "units:" in line).partition("units:")[2]
+    check("all units", {name: contact.units.get(name, "") for name in names} == dict(
+        zip(names, units.strip().split(","))), units)
     check("units of a table", contact.units["time"] == "h" and "step" not in contact.units
           and contact.units["temperature_end"] == "\u00b0C" and contact.units["energy"] == "J",
           contact.units)

@@ -4,7 +4,7 @@
 // found twice. Mesh of 4 cells of degree 5, 0 <= t <= 10; experiment 2 is
 // experiment 1 with viscosity 1, experiment 5 the one with compliance 1.
 //
-// 1. 200 gaps, log-uniform in (1e-4, 0.3) (std::mt19937, seed = number of the
+// 1. 80 gaps, log-uniform in (1e-4, 0.3) (std::mt19937, seed = number of the
 //    experiment), for each of experiments 1, 2, 5. The run with tolerance 1e-6
 //    passes if
 //      - events alternate, begin first, at ascending times, and the sign of the
@@ -16,7 +16,7 @@
 //      - a run whose first step is longer by 1e-12 has the same events and
 //        ends in the same state to the tolerance.
 //    A begin and an end (or an end and a begin) with an excursion below d in
-//    between are left aside in both lists. At most 2 of the 200 gaps have such
+//    between are left aside in both lists. At most 2 of the 80 gaps have such
 //    a pair: it needs a top within 1e-6 of the gap, which is rare.
 // 2. 20 gaps with a rigid obstacle, tolerances 1e-5 and 1e-6, d = 1e-5 max
 //    |u(1)|: the events alternate, agree in number, and no step end is beyond
@@ -110,7 +110,7 @@ namespace
   void
   test_random_gaps(const unsigned int experiment)
   {
-    const unsigned int                     n_gaps = 200;
+    const unsigned int                     n_gaps = 80;
     std::mt19937                           generator(experiment);
     std::uniform_real_distribution<double> uniform(std::log(1e-4),
                                                    std::log(0.3));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Heat that is lost along rods and through the sides of bodies, doc/model.md
-// section 5: decay, thin bodies, audits.
+// section 5: decay, thin bodies.
 //
 // 1. Decay. With theta_A = theta_inf = 0 and k = 0 the slowest mode decays like
 //    exp(-lambda t), lambda = pi^2/4 + m in a rod. In a body it has the factor
@@ -18,11 +18,6 @@
 //    m W^2/8 across, are the rod but for O(W^2): all columns of a run with
 //    contact, extrapolated from the widths 0.002 and 0.001, to 1e-9 of their
 //    largest values, or of 0.1 (1e-10 measured).
-// 3. The audit (D4.1), each line by its own formula, backward Euler, 1-D and
-//    2-D: to 1e-11 of the sum of its terms; no work, and the energy never
-//    increases, with surroundings of their own temperature. With a heat
-//    exchange that varies with the contact there is work, and the audit closes.
-//    The energy conserving scheme loses nothing but the dissipation: 1e-11.
 
 #include <deal.II/base/numbers.h>
 
@@ -147,63 +142,6 @@ namespace
                       1e-9)
             << ' ' << within(difference(rod, thin<3>({})), 1e-9) << std::endl;
   }
-
-
-  template <int dim>
-  void
-  check_audit(const std::string &name, const Overrides &overrides)
-  {
-    const auto rows   = run<dim>(read_parameters("", thrown + overrides));
-    double     defect = 0., increase = 0., scale = 0., work = 0., lost = 0.;
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      {
-        const StepRecord &r = rows[i];
-        raise(scale,
-              rows[0].energy_terms.magnitude() + std::abs(r.work) +
-                r.dissipation + std::abs(r.numerical_dissipation));
-        raise(defect,
-              std::abs(rows[0].energy + r.work - r.energy - r.dissipation -
-                       r.numerical_dissipation));
-        raise(work, std::abs(r.work));
-        raise(lost, std::abs(r.numerical_dissipation));
-        if (i > 0)
-          raise(increase,
-                r.energy - r.work - rows[i - 1].energy + rows[i - 1].work);
-      }
-    const double part =
-      rows.back().lateral_dissipation / rows.back().dissipation;
-    deallog << "audit, " << name << ": closes " << within(defect / scale, 1e-11)
-            << ", work " << (work > 1e-3 * scale)
-            << ", lateral part of the dissipation is one " << (part > 0.01)
-            << ' ' << within(part, 0.99)
-            << ", energy less work never "
-               "increases "
-            << within(increase / scale, 1e-13) << ", scheme takes "
-            << (lost > 1e-11 * scale) << std::endl;
-  }
-
-
-
-  void
-  check_audits()
-  {
-    const Overrides euler{"Time/Scheme=backward euler",
-                          "Time/Start=consistent"};
-    const Overrides strip{"Dimension=2", "Mesh/Cells across=2"};
-    check_audit<1>("rod", euler);
-    check_audit<2>("strip", euler + strip);
-    check_audit<2>("round rod",
-                   euler + strip + Overrides{"Mesh/Geometry=axisymmetric"});
-    check_audit<2>("free strip",
-                   euler + strip + Overrides{"Boundary/Lateral support=free"});
-    check_audit<1>("energy conserving",
-                   {"Time/Scheme=energy conserving",
-                    "Contact/Massless nodes=on"});
-    const Overrides varying{
-      "Boundary/Heat exchange=0.05/(0.05+gap)+20*pressure"};
-    check_audit<1>("varying exchange", euler + varying);
-    check_audit<2>("varying exchange, strip", euler + strip + varying);
-  }
 } // namespace
 
 
@@ -214,5 +152,4 @@ main_lateral_bodies()
   initlog();
   check_decays();
   check_thin();
-  check_audits();
 }

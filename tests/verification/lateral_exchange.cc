@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Heat that is lost along the rod, doc/model.md section 5: states of rest,
-// limits and solvers. Bodies and audits: lateral_bodies.cc.
+// limits. Bodies: lateral_bodies.cc.
 //
 // 1. prm/verification/lateral-loss.prm, derived there: at the end of the run
 //    all nodes, the forecast of theta(1), the mean (the integral of the
@@ -15,7 +15,6 @@
 //    found by bisection between the bounds in the code, open and closed
 //    separately; forecast to 1e-10, the second unstable; runs from 0.02 below
 //    and above its c reach the first and the third: theta(1) to 1e-6.
-// 4. The paper's iteration gives the steps of the monolithic solver: 1e-8.
 
 #include <thermocontact/forecast/steady_state.h>
 
@@ -188,24 +187,6 @@ namespace
       }
     deallog << std::endl;
   }
-
-
-
-  void
-  check_iteration()
-  {
-    const Overrides steps{"Time/Scheme=backward euler",
-                          "Time/Step size=0.005",
-                          "Contact/Compliance=2",
-                          "Contact/Massless nodes=off"};
-    const auto      with = [&](const std::string &solver) {
-      return run<1>(read_parameters(
-        "", thrown + steps + Overrides{"Solver/Step solver=" + solver}));
-    };
-    deallog << "iteration of the paper "
-            << within(difference(with("monolithic"), with("fixed point")), 1e-8)
-            << std::endl;
-  }
 } // namespace
 
 
@@ -217,5 +198,4 @@ main_lateral_exchange()
   check_rest();
   check_limits();
   check_switch();
-  check_iteration();
 }

@@ -14,12 +14,7 @@
 //    the obstacle, -int p g' dt by Simpson's rule. With sdirk4 the rigid one is
 //    asked for 1e-10 of the displacement, which is rounding, and 1e-7 of the
 //    work, whose pressures are of lower order.
-// 2. A base that shakes, u_A = 0.1 sin 1.5t, before an obstacle at rest is, as
-//    the base sees it, a base at rest with the body force -b u_A'' before an
-//    obstacle at g - u_A: force, gap and impulse of six runs at t = 1/2, 1,
-//    ..., 6, to 30 tolerances of their largest values, tolerance 1e-6; as many
-//    contacts.
-// 3. A spring and a mass, one cell, lumped, zeta = 0: k = 1, M = b/2. A rigid
+// 2. A spring and a mass, one cell, lumped, zeta = 0: k = 1, M = b/2. A rigid
 //    obstacle touches it, rests until t = 1, comes with V = 1/5 until t = 2
 //    and rests again. At t = 1 the impulse M V, then the force V (t - 1): the
 //    impulse M V + V/2, the work M V^2 + V^2/2, the loss M V^2/2 up to t = 2.
@@ -28,10 +23,7 @@
 //    t = 2 + 2 atan(sqrt M) sqrt M. Fixed steps, which end at
 //    the turns by themselves, and error control: times,
 //    velocities, impulse, work and loss to 1e-7.
-// 4. The conserving scheme: the same spring and mass, normal compliance,
-//    without a mass of the contact node (two cells): energy + 0 = energy(0) +
-//    work to 1e-12, whatever the step.
-// 5. Without inertia u = x w(t), w + zeta w' = -p, before a damped obstacle,
+// 3. Without inertia u = x w(t), w + zeta w' = -p, before a damped obstacle,
 //    p = s [1 + c (w' - g')]_+/eps, s = w - g, that comes with 3/10 and turns
 //    at t = 1/2 to leave with 3/10. There w goes on, and the viscous rod gets
 //    w' = -(w + s (1 - c g')/eps)/(zeta + c s/eps) with g' behind the turn.
@@ -146,85 +138,20 @@ namespace
         error[k][4] =
           std::abs(r.work - force_work - work_of_obstacle(obstacle));
       }
-    const auto has_order = [&](const unsigned int i) {
-      const double rate = std::log2(error[0][i] / error[1][i]);
-      if (rate > order - 0.15)
-        return true;
-      deallog << "order of " << i << ": " << rate << ' ' << error[1][i]
-              << std::endl;
-      return false;
+    // the order that is asked for, if there is that or more
+    const auto order_of = [&](const unsigned int i) {
+      return number(std::min(std::log2(error[0][i] / error[1][i]) + 0.15,
+                             static_cast<double>(order)));
     };
     const bool is_rigid = obstacle.power == 0.;
     const bool is_exact = is_rigid && order == 4; // but for rounding
     deallog << obstacle.name << ", " << scheme << ": displacement "
-            << ((is_exact && error[1][0] < 1e-10) || has_order(0))
-            << ", velocity " << ((!is_rigid && order > 2) || has_order(1))
+            << (is_exact ? within(error[1][0], 1e-10) : order_of(0))
+            << ", velocity " << (!is_rigid && order > 2 ? "-" : order_of(1))
             << (is_rigid ? ", impulse " : ", pressure ")
-            << ((!is_rigid && order > 3) || has_order(is_rigid ? 3 : 2))
-            << ", work " << ((is_exact && error[1][4] < 1e-7) || has_order(4))
+            << (!is_rigid && order > 3 ? "-" : order_of(is_rigid ? 3 : 2))
+            << ", work " << (is_exact ? within(error[1][4], 1e-7) : order_of(4))
             << std::endl;
-  }
-
-
-
-  RecordedRun
-  run_in_frame(const Overrides &law, const bool is_of_base)
-  {
-    const Overrides common{"Model/Fields=displacement",
-                           "Model/Inertia=0.5",
-                           "Model/Viscosity=0.05",
-                           "Mesh/Cells=6",
-                           "Mesh/Degree=4",
-                           "Initial values/Displacement=0",
-                           "Time/Tolerance=1e-6",
-                           "Time/End time=6",
-                           "Output/Contact interval=0.5",
-                           "Output/Land on output times=true"};
-    return run<1>("",
-                  common + law +
-                    (is_of_base ?
-                       Overrides{"Contact/Gap=0.02-0.1*sin(1.5*t)",
-                                 "Sources/Body force=0.1125*sin(1.5*t)",
-                                 "Initial values/Velocity=0"} :
-                       Overrides{"Contact/Gap=0.02",
-                                 "Boundary/Fixed end displacement="
-                                 "0.1*sin(1.5*t)",
-                                 "Initial values/Velocity=0.15"}));
-  }
-
-
-
-  void
-  check_frames(const std::string &name, const Overrides &law)
-  {
-    const RecordedRun one        = run_in_frame(law, false);
-    const RecordedRun two        = run_in_frame(law, true);
-    double            largest[3] = {0., 0., 0.}, error[3] = {0., 0., 0.};
-    unsigned int      j = 0, n_compared = 0;
-    for (const StepRecord &a : one.rows)
-      {
-        const double values[3] = {a.contact_force, a.gap, a.contact_impulse};
-        for (unsigned int k = 0; k < 3; ++k)
-          raise(largest[k], std::abs(values[k]));
-        if (std::abs(2. * a.time - std::round(2. * a.time)) > 1e-12)
-          continue;
-        while (two.rows[j].time < a.time - 1e-12)
-          ++j;
-        const StepRecord &b    = two.rows[j];
-        const double others[3] = {b.contact_force, b.gap, b.contact_impulse};
-        for (unsigned int k = 0; k < 3; ++k)
-          raise(error[k], std::abs(values[k] - others[k]));
-        ++n_compared;
-      }
-    double worst = 0.;
-    for (unsigned int k = 0; k < 3; ++k)
-      raise(worst, error[k] / largest[k] / 1e-6);
-    deallog << "frames, " << name << ": " << n_compared
-            << " times, to 30 tolerances " << (worst < 30.)
-            << ", contacts as many " << (one.events.size() == two.events.size())
-            << ", more than one " << (one.events.size() > 2) << std::endl;
-    if (!(worst < 30.))
-      deallog << worst << std::endl;
   }
 
 
@@ -293,31 +220,6 @@ namespace
 
 
   void
-  check_conserving()
-  {
-    const RecordedRun result =
-      run<1>("",
-             spring_and_mass + Overrides{"Time/Scheme=energy conserving",
-                                         "Contact/Compliance=0.05",
-                                         "Contact/Gap=0.02-0.1*sin(1.5*t)",
-                                         "Mesh/Cells=2",
-                                         "Time/Step size=0.05",
-                                         "Time/End time=6"});
-    double defect = 0., largest = 0., work = 0.;
-    for (const StepRecord &r : result.rows)
-      {
-        raise(largest, r.energy);
-        raise(work, std::abs(r.work));
-        raise(defect, std::abs(r.energy - result.rows[0].energy - r.work));
-      }
-    deallog << "conserving: the obstacle works " << (work > 0.1 * largest)
-            << ", energy less work to 1e-12 " << within(defect / largest, 1e-12)
-            << std::endl;
-  }
-
-
-
-  void
   check_damped_turn(const double zeta, const Overrides &time)
   {
     double        error = 1.;
@@ -377,13 +279,6 @@ main_moving_obstacle()
       check_orders(obstacle, "sdirk3", 3, 80);
       check_orders(obstacle, "sdirk4", 4, 80);
     }
-  check_frames("normal compliance", {compliance});
-  check_frames("massless", {compliance, "Contact/Massless nodes=on"});
-  check_frames("power law", {compliance, "Contact/Condition=power law"});
-  check_frames("damped", {compliance, "Contact/Damping=2"});
-  check_frames("rigid", {"Contact/Condition=rigid"});
-  check_frames("rigid, massless",
-               {"Contact/Condition=rigid", "Contact/Massless nodes=on"});
   check_turns("error control", {"Time/Tolerance=1e-11"});
   check_turns("fixed steps",
               {"Time/Step size=0.0025",
@@ -391,7 +286,6 @@ main_moving_obstacle()
                "Time/Locate contact events=true"});
   check_turns("fixed steps beside the bends",
               {"Time/Step size=0.0037", "Time/Locate contact events=true"});
-  check_conserving();
   for (const double zeta : {0.05, 0.})
     for (const Overrides &time :
          {Overrides{"Time/Tolerance=1e-6"}, Overrides{"Time/Step size=0.04"}})

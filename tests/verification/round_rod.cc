@@ -2,14 +2,7 @@
 //
 // Mesh/Geometry = axisymmetric, a round rod.
 //
-// 1. On rollers (no radial displacement at r = R), with data that depend on x
-//    only, it is the 1-D rod for every Poisson ratio: e_rr = e_tt = 0, the
-//    P-wave modulus is one, and every result is per unit cross-section. All
-//    columns of contact.csv at each row: at most 1e-9 of the largest value of
-//    the column, or of the energy (3e-13 measured). Degree 1 has a contact node
-//    with weight on the axis, higher degrees have none; massless nodes in
-//    equilibrium (zeta = 0, energy conserving) must take it along.
-// 2. Orders of convergence on a manufactured solution. With the radius R = 1/2,
+// Orders of convergence on a manufactured solution. With the radius R = 1/2,
 //      psi = X(x) g(r),  X = 1 - cos pi x,  g = r^2/2 - r^6/(6 R^4),
 //      u = beta grad psi = beta (X' g, X g'),  theta = theta_A +
 //      alpha S (1 + g),  S = sin(pi x/2),
@@ -37,117 +30,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <regex>
-#include <sstream>
 
 #include "../tests.h"
-
-#include "../overrides.h"
 
 using namespace ThermoContact;
 
 namespace
 {
-  using Rows = std::vector<std::array<double, 18>>;
-
-  template <int dim>
-  Rows
-  rows(const std::string &file, const Overrides &overrides)
-  {
-    Simulation<dim> simulation(read_parameters(file, overrides), MPI_COMM_SELF);
-    Rows            result;
-    const auto      observe = [&](const Simulation<dim> &s) {
-      result.push_back(all_columns(s.record()));
-    };
-    simulation.run({observe});
-    return result;
-  }
-
-
-
-  /** Largest difference in parts of the largest value of its column. */
-  double
-  difference(const Rows &rod, const Rows &body)
-  {
-    if (rod.size() != body.size())
-      return std::numeric_limits<double>::infinity();
-    double largest = 0.;
-    for (unsigned int c = 0; c < rod[0].size(); ++c)
-      {
-        double scale = 1e-10, error = 0.;
-        for (unsigned int i = 0; i < rod.size(); ++i)
-          {
-            raise(scale, std::abs(rod[i][c]));
-            raise(error, std::abs(rod[i][c] - body[i][c]));
-          }
-        if (c == 14) // numerical dissipation, a difference of energies
-          for (const auto &row : rod)
-            raise(scale, std::abs(row[12]));
-        raise(largest, error / scale);
-      }
-    return largest;
-  }
-
-
-
-  void
-  check_rod(const std::string &name, const Overrides &overrides)
-  {
-    const Overrides   round = overrides + Overrides{"Dimension=2",
-                                                  "Mesh/Geometry=axisymmetric",
-                                                  "Mesh/Width=0.25",
-                                                  "Mesh/Cells across=2",
-                                                  "Model/Poisson ratio=0.3"};
-    const std::string file  = "paper/experiment-1.prm";
-    const Rows        rod   = rows<1>(file, overrides);
-    const double      d     = difference(rod, rows<2>(file, round));
-    double            force = 0.;
-    for (const auto &row : rod)
-      raise(force, row[8]);
-    deallog << name << ": in contact " << (force > 0.) << ", the rod "
-            << within(d, 1e-9) << std::endl;
-    if (!(d <= 1e-9))
-      deallog << "  difference " << d << std::endl;
-  }
-
-
-
-  void
-  check_rods()
-  {
-    const Overrides common = {"Mesh/Cells=10",
-                              "Time/Start=consistent",
-                              "Time/End time=0.6",
-                              "Time/Step size=0.01"};
-    for (const std::string degree : {"1", "2", "4"})
-      {
-        const std::string p = "Mesh/Degree=" + degree;
-        check_rod("degree " + degree + ", backward euler",
-                  common + Overrides{p});
-        check_rod("degree " + degree + ", rigid",
-                  common + Overrides{p,
-                                     "Contact/Condition=rigid",
-                                     "Contact/Massless nodes=on",
-                                     "Time/Scheme=sdirk2"});
-        check_rod("degree " + degree + ", quasi-static",
-                  common + Overrides{p, "Model/Inertia=0", "Contact/Gap=0.05"});
-        check_rod("degree " + degree + ", nodes in equilibrium",
-                  common + Overrides{p,
-                                     "Model/Viscosity=0",
-                                     "Contact/Massless nodes=on",
-                                     "Time/Scheme=sdirk4"});
-        check_rod("degree " + degree + ", energy conserving",
-                  common + Overrides{p,
-                                     "Model/Coupling=0.2",
-                                     "Time/Scheme=energy conserving"});
-      }
-  }
-
-
-
-  // ------------------------------------------------- manufactured solution
-
   const double radius = 0.5;
 
   class ExactSolution : public Function<2>
@@ -365,8 +255,5 @@ main_round_rod()
 {
   initlog();
 
-  deallog << "the rod" << std::endl;
-  check_rods();
-  deallog << "order in h" << std::endl;
   check_orders();
 }

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Two stops, Contact/Rear gap, doc/model.md section 4, on two processes; that
-// bodies equal rods there, and mirrored scenes each other, is in
-// laws_and_drives.
+// Two stops, Contact/Rear gap, doc/model.md section 4, on two processes.
 //
 // 1. A static rod under traction F, without thermal stress: u = F - p, and p by
 //    hand. F = -1/2, g_2 = 0.2, eps = 1/2: p = -(0.5 - 0.2)/1.5 = -0.2, rigid
 //    -0.3; power law m = 2, eps = 1/2: p = -4 s^2, s + 4 s^2 = 0.3, so that
 //    s = (sqrt(5.8) - 1)/8: to 1e-12. With k = 2 if pressed by more than 0.1,
 //    else 1, theta_A = 0, theta_obs = 1: theta(1) = 2/3 at rest, to 1e-6.
-// 2. The rod without viscosity that conserves energy between two stops does so
-//    in large steps, elastic and rigid, massless nodes and box scheme: the
-//    energy stays to 1e-11, contact at both stops.
-// 3. A strip whose lower part is drawn back and whose upper part is pushed, and
+// 2. A strip whose lower part is drawn back and whose upper part is pushed, and
 //    then the other way round: its nodes are at both stops at once. Two
 //    processes have the columns of one, and the iterative solver those of the
 //    direct one, to 1e-9; the audit closes to 1e-11.
@@ -65,7 +60,6 @@ namespace
   const Overrides is_static{"Model/Inertia=0", "Model/Viscosity=0"};
   const Overrides quasi_static{"Model/Inertia=0"};
   const Overrides massless{"Contact/Massless nodes=on"};
-  const Overrides no_viscosity{"Model/Viscosity=0"};
   const Overrides by_gap{"Boundary/Heat exchange=if(pressure>0,1+pressure,"
                          "0.1/(0.1+gap))",
                          "Boundary/Obstacle temperature=2"};
@@ -117,28 +111,6 @@ namespace
 
 
   void
-  check_conservation(const std::string &name, const Overrides &choice)
-  {
-    const auto rows  = rows_of<1>(choice + no_viscosity +
-                                   Overrides{"Model/Fields=displacement",
-                                             "Time/Scheme=energy conserving",
-                                             "Time/Start=consistent",
-                                             "Contact/Gap=0.05",
-                                             "Contact/Rear gap=0.08",
-                                             "Initial values/Velocity=x*(1+x)",
-                                             "Time/End time=6"},
-                                 MPI_COMM_SELF);
-    double     drift = 0.;
-    for (const StepRecord &r : rows)
-      raise(drift, std::abs(r.energy - rows[0].energy));
-    deallog << "conserving, " << name << ": " << 1 + meets_both(rows, 0.01)
-            << " stops, energy " << within(drift / rows[0].energy, 1e-11)
-            << std::endl;
-  }
-
-
-
-  void
   check_both_at_once(const std::string &name,
                      const Overrides   &choice,
                      const bool         has_iterative_solver)
@@ -182,15 +154,6 @@ main_stops_of_bodies()
 {
   initlog();
   check_rest();
-
-  const Overrides many{"Mesh/Cells=10", "Mesh/Degree=2", "Time/Step size=0.15"};
-  const Overrides box{"Mesh/Cells=20",
-                      "Mesh/Degree=1",
-                      "Mesh/Mass matrix=midpoint",
-                      "Time/Step size=0.3"};
-  check_conservation("elastic", elastic + many);
-  check_conservation("rigid", rigid + many);
-  check_conservation("box scheme", elastic + box);
 
   const Overrides at_rest{"Initial values/Velocity=0"};
   const Overrides soft{"Contact/Compliance=0.02"};
