@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/expected_memory.h>
+#include <thermocontact/multigrid/stage_factors.h>
 #include <thermocontact/time/monolithic_solver.h>
 
 #include <algorithm>
@@ -24,16 +25,6 @@ namespace ThermoContact
     matrix_bytes(const unsigned int dim)
     {
       return dim == 2 ? 1500. : 4000.;
-    }
-
-
-
-    /** Of the factors of such a matrix. */
-    double
-    factor_bytes(const double n_unknowns, const unsigned int dim)
-    {
-      return dim == 2 ? 330. * std::pow(n_unknowns, 1.22) :
-                        92. * std::pow(n_unknowns, 1.54);
     }
   } // namespace
 

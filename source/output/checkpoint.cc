@@ -79,7 +79,7 @@ namespace ThermoContact
      * Changes with every member that is saved, a column of contact.csv too: the
      * archive does not say what is in it.
      */
-    const std::string format = "thermocontact checkpoint 10";
+    const std::string format = "thermocontact checkpoint 11";
 
 
 
