@@ -55,16 +55,16 @@ namespace ThermoContact
   namespace
   {
     /**
-     * Krylov iterations of a stage beside those of cubes with $\nu=0.3$: flat
-     * and graded cells and $\nu\to1/2$ take more, less so with inertia.
+     * Work of a stage beside that of cubes with $\nu=0.3$: flat and graded cells
+     * and $\nu\to1/2$ take more, less so with inertia.
      */
     double
-    relative_iterations(const Scene &scene)
+    relative_work(const Scene &scene)
     {
       const double aspect   = scene.parameters.mesh.cell_aspect();
       const double softness = std::max(1., 0.57 / scene.material.two_mu);
       const double exponent = scene.material.has_inertia() ? 0.6 : 1.;
-      return std::pow(std::pow(aspect, 0.6) * std::pow(softness, 0.35),
+      return std::pow(std::pow(aspect, 0.25) * std::pow(softness, 0.65),
                       exponent) *
              (scene.material.has_inertia() ? 1. : 1.4);
     }
@@ -96,7 +96,7 @@ namespace ThermoContact
         const double set_up = (dim == 2 ? 1e-5 : 2.5e-5) *
                               std::max(1., std::pow(degree / 2., dim - 1.));
         const double stage =
-          (degree == 1. ? 4e-6 : 2e-6) * relative_iterations(scene);
+          (degree == 1. ? 4e-6 : 2e-6) * relative_work(scene);
         return seconds_of_process +
                n * (set_up + stage * (n_stages + 0.1 * n_sizes));
       }
