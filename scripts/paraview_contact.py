@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy
 from paraview import servermanager
 from paraview.simple import XMLUnstructuredGridReader
-from plot_common import in_unit, new_figure, save
+from plot_common import label_axis, new_figure, save
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 FIELDS = {"contact_pressure": ("contact pressure  $p$", "viridis", "stress_end"),
@@ -21,8 +21,8 @@ def triangles_of(grid, n_points):
                                                   middle], axis=1) for i in range(4)])
 
 
-def draw_face(figure, axes, points, cells, values, label, colours, unit):
-    """A map of the face of a block, y to the right and z upwards."""
+def draw_face(figure, axes, points, cells, values, colours, unit):
+    """A map of the face of a block, y to the right and z upwards; the axis of its colours."""
     quads, triangles = cells
     y, z, shown = (numpy.concatenate([v, v[quads].mean(axis=1)])
                    for v in (points[:, 1], points[:, 2], values))
@@ -30,19 +30,19 @@ def draw_face(figure, axes, points, cells, values, label, colours, unit):
     shown = axes.tripcolor(y, z, triangles, shown, cmap=colours, vmin=values.min(),
                            vmax=high, shading="gouraud", rasterized=True)
     axes.set_aspect("equal")
-    axes.set_xlabel(in_unit("$y$", unit))
-    axes.set_ylabel(in_unit("$z$", unit))
+    label_axis(axes.xaxis, "$y$", unit, y)
+    label_axis(axes.yaxis, "$z$", unit, z)
     axes.grid(False)
-    figure.colorbar(shown, ax=axes, label=label, shrink=0.85)
+    return figure.colorbar(shown, ax=axes, shrink=0.85).ax.yaxis
 
 
-def draw_line(axes, y, values, label, unit):
-    """A curve over the end of a strip or the radius of a round rod."""
+def draw_line(axes, y, values, unit):
+    """A curve over the end of a strip or the radius of a round rod; its axis."""
     order = numpy.argsort(y, kind="stable")
-    axes.plot(y[order], values[order], label=label)
+    axes.plot(y[order], values[order])
     axes.set_xlim(y.min(), y.max())
-    axes.set_xlabel(in_unit("$y$", unit))
-    axes.set_ylabel(label)
+    label_axis(axes.xaxis, "$y$", unit, y)
+    return axes.yaxis
 
 
 def draw(path, time, picture, width, units=None):
@@ -60,12 +60,9 @@ def draw(path, time, picture, width, units=None):
     figure = new_figure(7.6, 2.8 if is_line else 3.2)
     for axes, (name, (label, colours, column)) in zip(figure.subplots(1, 2),
                                                       FIELDS.items()):
-        label = in_unit(label, units.get(column))
         values = vtk_to_numpy(grid.GetPointData().GetArray(name))
-        if is_line:
-            draw_line(axes, points[:, 1], values, label, unit)
-        else:
-            draw_face(figure, axes, points, triangles_of(grid, len(points)), values, label,
-                      colours, unit)
+        axis = draw_line(axes, points[:, 1], values, unit) if is_line else draw_face(
+            figure, axes, points, triangles_of(grid, len(points)), values, colours, unit)
+        label_axis(axis, label, units.get(column), values)
     figure.suptitle(f"contact end, t = {time:.3g} {units.get('time', '')}".strip(), fontsize="medium")
     save(figure, Path(picture), width / figure.get_figwidth())

@@ -115,20 +115,28 @@ def nearest(times, time):
 
 
 def times_of_pictures(times, marks, n_frames):
-    """Time of each picture by its name, and times of the animation."""
+    """Time of each picture by its name, and times of the animation. Without a snapshot
+    of the first contact there is no picture of it."""
     pictures = {name: nearest(times, time) for name, time in marks.items()}
+    if pictures.get("first-contact") == times[0] < marks["first-contact"]:
+        del pictures["first-contact"]
     pictures.update(first=times[0], last=times[-1])
     stride = math.ceil(len(times) / max(1, n_frames))
     return pictures, times[::stride] if n_frames else []
 
 
-def same_snapshots(pictures):
-    """What is to be said of the first contact and the peak, by their times: they
-    may be one snapshot."""
-    marks = [pictures.get(name) for name in ("first-contact", "peak")]
-    return f"first-contact and peak are one snapshot, t = {marks[0]:g}: a shorter " \
-        "Output/Fields interval tells them apart" if marks[0] is not None and \
-        marks[0] == marks[1] else ""
+def remarks_on(pictures, marks):
+    """What is to be said of pictures that are missing, or one snapshot."""
+    remarks = []
+    if "first-contact" in marks and "first-contact" not in pictures:
+        remarks.append("no first-contact.png: the snapshot nearest to t = "
+                       f"{marks['first-contact']:g} is the first one, t = {pictures['first']:g}")
+    names = {time: [name for name in ("first", "first-contact", "peak", "last")
+                    if pictures.get(name) == time] for time in pictures.values()}
+    remarks += [f"{' and '.join(same)} are one snapshot, t = {time:g}"
+                for time, same in sorted(names.items()) if len(same) > 1]
+    return [remark + "; a shorter Output/Fields interval makes more" * (
+        "first-contact" in remark) for remark in remarks]
 
 
 def scale_label(scale):

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy
 from paraview import servermanager
 from paraview.simple import XMLUnstructuredGridReader
-from plot_common import in_unit, new_figure, save
+from plot_common import in_unit, label_axis, new_figure, save
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 FIELDS = {"temperature": (r"temperature  $\theta$", "viridis"),
@@ -22,6 +22,7 @@ def triangles_of(grid):
 
 def limits_of(values, colours):
     """Range of the colours: 1 in 200 values may be beyond either end."""
+    values = values[numpy.isfinite(values)]  # some bodies have no velocity at first
     low, high = numpy.percentile(values, [0.5, 99.5])
     if colours == "RdBu_r":  # white is 0
         high = max(abs(low), abs(high))
@@ -52,18 +53,19 @@ def draw(path, picture, width, units=None):
     for axes, (name, values) in zip(panels, arrays.items()):
         label, colours = FIELDS[name]
         low, high, extend = limits_of(values, colours)
-        mesh = axes.tripcolor(x, t, triangles, values, cmap=colours, vmin=low,
+        shown = numpy.isfinite(values[triangles]).all(axis=1)
+        mesh = axes.tripcolor(x, t, triangles[shown], values, cmap=colours, vmin=low,
                               vmax=high, shading="gouraud", rasterized=True)
-        axes.set_xlabel(in_unit("$x$", units.get("displacement_end")))
+        axes.set_xlabel("$x$")
         axes.set_xlim(0, x.max())
         if units:
             axes.set_xticks([0, x.max() / 2, x.max()])
+            label_axis(axes.xaxis, "$x$", units["displacement_end"], x)
         else:
             axes.set_xticks([0, 0.5, 1], ["0", "1/2", "1"])
         axes.set_ylim(t.min(), t.max())
         axes.grid(False)
-        figure.colorbar(mesh, ax=axes, orientation="horizontal",
-                        label=in_unit(label, units.get(f"{name}_end")),
-                        extend=extend, pad=0.02)
+        bar = figure.colorbar(mesh, ax=axes, orientation="horizontal", extend=extend, pad=0.02)
+        label_axis(bar.ax.xaxis, label, units.get(f"{name}_end"), [low, high])
     panels[0].set_ylabel(in_unit("time  $t$", units.get("time")))
     save(figure, Path(picture), width / figure.get_figwidth())

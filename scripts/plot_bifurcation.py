@@ -3,9 +3,9 @@ study varies: part of scripts/plot."""
 
 import math
 
-from plot_common import (COLOURS, convert, fail, in_unit, new_figure, plain,
+from plot_common import (COLOURS, convert, fail, label_axis, new_figure, plain,
                          read_rows, units_of)
-from plot_sweep import curves_of, entry_label, number, numeric, read_sweep
+from plot_sweep import curves_of, label_entry, number, numeric, read_sweep
 
 POINTS = {"displacement_end": r"$u(1)$ at multiples of $P$",
           "velocity_end": r"$u_t(1)$ at multiples of $P$",
@@ -90,12 +90,12 @@ def draw(path, n_periods):
                        markersize=3, color=COLOURS[i % len(COLOURS)],
                        label=plain(label, 90) if i < MOST_LABELS else None,
                        rasterized=True)
-        panel.set_ylabel(in_unit(labels[name], units.get(
-            "contact_force" if name == "peaks" else name)))
-        panel.ticklabel_format(axis="y", scilimits=(-3, 4))
+        label_axis(panel.yaxis, labels[name], units.get(
+            "contact_force" if name == "peaks" else name),
+            [value for values in points.values() for value in values[name]])
         if label:
             left_out = len(curves) - MOST_LABELS
             panel.legend(fontsize=9, title=f"and {left_out} more"
                          if left_out > 0 else None)
-    panel.set_xlabel(entry_label(sweep, names[0]))
+    label_entry(panel.xaxis, sweep, names[0])
     return figure

@@ -1,10 +1,15 @@
 """What the pictures of scripts/plot share: tables, style, errors."""
 
 import csv
+import math
 import os
 import re
+import subprocess
 import sys
 import textwrap
+from importlib import invalidate_caches
+from importlib.util import find_spec
+from pathlib import Path
 
 CONVERT = {"kind": {"begin": 1, "end": 0}.__getitem__,  # the rest: float
            "run": str, "status": str, "reason": str}
@@ -17,6 +22,7 @@ STYLE = {"font.family": ["STIXGeneral", "DejaVu Serif"], "font.size": 11,
          "axes.grid": True, "grid.color": "0.85", "grid.linewidth": 0.5,
          "xtick.direction": "in", "ytick.direction": "in", "pdf.fonttype": 42,
          "agg.path.chunksize": 20000, "svg.hashsalt": "plot"}
+PREFIXES = ["p", "n", "µ", "m", "", "k", "M", "G"]  # of SI, from 1e-12 on
 METADATA = {".png": {}, ".pdf": {"CreationDate": None}, ".svg": {"Date": None}}
 
 
@@ -91,8 +97,48 @@ def units_of(comments, header):
 
 
 def in_unit(label, unit):
-    """A label of an axis with its unit, if there is one."""
-    return f"{label} [{unit}]" if unit else label
+    """A label of an axis with its unit, if there is one: the body then ends at L."""
+    return f"{label.replace('(1', '(L')} [{raised(unit)}]" if unit else label
+
+
+def raised(unit):
+    """With its exponents as such."""
+    return unit.replace("^2", "²").replace("^3", "³")
+
+
+def prefix_of(unit, values):
+    """The prefix of SI, and its power of ten, with which the largest of these values is
+    from 1 to 1000; none for a unit that takes none, as those of times and temperatures."""
+    largest = max((abs(value) for value in values if math.isfinite(value)), default=0.)
+    if not re.match(r"(m|N|Pa|J|W)(?![\w^])", unit or "") or not 1e-12 <= largest < 1e12:
+        return "", 0
+    thousands = math.floor(math.log10(largest * (1 + 1e-9)) / 3)
+    return PREFIXES[thousands + 4], 3 * thousands
+
+
+def in_prefix(value, unit):
+    """A number with its unit, if it has one, as text."""
+    prefix, power = prefix_of(unit, [value])
+    return f"{value / 10.**power:g} {prefix}{raised(unit)}" if unit else f"{value:g}"
+
+
+def label_axis(axis, label, unit, values):
+    """Label and ticks of an axis with a linear scale, in the unit that suits the values.
+
+    unit: that of the values, or nothing
+    """
+    from matplotlib.ticker import ScalarFormatter
+    prefix, power = prefix_of(unit, values)
+    axis.set_label_text(in_unit(label, prefix + unit if unit else None))
+    formatter = axis.get_major_formatter()
+    formatter.set_powerlimits((-3, 4))
+    if power:
+        class Formatter(ScalarFormatter):
+            def format_ticks(self, values):
+                return super().format_ticks([value / 10.**power for value in values])
+        formatter = Formatter(useOffset=False)
+        formatter.set_scientific(False)
+        axis.set_major_formatter(formatter)
 
 
 def title_of(comments):
@@ -114,12 +160,18 @@ def plain(text, width):
 
 
 def need_matplotlib():
-    """Ends if it is not there, before anything of it is used."""
+    """Before anything of it is used: installs it if it is missing, or ends."""
     os.environ["MPLBACKEND"] = "Agg"  # no display
+    installer = Path(__file__).resolve().parent / "install_packages"
+    is_system = sys.executable == "/usr/bin/python3"
     try:
+        if not find_spec("matplotlib") and is_system and installer.exists():
+            subprocess.run([installer, "--only", "python3-matplotlib"], check=False)
+            invalidate_caches()
         import matplotlib  # noqa: F401
     except ImportError as error:
-        fail(sys.executable, error, "install Debian's python3-matplotlib")
+        fail(sys.executable, error, "install Debian's python3-matplotlib"
+             if is_system else "run it by /usr/bin/python3")
 
 
 def new_figure(width, height):

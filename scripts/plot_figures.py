@@ -4,7 +4,7 @@ import argparse
 import math
 import textwrap
 
-from plot_common import fail, in_unit, looks, new_figure, plain
+from plot_common import fail, in_prefix, in_unit, label_axis, looks, new_figure, plain
 from plot_probes import draw_probes, handles_of, histories_of
 
 FIGURE = {"displacement_end": r"displacement  $u(1, t)$",
@@ -57,8 +57,9 @@ def prepare(runs):
             run.data["energy_drawn"] = [
                 math.log(e + 0.01) for e in run.data["energy"]]
     FIGURE["energy_drawn"] = HEAT["energy_drawn"] = \
-        LOG_ENERGY if has_log else in_unit(ENERGY["energy"], unit) if unit \
-        else PLAIN_ENERGY
+        LOG_ENERGY if has_log else ENERGY["energy"] if unit else PLAIN_ENERGY
+    if unit:
+        runs[0].units["energy_drawn"] = unit
 
 
 def names_of(runs):
@@ -86,8 +87,6 @@ def drawn(runs, labels):
 
 def label_of(runs, name, label):
     """With the unit of the column."""
-    if name == "gap" and any(math.isfinite(run.rear) for run in runs):
-        label = "gap to the nearer obstacle"
     return in_unit(label, runs[0].units.get(name))
 
 
@@ -120,11 +119,19 @@ def mark_contacts(axes, runs, colour=None):
                          color=colour or run.looks["color"], linewidth=0)
 
 
-def draw_history(axes, column, runs):
+def draw_history(axes, column, label, runs):
     """One curve per run, and the obstacle."""
     for run in runs:
         axes.plot(run.data["time"], run.data[column], zorder=3, **run.looks)
-    axes.ticklabel_format(axis="y", scilimits=(-3, 4))
+    if column == "gap" and any(math.isfinite(run.rear) for run in runs):
+        label = "gap to the nearer obstacle"
+    values = [value for run in runs for value in run.data[column]]
+    if column == "gap":  # of an end that stays on a rigid obstacle it is rounding
+        size = max(abs(u) for run in runs for u in run.data["displacement_end"] if math.isfinite(u))
+        if max(abs(gap) for gap in values if math.isfinite(gap)) < 1e-12 * size:
+            values = [size]
+            axes.set_ylim(-size, size)
+    label_axis(axes.yaxis, label, runs[0].units.get(column), values)
     if column == "displacement_end":
         for g in {run.obstacle for run in runs if not run.moves}:
             draw_obstacle(axes, g, "$g$" if g else "")
@@ -146,11 +153,9 @@ def legend_of(runs, obstacle):
     if values and obstacle:
         unit = runs[0].units.get("gap")
         rear = sorted(-run.rear for run in runs if math.isfinite(run.rear))
-        words = ["$g$ = " + ", ".join(f"{g:g}" for g in values)]
-        if rear:
-            words.append("$g_2$ = " + ", ".join(dict.fromkeys(f"{g:g}" for g in rear)))
-        handles.append(Line2D([], [], label="obstacle, " + "; ".join(words) +
-                              (f" {unit}" if unit else ""), **OBSTACLE))
+        words = [f"{name} = " + ", ".join(dict.fromkeys(in_prefix(g, unit) for g in gaps))
+                 for name, gaps in (("$g$", values), ("$g_2$", rear)) if gaps]
+        handles.append(Line2D([], [], label="obstacle, " + "; ".join(words), **OBSTACLE))
     elif obstacle and any(run.path for run in runs):
         handles.append(Line2D([], [], label="obstacle, $g(t)$", **OBSTACLE))
     return handles + legend_of_contacts(runs, "bars at the top")
@@ -219,8 +224,7 @@ def draw_histories(runs, labels, columns, height):
     figure, panels = panels_of(runs, labels, columns, height, legend_of(
         runs, obstacle="displacement_end" in labels or "gap" in labels))
     for name, axes in panels.items():
-        axes.set_ylabel(label_of(runs, name, labels[name]))
-        draw_history(axes, name, runs)
+        draw_history(axes, name, labels[name], runs)
     finish(figure, panels, runs)
     return figure
 
@@ -283,7 +287,8 @@ def draw_decay(runs):
         axes.set_xlabel(label_of(runs, "time", TIME))
         title = textwrap.fill(run.title, int(80 / len(runs)))
         axes.set_title(f"({letter})  {title}", fontsize=11)
-    grid[0].set_ylabel(FIGURE["energy_drawn"])
+    label_axis(grid[0].yaxis, FIGURE["energy_drawn"], runs[0].units.get("energy_drawn"),
+               [value for run in runs for value in run.data["energy_drawn"]])
     return figure
 
 

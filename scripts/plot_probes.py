@@ -3,7 +3,7 @@
 import math
 import re
 
-from plot_common import COLOURS, DASHES, fail, in_unit
+from plot_common import COLOURS, DASHES, fail, in_prefix, label_axis
 from plot_run import PROBE
 
 LABELS = {"temperature": r"temperature  $\theta$",
@@ -31,8 +31,8 @@ def place_of(run, probe):
     for comment in run.probes[0]:
         match = POSITION.match(comment)
         if match and int(match[1]) == probe:
-            place = re.sub(r"([xyz]) = ([-+.\deE]+)",
-                           lambda m: f"${m[1]}$ = {float(m[2]):g}", match[2])
+            place = re.sub(r"([xyz]) = ([-+.\deE]+)(?: (m)\b)?", lambda m: "${}$ = {}".format(
+                m[1], in_prefix(float(m[2]), m[3])), match[2])
             return f"probe {probe}: {place}"
     return f"probe {probe}"
 
@@ -77,8 +77,7 @@ def draw_probes(runs, histories, panels):
     """panels: axes by the name of the field"""
     check_looks(runs, histories)
     for name, axes in panels.items():
-        unit = runs[0].units.get(UNITS_AT_END[name])
-        axes.set_ylabel(in_unit(LABELS[name], unit))
         for run, probe, times, values in histories[name]:
             axes.plot(times, values, zorder=3, **looks_of(runs, run, probe))
-        axes.ticklabel_format(axis="y", scilimits=(-3, 4))
+        label_axis(axes.yaxis, LABELS[name], runs[0].units.get(UNITS_AT_END[name]),
+                   [value for *_, values in histories[name] for value in values])

@@ -5,7 +5,7 @@ import html
 import io
 import json
 
-from plot_common import fail
+from plot_common import fail, prefix_of, raised
 from plot_run import entries_of
 
 # key of summary.json, words, key of what was predicted for the end
@@ -28,8 +28,10 @@ img { max-width: 100%; } pre { background: #f3f3f3; padding: .6em; white-space: 
 .warning { border-left: 4px solid #d55e00; padding-left: .8em; }"""
 
 
-def number(value, digits=6):
-    return "" if value is None else f"{value:.{digits}g}" if isinstance(value, float) else str(value)
+def number(value, power, digits=6):
+    """As text, over this power of ten."""
+    return "" if value is None else f"{value / 10.**power:.{digits}g}" if isinstance(
+        value, float) else str(value)
 
 
 def results_of(summary):
@@ -40,9 +42,11 @@ def results_of(summary):
     for key, words, predicted in RESULTS:
         if summary.get(key) is None:
             continue
-        bars = [number(summary.get(f"{key}_{kind}_error"), 2) for kind in ("time", "space")]
-        cells = [words, number(summary[key]), *bars * has_bars,
-                 number(summary.get(predicted)), (summary.get("units") or {}).get(key, "")]
+        unit = (summary.get("units") or {}).get(key, "")
+        prefix, power = prefix_of(unit, [summary[key]])
+        bars = [number(summary.get(f"{key}_{kind}_error"), power, 2) for kind in ("time", "space")]
+        cells = [words, number(summary[key], power), *bars * has_bars,
+                 number(summary.get(predicted), power), prefix + raised(unit)]
         rows.append("".join(f"<td>{html.escape(cell)}</td>" for cell in cells))
     return "<table>" + "".join(f"<tr>{row}</tr>" for row in rows) + "</table>"
 

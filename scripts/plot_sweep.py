@@ -3,8 +3,8 @@
 import argparse
 import math
 
-from plot_common import (fail, in_unit, looks, new_figure, plain, read_rows,
-                         title_of, units_of)
+from plot_common import (fail, in_prefix, in_unit, label_axis, looks, new_figure, plain,
+                         prefix_of, read_rows, title_of, units_of)
 from plot_study import MARKERS, NO_WORD
 
 RESULTS = {"first_contact_time": "time of the first contact",
@@ -72,13 +72,19 @@ def scale_of(values):
     return "log" if low > 0 and high > 30 * low else "linear"
 
 
+def value_of(sweep, name, run):
+    """A varied entry of a run, as text."""
+    unit = sweep.units.get(name)
+    return in_prefix(number(run[name]), unit) if unit else run[name]
+
+
 def curves_of(sweep, axis):
     """Runs by label, a curve for each combination of the other entries."""
     others = [name for name in sweep.varied if name != axis
               and len({run[name] for run in sweep.runs}) > 1]
     curves = {}
     for run in sweep.runs:
-        words = [f"{name.split('/')[-1].lower()} {run[name]}"
+        words = [f"{name.split('/')[-1].lower()} {value_of(sweep, name, run)}"
                  if NO_WORD.match(run[name]) else run[name] for name in others]
         curves.setdefault(", ".join(words), []).append(run)
     for runs in curves.values():
@@ -86,15 +92,24 @@ def curves_of(sweep, axis):
     return curves
 
 
-def whole_numbers(sweep, result):
-    """Ticks at some ten of the whole numbers that a result is between."""
-    values = [number(run[result]) for run in sweep.runs]
-    low, high = (int(limit(v for v in values if not math.isnan(v))) for limit in (min, max))
-    return range(low, high + 1, 1 + (high - low) // 10)
+def whole_numbers(result):
+    """Where the ticks of a result that has no values between them are; else None."""
+    from matplotlib.ticker import MaxNLocator
+    return MaxNLocator(integer=True, min_n_ticks=1) if result in WHOLE else None
 
 
-def entry_label(sweep, name):
-    return in_unit(name.split("/")[-1].lower(), sweep.units.get(name))
+def label_entry(axis, sweep, name):
+    """Label and ticks of an axis for a varied entry."""
+    label_numbers(axis, name.split("/")[-1].lower(), sweep, name)
+
+
+def label_numbers(axis, label, sweep, name):
+    """Label and ticks of an axis for a column."""
+    unit = sweep.units.get(name)
+    if axis.get_scale() == "log":
+        axis.set_label_text(in_unit(label, unit))
+    else:
+        label_axis(axis, label, unit, [number(run[name]) for run in sweep.runs])
 
 
 def differs(sweep, result):
@@ -123,10 +138,10 @@ def draw_curves(figure, sweep, results, axis):
                        label=plain(label, 90), markersize=4,
                        marker=MARKERS[i % len(MARKERS)], **looks(i))
         panel.set_xscale(scale_of([number(run[axis]) for run in sweep.runs]))
-        panel.set_xlabel(entry_label(sweep, axis))
-        panel.set_ylabel(in_unit(RESULTS[name], sweep.units.get(name)))
-        if name in WHOLE:
-            panel.set_yticks(whole_numbers(sweep, name))
+        label_entry(panel.xaxis, sweep, axis)
+        label_numbers(panel.yaxis, RESULTS[name], sweep, name)
+        if ticks := whole_numbers(name):
+            panel.yaxis.set_major_locator(ticks)
     legend = figure.add_subplot(grid[rows, :])
     legend.axis("off")
     if below:
@@ -151,18 +166,21 @@ def draw_maps(figure, sweep, results, axes):
                                  shading="nearest", cmap="viridis",
                                  rasterized=True)
         panel.grid(False)
-        for ticks, words, vertical in ((panel.set_xticks, xs, len(xs) > 6),
-                                       (panel.set_yticks, ys, False)):
-            shown = range(0, len(words), 1 + len(words) // 20)
-            ticks(shown, [words[i] for i in shown], rotation=90 * vertical)
-        if k + columns >= len(results):
-            panel.set_xlabel(entry_label(sweep, axes[0]))
-        if k % columns == 0:
-            panel.set_ylabel(entry_label(sweep, axes[1]))
-        panel.set_title(in_unit(RESULTS[name], sweep.units.get(name)), fontsize=11)
-        bar = figure.colorbar(cells, ax=panel)
-        if name in WHOLE:
-            bar.set_ticks(whole_numbers(sweep, name))
+        for axis, entry, words, is_labelled in (
+                (panel.xaxis, axes[0], xs, k + columns >= len(results)),
+                (panel.yaxis, axes[1], ys, k % columns == 0)):
+            unit, shown = sweep.units.get(entry), range(0, len(words), 1 + len(words) // 20)
+            prefix, power = prefix_of(unit, [number(words[len(words) // 2])])
+            axis.set_ticks(shown, [f"{number(words[i]) / 10.**power:g}" if power else words[i]
+                                   for i in shown],
+                           rotation=90 * (axis is panel.xaxis and len(xs) > 6))
+            if is_labelled:
+                axis.set_label_text(in_unit(entry.split("/")[-1].lower(),
+                                            prefix + unit if unit else None))
+        bar = figure.colorbar(cells, ax=panel, ticks=whole_numbers(name))
+        label_numbers(bar.ax.yaxis, RESULTS[name], sweep, name)
+        panel.set_title(bar.ax.get_ylabel(), fontsize=11)
+        bar.set_label("")
     for panel in list(panels.flat)[len(results):]:
         panel.remove()
     figure.align_ylabels()

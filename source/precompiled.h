@@ -7,7 +7,6 @@
 #define thermocontact_precompiled_h
 
 #include <deal.II/base/data_out_base.h>
-#include <deal.II/base/function_parser.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -39,7 +38,6 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -129,7 +129,7 @@ namespace ThermoContact
       add_event({initial.time,
                  ContactEvent::begin,
                  !has_velocity ? std::numeric_limits<double>::quiet_NaN() :
-                                 initial.velocity[local.foremost()],
+                                 side * local.velocity(local.foremost()),
                  side},
                 events);
   }
@@ -299,10 +299,11 @@ namespace ThermoContact
             return false;
           }
       }
-    const unsigned int node = LocalValues{present, side}.foremost();
+    const LocalValues  local{present, side};
+    const unsigned int node = local.foremost();
     pending                 = {{time,
                 begins ? ContactEvent::begin : ContactEvent::end,
-                                present.velocity[node] + side * change_of_velocity,
+                                side * (local.velocity(node) + change_of_velocity),
                                 side}};
     mode_                   = begins ? ContactMode::closed : ContactMode::open;
     return true;
@@ -319,11 +320,14 @@ namespace ThermoContact
         !LocalValues{next, side}.is_any_in_contact())
       {
         if (is_in_contact) // from one obstacle to the other
-          add_event({present.time,
-                     ContactEvent::end,
-                     present.velocity[LocalValues{present, side}.foremost()],
-                     side},
-                    events);
+          {
+            const LocalValues left{present, side};
+            add_event({present.time,
+                       ContactEvent::end,
+                       side * left.velocity(left.foremost()),
+                       side},
+                      events);
+          }
         side = -side;
       }
     const LocalValues old{present, side}, local{next, side};
@@ -341,7 +345,8 @@ namespace ThermoContact
         add_event({present.time + std::min(std::max(fraction, 0.), 1.) *
                                     (next.time - present.time),
                    touches ? ContactEvent::begin : ContactEvent::end,
-                   touches ? present.velocity[old_node] : next.velocity[node],
+                   side *
+                     (touches ? old.velocity(old_node) : local.velocity(node)),
                    side},
                   events);
       }
@@ -374,7 +379,7 @@ namespace ThermoContact
         if (begins || finding.is_of_all_nodes)
           add_event({present.time + zero * (next.time - present.time),
                      begins ? ContactEvent::begin : ContactEvent::end,
-                     next.velocity[finding.node] + side * change,
+                     side * (local.velocity(finding.node) + change),
                      side},
                     events);
         mode_ = !finding.is_of_all_nodes || (begins && !local.are_all_local()) ?
@@ -443,8 +448,10 @@ namespace ThermoContact
   EventLocator::release(const ContactValues &stopped)
   {
     present = stopped;
-    pending.push_back(
-      {pending.back().time, ContactEvent::end, stopped.velocity.front(), side});
+    pending.push_back({pending.back().time,
+                       ContactEvent::end,
+                       side * LocalValues{stopped, side}.velocity(0),
+                       side});
     mode_ = ContactMode::open;
   }
 
@@ -457,7 +464,7 @@ namespace ThermoContact
   {
     Finding finding = examine_local({next, side}, is_aimed, scales);
     finding.side    = side;
-    if (mode_ != ContactMode::open || std::isinf(next.rear_penetration.front()))
+    if (mode_ != ContactMode::open || std::isinf(next.rear.penetration.front()))
       return finding;
     Finding other    = examine_local({next, -side}, is_aimed, scales);
     other.side       = -side;

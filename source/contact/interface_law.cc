@@ -160,12 +160,16 @@ namespace ThermoContact
       return {};
     if (is_in_velocity)
       {
-        const double local = start; // the position is start + tau z
-        const Damped front(*law, front_penetration(local), tau, is_held);
-        const Damped rear(*law, rear_penetration(local), tau, is_held);
+        // the other obstacle sees a velocity that is smaller by
+        const double of_front = front_rate - local_rate();
+        const double of_rear  = local_rate();
+        const double at_front = front_penetration(start) + tau * of_front;
+        const double at_rear  = rear_penetration(start) + tau * of_rear;
+        const Damped front(*law, at_front, tau, is_held);
+        const Damped rear(*law, at_rear, tau, is_held);
         return is_held ? (side > 0 ? front.resolve(z, r) :
                                      reversed(rear.resolve(-z, r))) :
-                         TwoSided(front, rear, 0., 0.).resolve(z, r);
+                         TwoSided(front, rear, of_front, of_rear).resolve(z, r);
       }
     if (mean_from)
       {
@@ -208,7 +212,8 @@ namespace ThermoContact
   double
   NodeLaw::pressure_at(const double position, const double velocity) const
   {
-    return law->damped_pressure(front_penetration(position), velocity) -
+    return law->damped_pressure(front_penetration(position),
+                                velocity - front_rate) -
            law->damped_pressure(rear_penetration(position), -velocity);
   }
 

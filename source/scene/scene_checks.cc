@@ -274,10 +274,6 @@ namespace ThermoContact
                      TimeFunction(*scene.gap_expression,
                                   dealii::Point<3>(1., half, half)));
           check_start(gap, "before an obstacle that rests");
-          gap.since(scene.contact.is_two_sided(),
-                    "Contact/Rear gap is not none",
-                    "Boundary/Fixed end displacement: the base moves between "
-                    "stops that rest");
         }
       if (!scene.sources.has_moving_end)
         return;

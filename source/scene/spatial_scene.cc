@@ -22,6 +22,7 @@ namespace ThermoContact
     , has_matrices(scene.linear_solver.has_matrices())
     , exchange_coefficient(scene.heat.linear_coefficient())
     , lateral_exchange(scene.heat.lateral_exchange)
+    , rear_gap(scene.contact.rear_gap)
     , gap(scene.contact.gap)
   {
     if (scene.contact.law->is_active() &&
@@ -101,6 +102,7 @@ namespace ThermoContact
                    matrices,
                    exchange,
                    lateral,
+                   rear_gap,
                    gap,
                    expression] = scene;
       return std::tuple_cat(members(mesh),
@@ -118,6 +120,7 @@ namespace ThermoContact
                                      matrices,
                                      exchange,
                                      lateral,
+                                     rear_gap,
                                      gap,
                                      expression));
     }

@@ -70,20 +70,20 @@ namespace ThermoContact
     end.get_values(Field::displacement,
                    state.displacement,
                    values.displacement);
-    end.get_penetrations(state, values.penetration);
-    end.get_relative_velocities(state, values.velocity);
+    for (const int side : {1, -1})
+      {
+        ContactValues::Side &seen = side > 0 ? values.front : values.rear;
+        end.get_penetrations(state, side, seen.penetration);
+        end.get_velocities_into(state, side, seen.velocity);
+      }
     values.pressure = state.contact_pressure;
-    values.rear_penetration.clear();
-    for (const double displacement : values.displacement)
-      values.rear_penetration.push_back(-displacement -
-                                        body.scene.contact.rear_gap);
     // a damped obstacle is left where the penetration ends
     const ContactLaw &law = body.law();
     if (law.damping() > 0.)
       for (unsigned int i = 0; i < values.pressure.size(); ++i)
         {
-          const double s     = values.penetration[i];
-          const double rear  = values.rear_penetration[i];
+          const double s     = values.front.penetration[i];
+          const double rear  = values.rear.penetration[i];
           values.pressure[i] = std::isinf(rear) ?
                                  std::copysign(law.pressure(std::abs(s)), s) :
                                  law.pressure(s) - law.pressure(rear);
@@ -248,14 +248,18 @@ namespace ThermoContact
     body.obstacle.set_rates(at.old_time, state);
     const std::vector<double> old_rate(state.gap_rate);
     body.obstacle.set_rates(at.new_time, state);
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position;
+    get_node_laws(body, state, laws, position);
     double towards = 0., away = 0., scale = 0.;
     for (unsigned int i = 0; i < old_rate.size(); ++i)
-      {
-        const double rate = state.gap_rate[i];
-        towards           = std::max(towards, old_rate[i] - rate);
-        away              = std::max(away, rate - old_rate[i]);
-        scale = std::max({scale, std::abs(rate), std::abs(old_rate[i])});
-      }
+      if (laws[i].side > 0) // the obstacle behind the nodes rests
+        {
+          const double rate = state.gap_rate[i];
+          towards           = std::max(towards, old_rate[i] - rate);
+          away              = std::max(away, rate - old_rate[i]);
+          scale = std::max({scale, std::abs(rate), std::abs(old_rate[i])});
+        }
     const double continuous = Tolerances::continuous_velocity * scale;
     const bool   is_held =
       body.scene.contact.has_impacts() && locator.mode() == ContactMode::closed;

@@ -7,10 +7,10 @@
 #include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/space/h1_projection.h>
+#include <thermocontact/space/node_laws.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace ThermoContact
@@ -75,13 +75,19 @@ namespace ThermoContact
 
 
 
-    /** The gap as it is written. */
+    /** The entry of the gap on a side, with what it says. */
     std::string
-    words_of_gap(const Scene &scene)
+    entry_of_gap(const Scene &scene, const int side)
     {
-      return scene.contact.has_uniform_gap() ?
-               text(scene.contact.gap) :
-               scene.parameters.contact.gap_expression;
+      const QuantityUnits units(scene.parameters);
+      if (side < 0)
+        return "Contact/Rear gap = " +
+               units.text_for_entry("length", scene.contact.rear_gap);
+      return "Contact/Gap" +
+             (scene.contact.has_uniform_gap() ?
+                " = " + units.text_for_entry("length", scene.contact.gap) :
+              units.is_si() ? "" :
+                              " = " + scene.parameters.contact.gap_expression);
     }
 
 
@@ -118,40 +124,15 @@ namespace ThermoContact
           const ContactNode<dim> &node = body.contact_end().nodes()[i];
           const double            given =
             body.data.initial_fields().value(node.position, component);
-          const double gap       = state.gap[i];
-          double      &projected = state.displacement.begin()[entry];
-          if (are_one(given, gap) || (given < gap && projected > gap))
-            projected = gap;
-          const double rear = -body.scene.contact.rear_gap;
-          if (are_one(given, rear) || (given > rear && projected < rear))
-            projected = rear;
+          double &projected = state.displacement.begin()[entry];
+          for (const int side : {1, -1})
+            {
+              const double place = obstacle_at(body, state.gap, i, side);
+              if (are_one(given, place) || (side * (place - given) > 0. &&
+                                            side * (place - projected) < 0.))
+                projected = place;
+            }
         }
-    }
-
-
-
-    /** Nor must a rigid obstacle behind the end. */
-    void
-    check_rear_penetration(const QuantityUnits &units,
-                           const double         displacement,
-                           const double         reached,
-                           const double         rear_gap)
-    {
-      const std::string initial = units.text("length", displacement);
-      if (displacement < -rear_gap)
-        throw InputError(text("Contact/Rear gap = ",
-                              rear_gap,
-                              ": the initial displacement ",
-                              initial,
-                              " of the end penetrates the rigid stop\n  "
-                              "remedy:  a larger rear gap, or another Initial "
-                              "values/Displacement"));
-      if (reached < -rear_gap && !are_one(reached, -rear_gap))
-        throw InputError(text("Contact/Rear gap = ",
-                              rear_gap,
-                              ": the prescribed first step of the paper would "
-                              "penetrate the rigid stop\n  remedy:  Time/Start "
-                              "= consistent, or a smaller Time/Step size"));
     }
 
 
@@ -161,16 +142,17 @@ namespace ThermoContact
     void
     check_overlap(const Body<dim> &body, const State &state)
     {
-      const double rear_gap = body.scene.contact.rear_gap;
       const double smallest =
         *std::min_element(state.gap.begin(), state.gap.end());
-      if (smallest + rear_gap <= 0.)
-        throw InputError(text("Contact/Rear gap = ",
-                              rear_gap,
-                              "\n  allowed: above ",
-                              -smallest,
-                              ", minus the smallest Contact/Gap\n  remedy:  a "
-                              "larger one: the stops overlap"));
+      if (smallest + body.scene.contact.rear_gap > 0.)
+        return;
+      const QuantityUnits units(body.scene.parameters);
+      throw InputError(
+        "Contact/Rear gap = " +
+        units.text_for_entry("length", body.scene.contact.rear_gap) +
+        "\n  allowed: above " + units.text_for_entry("length", -smallest) +
+        ", minus the smallest Contact/Gap\n  remedy:  a larger "
+        "one: the stops overlap");
     }
 
 
@@ -185,57 +167,43 @@ namespace ThermoContact
       const Scene &scene = body.scene;
       if (!scene.contact.law->is_rigid() || scene.material.is_static())
         return; // what is static is in equilibrium with the obstacle
-      std::vector<double> displacement, velocity;
-      body.contact_end().get_values(Field::displacement,
-                                    state.displacement,
-                                    displacement);
-      body.contact_end().get_values(Field::displacement,
-                                    state.velocity,
-                                    velocity);
-      const QuantityUnits units(scene.parameters);
-      const bool          is_prescribed =
-        scene.has_prescribed_start && scene.parameters.time.end_time > 0.;
-      for (unsigned int i = 0; i < displacement.size(); ++i)
-        check_rear_penetration(units,
-                               displacement[i],
-                               displacement[i] +
-                                 (is_prescribed ? first_step_size : 0.) *
-                                   velocity[i],
-                               scene.contact.rear_gap);
-      std::vector<double> penetration;
-      body.contact_end().get_penetrations(state, penetration);
-      const unsigned int deepest =
-        std::max_element(penetration.begin(), penetration.end()) -
-        penetration.begin();
-
-      std::ostringstream message;
-      message << "Contact/Gap = " << words_of_gap(scene) << ": ";
-      if (penetration[deepest] > 0.)
+      const ContactEnd<dim> &end = body.contact_end();
+      const QuantityUnits    units(scene.parameters);
+      const double           prescribed_time =
+        scene.has_prescribed_start && scene.parameters.time.end_time > 0. ?
+                    first_step_size :
+                    0.;
+      std::vector<double> displacement, penetration, velocity;
+      end.get_values(Field::displacement, state.displacement, displacement);
+      for (const int side : {1, -1})
         {
-          message << "the initial displacement "
-                  << units.text("length", displacement[deepest])
-                  << " of the end";
-          if (!scene.contact.has_uniform_gap())
-            message << ", where the gap is "
-                    << units.text("length", state.gap[deepest]) << ',';
-          message << " penetrates the rigid obstacle\n  remedy:  a "
-                     "larger gap, another Initial values/Displacement, or "
-                     "Contact/Condition = normal compliance";
-          throw InputError(message.str());
+          const std::string entry = entry_of_gap(scene, side) + ": the ";
+          end.get_penetrations(state, side, penetration);
+          end.get_velocities_into(state, side, velocity);
+          const unsigned int deepest =
+            std::max_element(penetration.begin(), penetration.end()) -
+            penetration.begin();
+          if (penetration[deepest] > 0.)
+            throw InputError(
+              entry + "initial displacement " +
+              units.text("length", displacement[deepest]) + " of the end" +
+              (scene.contact.has_uniform_gap() ?
+                 "" :
+                 ", where the gap is " +
+                   units.text("length", state.gap[deepest]) + ',') +
+              " penetrates the rigid obstacle\n  remedy:  a larger gap, another "
+              "Initial values/Displacement, or Contact/Condition = normal "
+              "compliance");
+          for (unsigned int i = 0; i < velocity.size(); ++i)
+            if (const double way = prescribed_time * velocity[i];
+                penetration[i] + way > 0. &&
+                !are_one(displacement[i] + side * way,
+                         obstacle_at(body, state.gap, i, side)))
+              throw InputError(
+                entry + "prescribed first step of the paper would penetrate "
+                        "the rigid obstacle\n  remedy:  Time/Start = "
+                        "consistent, or a smaller Time/Step size");
         }
-      if (is_prescribed)
-        for (unsigned int i = 0; i < velocity.size(); ++i)
-          if (const double step = first_step_size * velocity[i];
-              penetration[i] + step > 0. &&
-              !are_one(displacement[i] + step,
-                       displacement[i] - penetration[i]))
-            {
-              message
-                << "the prescribed first step of the paper would "
-                   "penetrate the rigid obstacle\n  remedy:  Time/Start = "
-                   "consistent, or a smaller Time/Step size";
-              throw InputError(message.str());
-            }
     }
 
 
@@ -262,15 +230,8 @@ namespace ThermoContact
                                     state.displacement,
                                     displacement);
       const QuantityUnits units(body.scene.parameters);
-      const Scene        &scene = body.scene;
-      const std::string   given =
-        scene.contact.has_uniform_gap() ?
-            units.text_for_entry("length", scene.contact.gap) :
-          units.is_si() ? "" :
-                          words_of_gap(scene);
       warnings.push_back(text(
-        "Contact/Gap",
-        given.empty() ? "" : " = " + given,
+        entry_of_gap(body.scene, 1),
         ": ",
         gap < 0. ? "negative, the undeformed body overlaps the obstacle "
                    "(preload)" :

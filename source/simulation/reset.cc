@@ -212,9 +212,9 @@ namespace ThermoContact
                                        state.contact_pressure,
                                        1.,
                                        load);
-    position.assign(laws.size(), 0.);
-    for (unsigned int i = 0; i < position.size(); ++i)
-      position[i] -= state.gap_rate[i];
+    position.clear();
+    for (const NodeLaw &law : laws)
+      position.push_back(0. - law.local_rate());
     const Vector r = forces(state, load);
     stiffness->solve(
       &r, laws, position, factor, state.velocity, state.contact_pressure);
@@ -265,12 +265,13 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Reset<dim>::set_static_equilibrium(State &state)
+  Reset<dim>::set_static_equilibrium(State                           &state,
+                                     const std::vector<unsigned int> &closing)
   {
     if (body.scene.material.is_static())
       set_static_displacement(state);
     else if (body.scene.contact.is_in_equilibrium())
-      settle_static_nodes(state);
+      settle_static_nodes(state, closing);
   }
 
 
@@ -311,6 +312,20 @@ namespace ThermoContact
         Vector right(heat), unused(load);
         body.equations.stage_rhs(state, 0., heat, load, right, unused);
         body.equations.subtract_heating(state.velocity, right);
+        if (!body.scene.heat.exchange->is_constant())
+          {
+            std::vector<double> flux;
+            body.contact_end().get_values(Field::temperature,
+                                          state.temperature,
+                                          flux);
+            for (unsigned int i = 0; i < flux.size(); ++i)
+              flux[i] =
+                body.scene.heat.flux(state.exchange_coefficient[i], flux[i]);
+            body.contact_end().subtract_load(Field::temperature,
+                                             flux,
+                                             1.,
+                                             right);
+          }
         provide_heat_mass().solve(heat, right);
         body.equations.add_thermal_stress(heat, 1., rate);
       }
@@ -321,7 +336,8 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Reset<dim>::settle_static_nodes(State &state)
+  Reset<dim>::settle_static_nodes(State                           &state,
+                                  const std::vector<unsigned int> &closing)
   {
     const ContactEnd<dim> &end = body.contact_end();
     std::vector<double>   &p   = state.contact_pressure;
@@ -333,9 +349,11 @@ namespace ThermoContact
 
     std::vector<double> rate_load, rate;
     end.get_all_values(Field::displacement, rate_of_forces(state), rate_load);
-    end.get_relative_velocities(state, rate);
+    end.get_values(Field::displacement, state.velocity, rate);
+    for (unsigned int i = 0; i < p.size(); ++i)
+      rate[i] -= p[i] < 0. && end.is_two_sided() ? 0. : state.gap_rate[i];
     const std::vector<double> acceleration =
-      static_nodes->solve_rates(rate_load, rate);
+      static_nodes->solve_rates(rate_load, rate, closing);
 
     std::vector<double> displacement, velocity;
     end.get_all_values(Field::displacement, state.displacement, displacement);
@@ -369,12 +387,14 @@ namespace ThermoContact
     for (unsigned int i = 0; i < p.size(); ++i)
       if (!is_closed[i] || node_laws[i].side * p[i] <= 0.)
         p[i] = 0.;
-    end.get_relative_velocities(state, rate);
+    end.get_values(Field::displacement, state.velocity, rate);
+    for (unsigned int i = 0; i < rate.size(); ++i)
+      rate[i] -= node_laws[i].local_rate();
     const std::vector<double> change = viscous_nodes->solve(
       node_forces(state, &state.velocity), node_laws, rate, p);
     end.get_all_values(Field::displacement, state.velocity, velocity);
     for (unsigned int i = 0; i < velocity.size(); ++i)
-      velocity[i] = i < p.size() && p[i] != 0. ? state.gap_rate[i] :
+      velocity[i] = i < p.size() && p[i] != 0. ? node_laws[i].local_rate() :
                                                  velocity[i] + change[i];
     end.set_all_values(Field::displacement, velocity, state.velocity);
   }
@@ -611,14 +631,16 @@ namespace ThermoContact
     double                 work  = 0.;
     if (body.scene.contact.has_mass())
       {
-        std::vector<double> velocity, impulses;
-        end.get_relative_velocities(state, velocity);
+        const std::vector<NodeLaw> laws = held_laws(body, state);
+        std::vector<double>        velocity, impulses;
+        end.get_values(Field::displacement, state.velocity, velocity);
+        for (unsigned int i = 0; i < laws.size(); ++i)
+          velocity[i] -= laws[i].local_rate();
         Vector change(state.velocity);
-        inertia->solve(
-          nullptr, held_laws(body, state), velocity, 1., change, impulses);
+        inertia->solve(nullptr, laws, velocity, 1., change, impulses);
         state.velocity += change;
         for (unsigned int i = 0; i < impulses.size(); ++i)
-          work -= end.share(i) * impulses[i] * state.gap_rate[i];
+          work -= end.share(i) * impulses[i] * laws[i].local_rate();
         result.impulse += end.mean(impulses);
       }
     put_on_obstacle(body, state);
@@ -634,17 +656,14 @@ namespace ThermoContact
   {
     const Vector r = forces(state, momentum_load(state), &state.velocity);
     Vector       acceleration(r);
+    const std::vector<NodeLaw>   laws = held_laws(body, state);
     std::vector<double>          relative;
     std::vector<TimeDerivatives> obstacle;
     body.obstacle.get_derivatives(state.load_time, obstacle);
-    for (const TimeDerivatives &gap : obstacle)
-      relative.push_back(-gap.second);
-    inertia->solve(&r,
-                   held_laws(body, state),
-                   relative,
-                   1.,
-                   acceleration,
-                   state.contact_pressure);
+    for (unsigned int i = 0; i < obstacle.size(); ++i)
+      relative.push_back(laws[i].side > 0 ? -obstacle[i].second : 0.);
+    inertia->solve(
+      &r, laws, relative, 1., acceleration, state.contact_pressure);
     ++counters_.solves;
     set_exchange_of_law(body, state);
   }
@@ -707,8 +726,13 @@ namespace ThermoContact
         body.law().damping() == 0.) // else velocities carry pressure, too
       {
         changed = true;
+        std::vector<unsigned int> closing; // the others know it by pressure
+        if (mode == ContactMode::open)
+          for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
+            if (finding.is_of_all_nodes || i == finding.node)
+              closing.push_back(i);
         Vector motion(state.displacement);
-        set_static_equilibrium(state);
+        set_static_equilibrium(state, closing);
         motion.sadd(-1., 1., state.displacement);
         work = body.energy.work_of_motion(momentum_load(state), state, motion);
       }

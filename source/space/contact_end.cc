@@ -132,8 +132,10 @@ namespace ThermoContact
 
   template <int dim>
   ContactEnd<dim>::ContactEnd(const Discretization<dim> &discretization,
-                              const Function<dim>       &gap)
-    : communicator(discretization.communicator())
+                              const Function<dim>       &gap,
+                              const double               rear_gap)
+    : rear_gap(rear_gap)
+    , communicator(discretization.communicator())
     , cross_section(discretization.geometry().cross_section())
     , all_nodes_(find_nodes(discretization, gap))
     , nodes_(all_nodes_)
@@ -240,29 +242,32 @@ namespace ThermoContact
   template <int dim>
   void
   ContactEnd<dim>::get_penetrations(const State         &state,
+                                    const int            side,
                                     std::vector<double> &penetrations) const
   {
-    if (!state.known_penetration.empty())
+    if (side > 0 && !state.known_penetration.empty())
       {
         penetrations = state.known_penetration;
         return;
       }
     get_values(Field::displacement, state.displacement, penetrations);
     for (unsigned int i = 0; i < n_nodes(); ++i)
-      penetrations[i] -= state.gap[i];
+      penetrations[i] =
+        side > 0 ? penetrations[i] - state.gap[i] : -penetrations[i] - rear_gap;
   }
 
 
 
   template <int dim>
   void
-  ContactEnd<dim>::get_relative_velocities(
-    const State         &state,
-    std::vector<double> &velocities) const
+  ContactEnd<dim>::get_velocities_into(const State         &state,
+                                       const int            side,
+                                       std::vector<double> &velocities) const
   {
     get_values(Field::displacement, state.velocity, velocities);
     for (unsigned int i = 0; i < n_nodes(); ++i)
-      velocities[i] -= state.gap_rate[i];
+      velocities[i] =
+        side > 0 ? velocities[i] - state.gap_rate[i] : -velocities[i];
   }
 
 

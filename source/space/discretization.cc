@@ -45,7 +45,9 @@ namespace ThermoContact
               prototypes[field].reinit(matrix_free_->make_vector(field));
         }
     contact_end_ =
-      std::make_unique<const ContactEnd<dim>>(*this, *contact_gap<dim>(scene));
+      std::make_unique<const ContactEnd<dim>>(*this,
+                                              *contact_gap<dim>(scene),
+                                              scene.rear_gap);
   }
 
 

@@ -29,7 +29,6 @@ namespace ThermoContact
     , material(scene.material)
     , heat(scene.heat)
     , has_work_(scene.has_work())
-    , rear_gap(scene.contact.rear_gap)
     , steady_profile_(discretization.make_vector(Field::temperature))
     , steady_stress(discretization.make_vector(Field::displacement))
     , heat_scratch(steady_profile_)
@@ -362,25 +361,27 @@ namespace ThermoContact
     if (law.damping() == 0.)
       return state.contact_pressure;
     const ContactEnd<dim> &end = discretization.contact_end();
-    end.get_penetrations(state, scratch);
-    end.get_relative_velocities(state, relative_velocity);
+    end.get_penetrations(state, 1, scratch);
+    end.get_penetrations(state, -1, rear_penetration);
+    end.get_velocities_into(state, 1, relative_velocity);
+    end.get_velocities_into(state, -1, rear_velocity);
     const double size   = state.displacement.linfty_norm();
     const auto   stored = [&](const unsigned int i,
                             const double       s,
+                            const double       v,
                             const double       side) {
       if (material.is_static()) // velocities of what moves at once say nothing
         return law.pressure(s);
       return elastic_part(law,
                           std::max(side * state.contact_pressure[i], 0.),
                           s,
-                          side * relative_velocity[i],
+                          v,
                           Tolerances::rounding_of_penetration *
                             std::max(size, std::abs(state.gap[i])));
     };
-    end.get_values(Field::displacement, state.displacement, end_displacement);
     for (unsigned int i = 0; i < scratch.size(); ++i)
-      scratch[i] = stored(i, scratch[i], 1.) -
-                   stored(i, -end_displacement[i] - rear_gap, -1.);
+      scratch[i] = stored(i, scratch[i], relative_velocity[i], 1.) -
+                   stored(i, rear_penetration[i], rear_velocity[i], -1.);
     return scratch;
   }
 
@@ -394,11 +395,13 @@ namespace ThermoContact
       return 0.;
     const ContactEnd<dim>     &end     = discretization.contact_end();
     const std::vector<double> &elastic = elastic_pressures(state, end_pressure);
-    end.get_relative_velocities(state, relative_velocity);
-    double rate = 0.;
+    double                     rate    = 0.;
     for (unsigned int i = 0; i < elastic.size(); ++i)
-      rate += end.share(i) * (state.contact_pressure[i] - elastic[i]) *
-              relative_velocity[i];
+      {
+        const double p = state.contact_pressure[i];
+        rate += end.share(i) * (p - elastic[i]) *
+                (p < 0. ? -rear_velocity[i] : relative_velocity[i]);
+      }
     return rate;
   }
 
@@ -411,7 +414,9 @@ namespace ThermoContact
     const ContactEnd<dim> &end   = discretization.contact_end();
     double                 power = 0.;
     for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
-      power -= end.share(i) * state.contact_pressure[i] * state.gap_rate[i];
+      if (const double p = state.contact_pressure[i];
+          p > 0. || !end.is_two_sided()) // the obstacle behind rests
+        power -= end.share(i) * p * state.gap_rate[i];
     return power;
   }
 
@@ -427,24 +432,25 @@ namespace ThermoContact
     end.get_values(Field::displacement,
                    old_state.displacement,
                    old_end_displacement);
-    end.get_penetrations(old_state, old_penetration);
     const std::vector<double> &old_pressure =
       elastic_pressures(old_state, old_end_pressure);
     const std::vector<double> &pressure =
       elastic_pressures(state, end_pressure);
+    end.get_penetrations(old_state, 1, old_front);
+    end.get_penetrations(old_state, -1, old_rear);
     double sum = 0.;
     for (unsigned int i = 0; i < pressure.size(); ++i)
       {
-        const double change = end_displacement[i] - old_end_displacement[i] -
-                              (state.gap[i] - old_state.gap[i]);
-        const double front = old_penetration[i];
-        const double rear  = -old_end_displacement[i] - rear_gap;
-        sum +=
-          end.share(i) * (pressure[i] < 0. && std::isfinite(rear) ?
-                            law.numerical_dissipation(
-                              -change, rear, -old_pressure[i], -pressure[i]) :
-                            law.numerical_dissipation(
-                              change, front, old_pressure[i], pressure[i]));
+        const double change = end_displacement[i] - old_end_displacement[i];
+        sum += end.share(i) *
+               (pressure[i] < 0. && end.is_two_sided() ?
+                  law.numerical_dissipation(
+                    -change, old_rear[i], -old_pressure[i], -pressure[i]) :
+                  law.numerical_dissipation(change -
+                                              (state.gap[i] - old_state.gap[i]),
+                                            old_front[i],
+                                            old_pressure[i],
+                                            pressure[i]));
       }
     return sum;
   }

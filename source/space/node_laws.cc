@@ -41,6 +41,8 @@ namespace ThermoContact
                                   state.displacement,
                                   displacement);
     get_node_laws(body, state.gap, displacement, laws, position);
+    for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
+      laws[i].front_rate = state.gap_rate[i];
     for (unsigned int i = 0; i < state.known_penetration.size(); ++i)
       if (laws[i].side > 0)
         position[i] = state.known_penetration[i];
@@ -114,7 +116,9 @@ namespace ThermoContact
     std::vector<NodeLaw> laws;
     std::vector<double>  position, velocity;
     get_node_laws(body, state, laws, position);
-    body.contact_end().get_relative_velocities(state, velocity);
+    body.contact_end().get_values(Field::displacement,
+                                  state.velocity,
+                                  velocity);
     for (unsigned int i = 0; i < laws.size(); ++i)
       state.contact_pressure[i] = laws[i].pressure_at(position[i], velocity[i]);
   }

@@ -13,6 +13,7 @@ namespace ThermoContact
   ObstacleMotion<dim>::ObstacleMotion(const Scene           &scene,
                                       const ContactEnd<dim> &end)
     : n_nodes(end.n_nodes())
+    , rear_gap(scene.contact.rear_gap)
   {
     if (!scene.sources.has_moving_obstacle)
       return;
@@ -37,14 +38,21 @@ namespace ThermoContact
       derivatives[i] = gaps[i].derivatives(time);
     for (unsigned int i = gaps.size(); i < n_nodes; ++i)
       derivatives[i] = derivatives.front();
+    const auto fail = [&](const std::string &fault, const std::string &remedy) {
+      throw ComputationError(text("Contact/Gap = ",
+                                  quote(gaps.front().text()),
+                                  ": ",
+                                  fault,
+                                  " at t = ",
+                                  time,
+                                  "\n  remedy:  ",
+                                  remedy));
+    };
     for (const TimeDerivatives &at : derivatives)
       if (!std::isfinite(at.value))
-        throw ComputationError(text("Contact/Gap = ",
-                                    quote(gaps.front().text()),
-                                    ": is not finite at t = ",
-                                    time,
-                                    "\n  remedy:  a function that is finite up "
-                                    "to Time/End time"));
+        fail("is not finite", "a function that is finite up to Time/End time");
+      else if (at.value + rear_gap <= 0.)
+        fail("the stops overlap", "a larger Contact/Rear gap");
   }
 
 

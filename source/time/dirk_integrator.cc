@@ -462,7 +462,9 @@ namespace ThermoContact
     known.gap                       = obstacle.values;
     known.gap_rate                  = obstacle.rates;
     known.known_penetration.clear();
-    if (mode != ContactMode::closed || !body.scene.contact.has_impacts())
+    const std::vector<int> &held_at = stages[i].held_at;
+    if (mode != ContactMode::closed || !body.scene.contact.has_impacts() ||
+        (!held_at.empty() && held_at.front() < 0)) // that obstacle rests
       return;
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))

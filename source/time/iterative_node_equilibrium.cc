@@ -135,9 +135,13 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<double>
-  IterativeNodeEquilibrium<dim>::solve_rates(const std::vector<double> &load,
-                                             const std::vector<double> &rate)
+  IterativeNodeEquilibrium<dim>::solve_rates(
+    const std::vector<double>       &load,
+    const std::vector<double>       &rate,
+    const std::vector<unsigned int> &closing)
   {
+    for (const unsigned int i : closing)
+      branches[i] = (*laws)[i].side;
     std::vector<double> of_all(rate);
     of_all.resize(load.size(), 0.);
     return solve_branches(load, of_all);

@@ -382,11 +382,10 @@ namespace ThermoContact
             continue;
           }
         // as the obstacle sees it, which has moved to the end of the stage
-        const double gap_rate = known.gap_rate.empty() ? 0. : known.gap_rate[i];
-        law.is_in_velocity    = true;
-        law.start             = start[i] + tau * gap_rate;
-        law.tau               = tau;
-        free[i] -= gap_rate;
+        law.is_in_velocity = true;
+        law.start          = start[i] + tau * law.local_rate();
+        law.tau            = tau;
+        free[i] -= law.local_rate();
       }
   }
 

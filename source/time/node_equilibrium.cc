@@ -33,6 +33,7 @@ namespace ThermoContact
                                                     const double     factor,
                                                     SolverCounters  &counters,
                                                     const bool       takes_heat)
+    : law(body.law())
   {
     Vector force = body.discretization.make_vector(Field::displacement);
     flexibility  = matrix_by_columns(body, [&](const Vector &unit) -> Vector  &{
@@ -123,14 +124,17 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<double>
-  DirectNodeEquilibrium<dim>::solve_rates(const std::vector<double> &load,
-                                          const std::vector<double> &rate)
+  DirectNodeEquilibrium<dim>::solve_rates(
+    const std::vector<double>       &load,
+    const std::vector<double>       &rate,
+    const std::vector<unsigned int> &closing)
   {
-    const std::vector<double> free = product(flexibility, load);
-    return change_by(free,
-                     change_of_pressure(between_pressures,
-                                        problem.slopes(),
-                                        moved(rate, free)));
+    const std::vector<double> free   = product(flexibility, load);
+    std::vector<double>       slopes = problem.slopes();
+    for (const unsigned int i : closing)
+      slopes[i] = NodeLaw(law).slope_of_pressure(0., between_pressures(i, i));
+    return change_by(
+      free, change_of_pressure(between_pressures, slopes, moved(rate, free)));
   }
 
 

@@ -38,7 +38,6 @@ SCENES = [
     (GAP, (), GAP + "=0.1*t/0", GAP + "=0.1*t/1"),
     (GAP, (), GAP + "=0.1+0.1*sqrt(t)", GAP + "=0.1+0.1*t^1.5"),
     (GAP, (), GAP + "=0.1+t*rand_seed(1)", GAP + "=0.1+t*0.5"),
-    (GAP, STOP, GAP + "=0.1+t", GAP + "=0.1", (GAP + "=0.1+t", REAR + "=none")),
     (GAP, EULER + ("Time/Start=paper",), GAP + "=0.1+t", GAP + "=0.1",
      (GAP + "=0.1+t", "Time/Start=automatic")),
     (GAP, RIGID, GAP + "=t-0.001", GAP + "=t",

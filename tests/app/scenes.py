@@ -68,7 +68,7 @@ def draw_motion(r, s, heat):
                 s["Contact/Damping"] = "0.5"
         if s["Contact/Condition"] == "power law":
             s["Contact/Exponent"] = "1.5"
-        if r.random() < 0.3 and "t" not in s["Contact/Gap"]:
+        if r.random() < 0.3:
             s["Contact/Rear gap"] = "0.05"
     if r.random() < 0.3:
         s["Sources/End traction"] = r.choice(["0.3*sin(3*t)", "0.2-0.5*t"])

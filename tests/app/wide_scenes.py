@@ -129,10 +129,14 @@ class WideScene(dict):
             if not conserves and self.happens(0.3):
                 self["Contact/Damping"] = self.number(0.01, 10, 1e-6, 1e6)
         self["Contact/Gap"] = gap
+        size = self.signed(1e-3, 1)
         if self.happens(0.3):
-            self["Contact/Rear gap"] = float(f"{max(self.number(1e-3, 1), -1.1 * gap, -1.1 * self.u):.3g}")
-        elif self.happens(0.3):
-            size, w, at = self.signed(1e-3, 1), self.frequency(), self.moment()
+            rear = float(f"{max(self.number(1e-3, 1), -1.1 * gap, -1.1 * self.u):.3g}")
+            self["Contact/Rear gap"] = rear
+            # stops that do not meet
+            size = float(f"{self.pick(1, -1) * 0.5 * (gap + rear) / max(1., self.duration):.3g}")
+        if self.happens(0.3):
+            w, at = self.frequency(), self.moment()
             self["Contact/Gap"] = f"{gap}+({size})*" + self.pick(
                 f"sin({w}*t)^2", f"max(0,t-{at})", f"abs(sin({w}*t))")
 

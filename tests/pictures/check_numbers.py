@@ -39,6 +39,23 @@ def check_marks(numbers):
         check(f"marks of {forces}, {displacements}", marks == expected, str(marks))
 
 
+def check_missing(numbers):
+    """Snapshots at 0, 1, 2, 3: none of a contact that begins at 0.4, the peak at 2.9 is
+    the last one; of 0.6 and 1.2 that at 1."""
+    for marks, expected, words in (
+            ({"peak": 2.9, "first-contact": 0.4}, {"first": 0, "peak": 3, "last": 3},
+             ["no first-contact.png", "peak and last are one snapshot, t = 3"]),
+            ({"peak": 1.2, "first-contact": 0.6},
+             {"first": 0, "first-contact": 1, "peak": 1, "last": 3},
+             ["first-contact and peak are one snapshot, t = 1"]),
+            ({"peak": 2, "first-contact": 0}, {"first": 0, "first-contact": 0, "peak": 2,
+                                               "last": 3}, ["first and first-contact are one"])):
+        pictures = numbers.times_of_pictures([0, 1, 2, 3], marks, 0)[0]
+        remarks = numbers.remarks_on(pictures, marks)
+        check(f"pictures of {marks}", pictures == expected and len(remarks) == len(words) and
+              all(word in remark for word, remark in zip(words, remarks)), f"{pictures} {remarks}")
+
+
 def check_plates(numbers):
     """At 1 + scale g, as thick as the end comes, but 0.03; not beyond x = 2."""
     for reach, scale, gap, expected in (
@@ -84,6 +101,7 @@ with tempfile.TemporaryDirectory() as scratch:
     os.chdir(scratch)
     paraview = drawings.load("paraview")
     check_marks(paraview.paraview_numbers)
+    check_missing(paraview.paraview_numbers)
     check_plates(paraview.paraview_numbers)
     check_gaps(paraview)
     check_animation(paraview)

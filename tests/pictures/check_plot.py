@@ -13,6 +13,7 @@ Exit status 77, "skipped", without matplotlib.
 import contextlib
 import io
 import os
+import re
 import struct
 import sys
 import tempfile
@@ -158,6 +159,33 @@ def check_two_obstacles(plot):
           "obstacle, $g$ = 0.1; $g_2$ = 0.07" in legend.values(), str(legend))
 
 
+def check_prefixes(plot):
+    """Of the largest value in SI units, from 1 to 1000: those of the columns; a tick at y
+    says y in the unit of its label. The gap is 0.5 mm in the legend."""
+    rows = table("steel/contact.csv")
+    figures = drawings.figures_of(plot, "steel")
+    for picture, label, column, unit in (
+            ("contact", "gap  $g - u(L, t)$", "gap", "m"),
+            ("contact", "contact force  $F(t)$", "contact_force", "N"),
+            ("figure", r"stress  $\sigma(L, t)$", "stress_end", "Pa"),
+            ("figure", r"temperature  $\theta(L, t)$", "temperature_end", "°C"),
+            ("energy", r"energy  $\hat{E}$", "energy", "J")):
+        largest, sizes = max(abs(rows[column])), {"µ": 1e-6, "m": 1e-3, "": 1, "k": 1e3, "M": 1e6}
+        prefix, size = next((prefix, size) for prefix, size in sizes.items()
+                            if unit == "°C" or size <= largest < 1e3 * size)
+        prefix, size = ("", 1) if unit == "°C" else (prefix, size)
+        panels = {panel.get_ylabel(): panel for panel in drawings.panels_of(figures[picture])[0]}
+        panel = panels.get(f"{label} [{prefix}{unit}]")
+        ticks = panel.get_yticks() if panel else []
+        words = panel.yaxis.get_major_formatter().format_ticks(ticks) if panel else []
+        numbers = [float(re.sub(r"[^-.\d]", "", word.replace("\u2212", "-"))) for word in words]
+        check(f"prefix of {column}", len(numbers) > 2 and numpy.allclose(
+            numpy.array(numbers) * size, ticks, rtol=1e-6, atol=1e-9 * size),
+            f"{prefix}{unit} {list(panels)}")
+    _, legend = drawings.panels_of(figures["contact"])
+    check("prefix of the gap", "obstacle, $g$ = 500 µm" in legend.values(), str(legend))
+
+
 def check_files(plot):
     """Which pictures there are, and that each shows something."""
     usual = ["figure", "contact", "energy"]
@@ -215,8 +243,10 @@ def main():
                  "Time/Tolerance=1e-4", "Output/Fields interval=0")
     drawings.run("between", "examples/two-stops.prm", "Time/End time=4", "Contact/Rear gap=0.07",
                  "Output/Fields interval=0")
+    drawings.run("steel", "units/steel-rod.prm", "Time/End time=36 h", "Output/Fields interval=0")
     plot = drawings.load("plot")
     check_figures(plot)
+    check_prefixes(plot)
     check_other_tables(plot)
     check_two_obstacles(plot)
     check_files(plot)

@@ -152,16 +152,16 @@ namespace
          const double               velocity,
          const std::vector<double> &pressure)
   {
+    const std::size_t   n = displacement.size();
     std::vector<double> penetration(displacement);
     for (double &s : penetration)
       s -= gap;
+    const double none = -std::numeric_limits<double>::infinity();
     return {time,
             displacement,
-            penetration,
-            std::vector<double>(displacement.size(), velocity),
-            pressure,
-            std::vector<double>(displacement.size(),
-                                -std::numeric_limits<double>::infinity())};
+            {penetration, std::vector<double>(n, velocity)},
+            {std::vector<double>(n, none), std::vector<double>(n, -velocity)},
+            pressure};
   }
 
 

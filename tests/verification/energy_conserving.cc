@@ -86,7 +86,7 @@ namespace
     const ContactLaw   &law   = simulation.body().law();
     const State        &state = simulation.state();
     std::vector<double> penetration;
-    simulation.body().contact_end().get_penetrations(state, penetration);
+    simulation.body().contact_end().get_penetrations(state, 1, penetration);
     double worst = 0., largest = 1.;
     for (const double p : state.contact_pressure)
       largest = std::max(largest, p);

@@ -18,6 +18,11 @@
 //    forces against those of 16 cells of degree 8 with that grading, 5.609
 //    and 11.694: to 1 % where there is no warning, off by more than 20 % where
 //    there is one.
+// 3. A thermal switch with mass whose contact node is static, so that its
+//    velocity jumps where contact begins and ends. The row of an event has the
+//    velocity behind it, with the heat that k(gap, pressure) conducts: it and
+//    the one of the next row have the mean (u_1 - u_0)/h, to second order in
+//    the steps that follow an event.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -96,6 +101,39 @@ namespace
       deallog << "a fifth over the error of the force "
               << within(0.2 / error, 1.) << std::endl;
   }
+
+
+
+  void
+  check_velocities_behind_events()
+  {
+    const RecordedRun result = run<1>("examples/thermal-switch.prm",
+                                      {"Time/Tolerance=1e-7",
+                                       "Contact/Gap=0.04",
+                                       "Initial values/Temperature=0",
+                                       "Boundary/Obstacle temperature=40",
+                                       "Model/Inertia=0.01",
+                                       "Contact/Massless nodes=on",
+                                       "Time/End time=1"});
+    double            error  = 0.;
+    unsigned int      n      = 0;
+    for (unsigned int i = 0; i + 1 < result.rows.size(); ++i)
+      for (const ContactEvent &event : result.events)
+        if (std::abs(event.time - result.rows[i].time) < 1e-11)
+          {
+            const StepRecord &a = result.rows[i], &b = result.rows[i + 1];
+            const double      mean =
+              (b.displacement_end - a.displacement_end) / (b.time - a.time);
+            error =
+              std::max(error,
+                       std::abs(a.velocity_end + b.velocity_end - 2. * mean) /
+                         std::abs(mean));
+            ++n;
+          }
+    deallog << "velocities behind events, of " << result.events.size()
+            << " all but " << result.events.size() - n << ": "
+            << within(error, 0.01) << std::endl;
+  }
 } // namespace
 
 
@@ -110,4 +148,5 @@ main_obstacle_kinks()
   check_peak("1e-4", 11.694, "1");
   check_peak("1e-3", 5.609, "1e4");
   check_peak("1e-4", 11.694, "1e4");
+  check_velocities_behind_events();
 }

@@ -22,8 +22,9 @@ namespace ThermoContact
 
     double time     = 0.;
     Kind   kind     = begin;
-    double velocity = 0.; ///< $u_t(1)-g'$ of the free end next to that time
-    int    side     = 1;  ///< of the obstacle; -1: the one behind the end
+    double velocity = 0.; ///< $u_t(1)-g'$ of the free end next to that time,
+                          ///< $u_t(1)$ at the obstacle behind
+    int side = 1;         ///< of the obstacle; -1: the one behind the end
 
     template <class Archive>
     void
@@ -40,8 +41,23 @@ namespace ThermoContact
   {
     double              time = 0.;
     std::vector<double> displacement; ///< normal, $u_n$
-    std::vector<double> penetration;  ///< $u_n-g$
-    std::vector<double> velocity;     ///< relative, $v_n-g'$
+
+    /** Of one obstacle. */
+    struct Side
+    {
+      std::vector<double> penetration; ///< $-\infty$: there is none
+      std::vector<double> velocity;    ///< into it
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &penetration &velocity;
+      }
+    };
+
+    Side front; ///< $u_n-g$, $v_n-g'$
+    Side rear;  ///< behind the nodes, $-u_n-g_2$, $-v_n$
 
     /**
      * Of either sign in a closed step. With damping that of the penetration at
@@ -49,15 +65,11 @@ namespace ThermoContact
      */
     std::vector<double> pressure;
 
-    /** $-u_n-g_2$ of an obstacle behind the nodes; $-\infty$: there is none. */
-    std::vector<double> rear_penetration;
-
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &time &displacement &penetration &velocity &pressure
-        &rear_penetration;
+      archive &time &displacement &front &rear &pressure;
     }
   };
 
@@ -72,6 +84,12 @@ namespace ThermoContact
     const ContactValues &values;
     int                  side;
 
+    const ContactValues::Side &
+    of_side() const
+    {
+      return side > 0 ? values.front : values.rear;
+    }
+
     unsigned int
     size() const
     {
@@ -81,7 +99,7 @@ namespace ThermoContact
     double
     penetration(const unsigned int node) const
     {
-      return (side > 0 ? values.penetration : values.rear_penetration)[node];
+      return of_side().penetration[node];
     }
 
     /** Of the other obstacle. */
@@ -94,7 +112,7 @@ namespace ThermoContact
     double
     velocity(const unsigned int node) const
     {
-      return side * values.velocity[node];
+      return of_side().velocity[node];
     }
 
     double

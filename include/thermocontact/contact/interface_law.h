@@ -217,9 +217,14 @@ namespace ThermoContact
     /** Distance between the two; infinite: there is one. */
     double play = std::numeric_limits<double>::infinity();
 
+    double front_rate = 0.; ///< $g'$; the obstacle behind the node rests
+
     bool is_held = false; ///< at the local one
 
-    /** x is a velocity, and the position is $\tilde s+\tau x$. */
+    /**
+     * x is a velocity, relative to the local obstacle, and the position
+     * $\tilde s+\tau x$, measured from where that is at the end.
+     */
     bool   is_in_velocity = false;
     double start          = 0.; ///< $\tilde s$
     double tau            = 0.;
@@ -229,6 +234,13 @@ namespace ThermoContact
 
     NodalPressure
     resolve(const double z, const double r) const override;
+
+    /** Velocity of the local obstacle. */
+    double
+    local_rate() const
+    {
+      return side > 0 ? front_rate : 0.;
+    }
 
     /** Position at @p x, seen from the local obstacle. */
     double

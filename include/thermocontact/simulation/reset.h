@@ -229,13 +229,19 @@ namespace ThermoContact
     Vector
     rate_of_forces(const State &state);
 
-    /** (C6.2), (C4.3). */
+    /**
+     * (C6.2), (C4.3).
+     *
+     * @param closing nodes at which contact begins
+     */
     void
-    settle_static_nodes(State &state);
+    settle_static_nodes(State                           &state,
+                        const std::vector<unsigned int> &closing = {});
 
     /** One of the two. */
     void
-    set_static_equilibrium(State &state);
+    set_static_equilibrium(State                           &state,
+                           const std::vector<unsigned int> &closing = {});
 
     /**
      * Velocities and pressures of contact nodes without mass, with viscosity,

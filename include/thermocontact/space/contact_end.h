@@ -13,6 +13,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -56,10 +57,12 @@ namespace ThermoContact
     /**
      * @param discretization borrowed; its degrees of freedom are distributed
      * @param gap $g$ at the places of the end
+     * @param rear_gap $g_2$; infinite: there is no obstacle behind the end
      * @throw InputError if it is not finite at a node
      */
     ContactEnd(const Discretization<dim> &discretization,
-               const Function<dim>       &gap);
+               const Function<dim>       &gap,
+               const double               rear_gap);
 
     /**
      * Those that can meet the obstacle, in order of their position; on all
@@ -134,15 +137,29 @@ namespace ThermoContact
                    const Vector        &vector,
                    std::vector<double> &values) const;
 
-    /** Penetrations $u_n-g$ of a state at nodes(). */
+    /**
+     * Penetrations of a state at nodes().
+     *
+     * @param side of the obstacle, 1: $u_n-g$; -1: $-u_n-g_2$ of the one behind
+     *   the nodes, $-\infty$ if there is none
+     */
     void
     get_penetrations(const State         &state,
+                     const int            side,
                      std::vector<double> &penetrations) const;
 
-    /** Their rates, velocities into the obstacle $v_n-g'$. */
+    /** True if there is an obstacle behind the nodes, too. */
+    bool
+    is_two_sided() const
+    {
+      return std::isfinite(rear_gap);
+    }
+
+    /** Velocities into it, $v_n-g'$ or, since that one rests, $-v_n$. */
     void
-    get_relative_velocities(const State         &state,
-                            std::vector<double> &velocities) const;
+    get_velocities_into(const State         &state,
+                        const int            side,
+                        std::vector<double> &velocities) const;
 
     /** Sets the locally owned values of a vector, one for each of all nodes. */
     void
@@ -222,6 +239,7 @@ namespace ThermoContact
     /** Index of a node, local position of its value in a vector. */
     using Entries = std::vector<std::pair<unsigned int, unsigned int>>;
 
+    const double                  rear_gap;
     const MPI_Comm                communicator;
     const double                  cross_section;
     std::vector<ContactNode<dim>> all_nodes_;

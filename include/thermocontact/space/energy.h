@@ -157,7 +157,6 @@ namespace ThermoContact
     const Material                        &material;
     const SceneHeat                       &heat;
     const bool                             has_work_;
-    const double                           rear_gap;
     Vector                                 steady_profile_;
     std::vector<double>                    steady_end;    ///< at contact nodes
     Vector                                 steady_stress; ///< $D^T\theta_s$
@@ -167,8 +166,11 @@ namespace ThermoContact
     mutable Vector                         momentum_product;
     mutable std::vector<double>            end_displacement;
     mutable std::vector<double>            relative_velocity;
+    mutable std::vector<double>            rear_penetration;
+    mutable std::vector<double>            rear_velocity;
     mutable std::vector<double>            old_end_displacement;
-    mutable std::vector<double>            old_penetration;
+    mutable std::vector<double>            old_front;
+    mutable std::vector<double>            old_rear;
     mutable std::vector<double>            end_temperature;
     mutable std::vector<double>            end_pressure;
     mutable std::vector<double>            old_end_pressure;

@@ -53,6 +53,7 @@ namespace ThermoContact
 
   private:
     const unsigned int n_nodes;
+    const double       rear_gap; ///< $g_2$; infinite: no obstacle behind
 
     /** The gaps at all nodes, or the same one; empty if it rests. */
     std::vector<TimeFunction> gaps;

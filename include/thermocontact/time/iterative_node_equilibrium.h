@@ -35,8 +35,9 @@ namespace ThermoContact
           std::vector<double>        &pressure) override;
 
     std::vector<double>
-    solve_rates(const std::vector<double> &load,
-                const std::vector<double> &rate) override;
+    solve_rates(const std::vector<double>       &load,
+                const std::vector<double>       &rate,
+                const std::vector<unsigned int> &closing) override;
 
     void
     add_heating(const std::vector<double> &change,

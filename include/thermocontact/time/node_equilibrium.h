@@ -49,10 +49,13 @@ namespace ThermoContact
      *
      * @param load its rate
      * @param rate of the positions before the change
+     * @param closing nodes that touch their local obstacle at this instant and
+     *   may have no pressure yet
      */
     virtual std::vector<double>
-    solve_rates(const std::vector<double> &load,
-                const std::vector<double> &rate) = 0;
+    solve_rates(const std::vector<double>       &load,
+                const std::vector<double>       &rate,
+                const std::vector<unsigned int> &closing) = 0;
 
     /**
      * Adds $-aM^{-1}D\,\delta u$, the temperature of a body that is deformed at
@@ -83,8 +86,9 @@ namespace ThermoContact
           std::vector<double>        &pressure) override;
 
     std::vector<double>
-    solve_rates(const std::vector<double> &load,
-                const std::vector<double> &rate) override;
+    solve_rates(const std::vector<double>       &load,
+                const std::vector<double>       &rate,
+                const std::vector<unsigned int> &closing) override;
 
     void
     add_heating(const std::vector<double> &change,
@@ -101,6 +105,7 @@ namespace ThermoContact
     }
 
   private:
+    const ContactLaw          &law;
     dealii::FullMatrix<double> flexibility; ///< $K^{-1}$
     dealii::FullMatrix<double> all_receptance;
     dealii::FullMatrix<double> between_pressures; ///< its square part
