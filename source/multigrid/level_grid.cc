@@ -49,6 +49,17 @@ namespace ThermoContact
 
 
 
+  double
+  GridAxis::longest() const
+  {
+    double size = 0.;
+    for (unsigned int i = 0; i < n_cells(); ++i)
+      size = std::max(size, ends[i + 1] - ends[i]);
+    return size / degree;
+  }
+
+
+
   std::vector<double>
   GridAxis::nodes() const
   {
@@ -64,17 +75,19 @@ namespace ThermoContact
 
 
   GridAxis
-  GridAxis::coarsened(const double length) const
+  GridAxis::coarsened(const double length, const double across) const
   {
-    const double limit = length * (1. + Tolerances::rounding_of_data);
-    GridAxis     coarse(*this);
+    const double slack = 1. + Tolerances::rounding_of_data;
+    const double limit = length * slack;
     if (degree > 1)
       {
-        if (2. * shortest() <= limit)
-          coarse.degree = degree / 2;
-        return coarse;
+        if (2. * shortest() > limit)
+          return *this;
+        if (longest() <= slack * std::max(across, shortest()))
+          return {degree / 2, ends};
+        return GridAxis{1, nodes()}.coarsened(length, across);
       }
-    coarse.ends.resize(1);
+    GridAxis coarse{1, {ends.front()}};
     for (unsigned int i = 0; i < n_cells();)
       {
         const bool is_joined =
@@ -113,8 +126,9 @@ namespace ThermoContact
         // neighbours of the shortest cell may be longer
         for (unsigned int n = coarse.n_nodes(); coarse.n_nodes() == n;
              length *= 2.)
-          for (GridAxis &axis : coarse.axes)
-            axis = axis.coarsened(length);
+          coarse.axes = {
+            {coarse.axes[0].coarsened(length, coarse.axes[1].shortest()),
+             coarse.axes[1].coarsened(length, coarse.axes[0].shortest())}};
         ++n_doubling;
       }
     if (coarse.n_nodes() == n_before)

@@ -29,20 +29,25 @@ namespace ThermoContact
       return degree * n_cells() + 1;
     }
 
-    /** The shortest cell over the degree. */
+    /** The shortest and the longest cell over the degree. */
     double
     shortest() const;
+
+    double
+    longest() const;
 
     /** Gauss-Lobatto points of all cells. */
     std::vector<double>
     nodes() const;
 
     /**
-     * Half the degree if its distance of nodes is no larger than @p length;
-     * with degree 1, neighbours joined whose sum is not.
+     * Neighbours joined whose sum is no longer than @p length; a degree above 1
+     * halved instead. If it is halved where cells are longer than @p across, the
+     * shortest distance in the other direction, which has to be coarser first,
+     * the nodes are cells of degree 1.
      */
     GridAxis
-    coarsened(const double length) const;
+    coarsened(const double length, const double across) const;
   };
 
 

@@ -27,8 +27,8 @@ namespace ThermoContact
 
 
   /**
-   * From a grid to the next finer one, whose space contains it. Vectors of the
-   * coarse grid are whole on every rank.
+   * From a grid to the next finer one, whose nodes have its nodes among them.
+   * Vectors of the coarse grid are whole on every rank.
    */
   template <int dim, typename Number>
   class LevelTransfer
