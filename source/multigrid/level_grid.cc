@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/tolerances.h>
+#include <thermocontact/base/types.h>
 #include <thermocontact/multigrid/level_grid.h>
 
 #include <deal.II/base/quadrature_lib.h>
