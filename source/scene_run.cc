@@ -160,7 +160,6 @@ namespace ThermoContact
       };
       const auto write_end_summary = [&](const std::string &status,
                                          const KeyErrors   *errors = nullptr) {
-        finish_times();
         write_summary(directory + "/summary.json",
                       status,
                       simulation,
@@ -184,6 +183,7 @@ namespace ThermoContact
           if (scene.parameters.output.has_error_bars)
             {
               // what there is if the repeats come to nothing
+              finish_times();
               write_end_summary("done");
               const StopWatch watch(times.repeats);
               errors = error_bars<dim>(
@@ -194,6 +194,7 @@ namespace ThermoContact
         }
       catch (const ComputationError &error)
         {
+          finish_times();
           output.observe_failure(simulation);
           const std::string status =
             dynamic_cast<const Interruption *>(&error) != nullptr ?

@@ -26,9 +26,6 @@ namespace ThermoContact
       obstacle.emplace(directory, "obstacle", units.of("time"));
     if (dim > 1 && body.law().is_active())
       contact_face.emplace(directory, "contact", units.of("time"));
-    if constexpr (dim == 1)
-      if (RodSnapshot::is_for(body) && !units.is_si())
-        rod_snapshot.emplace(body);
   }
 
 
@@ -49,9 +46,6 @@ namespace ThermoContact
   std::string
   FieldOutput<dim>::write_fields(const State &state)
   {
-    if (rod_snapshot)
-      return write_atomically(fields.next_path(),
-                              rod_snapshot->file(state, times().size()));
     const MPI_Comm                 communicator = discretization.communicator();
     const std::vector<std::string> pieces =
       snapshot_pieces(body, state, times().size(), units);

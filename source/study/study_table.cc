@@ -108,16 +108,6 @@ namespace ThermoContact
           conversions[i + 1].unit = unit_of_entry(plan.varied()[i]);
       return conversions;
     }
-
-
-
-    /** The line of names, the last one of a head. */
-    std::string
-    names_of_head(const std::string &head)
-    {
-      const auto end = head.find_last_of('\n', head.size() - 2);
-      return head.substr(end + 1, head.size() - end - 2);
-    }
   } // namespace
 
 
@@ -131,8 +121,10 @@ namespace ThermoContact
     , units_(parameters)
     , head(csv_comments(parameters.title) +
            csv_head(make_columns(plan), conversions_of(plan, parameters)))
-    , names_(split_row(names_of_head(head)))
-  {}
+  {
+    for (const auto &column : make_columns(plan))
+      names_.push_back(column.name);
+  }
 
 
 
@@ -180,7 +172,7 @@ namespace ThermoContact
         do
           std::getline(file, line);
         while (file && !line.empty() && line[0] == '#');
-        if (line != names_of_head(head))
+        if (split_row(line) != names_)
           fail("its columns are not those of this study");
         n_read = file.tellg();
       }

@@ -65,6 +65,7 @@ class Run:
         try:
             with open(self.directory / "checkpoint.bin", "rb") as file:
                 file.readline()
+                file.readline()
                 return json.loads(file.readline())["step"]
         except FileNotFoundError:
             return -1

@@ -70,6 +70,7 @@ def chosen_steps(reference, n_steps):
 def newest_step(directory):
     with open(directory / "checkpoint.bin", "rb") as file:
         file.readline()
+        file.readline()
         return json.loads(file.readline())["step"]
 
 

@@ -4,7 +4,6 @@
 #define thermocontact_output_field_output_h
 
 #include <thermocontact/output/output_units.h>
-#include <thermocontact/output/rod_snapshot.h>
 #include <thermocontact/output/snapshot_series.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
@@ -85,8 +84,7 @@ namespace ThermoContact
     std::optional<SnapshotSeries> contact_face;       ///< if there is one
     std::optional<SnapshotSeries> obstacle;           ///< if it moves
     const std::shared_ptr<dealii::Function<dim>> gap; ///< of an obstacle
-    std::optional<RodSnapshot> rod_snapshot;          ///< of a rod of few cells
-    std::chrono::steady_clock::time_point last_lists;
+    std::chrono::steady_clock::time_point        last_lists;
 
     /** All, as far as they are there. */
     std::vector<SnapshotSeries *>

@@ -8,6 +8,7 @@
 #include <thermocontact/space/state.h>
 
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace ThermoContact
@@ -56,8 +57,9 @@ namespace ThermoContact
 
     /**
      * The columns of contact.csv in their order: calls @p column with the name
-     * and the member of each, and, if not all scenes have it, with a function
-     * that says of a Scene whether it does.
+     * and the member of each, or a function of a record that gives its number,
+     * and, if not all scenes have it, with one that says of a Scene whether it
+     * does.
      */
     template <class Column>
     static void
@@ -113,8 +115,9 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      for_each_column([&](const char *, const auto member, const auto &...) {
-        archive &(this->*member);
+      for_each_column([&](const char *, const auto value, const auto &...) {
+        if constexpr (std::is_member_object_pointer<decltype(value)>::value)
+          archive &(this->*value);
       });
       archive &energy_terms;
     }
