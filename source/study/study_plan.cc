@@ -327,19 +327,26 @@ namespace ThermoContact
       {
         bool varies_end = false;
         for (const Axis &axis : axes)
-          for (const Variation &variation : axis)
-            for (const std::string &value : variation.values)
-              {
-                reader.read("Study/Vary", {{variation.path, value}});
-                if (reference_)
-                  check_scales_of_errors(own_scales,
-                                         reader.scene().scales,
-                                         variation.path + " = " + value);
-                const bool is_end = variation.path == "Time/End time";
-                if (is_end || is_constant_path(variation.path))
-                  longest = std::max(longest, reader.scene().time.end_time);
-                varies_end |= is_end;
-              }
+          for (unsigned int i = 0; i < axis.front().values.size(); ++i)
+            {
+              Overrides together;
+              bool      is_end = false, is_constant = false;
+              for (const Variation &variation : axis)
+                {
+                  together.emplace_back(variation.path, variation.values[i]);
+                  is_end |= variation.path == "Time/End time";
+                  is_constant |= is_constant_path(variation.path);
+                }
+              reader.read("Study/Vary", together);
+              if (reference_)
+                check_scales_of_errors(own_scales,
+                                       reader.scene().scales,
+                                       together.front().first + " = " +
+                                         together.front().second);
+              if (is_end || is_constant)
+                longest = std::max(longest, reader.scene().time.end_time);
+              varies_end |= is_end;
+            }
         if (!varies_end)
           longest = std::max(longest, own_end_time);
       }
