@@ -38,7 +38,6 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -55,8 +55,8 @@ namespace ThermoContact
   namespace
   {
     /**
-     * Work of a stage beside that of cubes with $\nu=0.3$: flat and graded cells
-     * and $\nu\to1/2$ take more, less so with inertia.
+     * Work of a stage beside that of cubes with $\nu=0.3$: flat and graded
+     * cells and $\nu\to1/2$ take more, less so with inertia.
      */
     double
     relative_work(const Scene &scene)

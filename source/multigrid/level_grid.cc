@@ -22,8 +22,7 @@ namespace ThermoContact
 
 
     GridAxis
-    axis_of_body(const MeshParameters      &mesh,
-                 const std::vector<double> &sizes)
+    axis_of_body(const MeshParameters &mesh, const std::vector<double> &sizes)
     {
       GridAxis           axis{mesh.degree, {0.}};
       const unsigned int n_parts = 1U << mesh.refinements;
@@ -116,7 +115,8 @@ namespace ThermoContact
     LevelGrid          coarse(*this);
     const unsigned int n_before   = n_nodes();
     unsigned int       n_doubling = 0;
-    while (n_doubling < max_doublings && coarse.n_nodes() > coarsening * n_before)
+    while (n_doubling < max_doublings &&
+           coarse.n_nodes() > coarsening * n_before)
       {
         double length = std::numeric_limits<double>::infinity();
         for (const GridAxis &axis : coarse.axes)

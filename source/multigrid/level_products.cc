@@ -375,8 +375,7 @@ namespace ThermoContact
     LineSizes
     line_sizes(const LevelGrid<dim> &grid)
     {
-      return {
-        {int(grid.axis(0).degree) + 1, int(grid.axis(1).degree) + 1}};
+      return {{int(grid.axis(0).degree) + 1, int(grid.axis(1).degree) + 1}};
     }
 
 
@@ -483,8 +482,8 @@ namespace ThermoContact
     add_batches(cells, true);
     for (const Field::Block field : all_fields)
       if (discretization.has_field(field))
-        fields[field].prototype.reinit(
-          grid.n_nodes() * (field == Field::temperature ? 1 : dim));
+        fields[field].prototype.reinit(grid.n_nodes() *
+                                       (field == Field::temperature ? 1 : dim));
     set_up();
   }
 
@@ -522,10 +521,10 @@ namespace ThermoContact
   {
     for (unsigned int direction = 0; direction < 2; ++direction)
       {
-        const unsigned int n = sizes[direction];
+        const unsigned int n    = sizes[direction];
         Line              &line = lines[direction];
         const QGauss<1>    rule(n);
-        const auto         nodal = Polynomials::generate_complete_Lagrange_basis(
+        const auto nodal = Polynomials::generate_complete_Lagrange_basis(
           QGaussLobatto<1>(n).get_points());
         const auto at_points =
           Polynomials::generate_complete_Lagrange_basis(rule.get_points());
@@ -574,8 +573,8 @@ namespace ThermoContact
   {
     Tensor<1, dim> size;
     for (unsigned int d = 0; d < dim; ++d)
-      size[d] = grid.axis(d).ends[box.index[d] + 1] -
-                grid.axis(d).ends[box.index[d]];
+      size[d] =
+        grid.axis(d).ends[box.index[d] + 1] - grid.axis(d).ends[box.index[d]];
     return size;
   }
 
@@ -607,13 +606,11 @@ namespace ThermoContact
     for (std::size_t first = 0; first < cells.size(); first += n_lanes)
       {
         Batch batch;
-        batch.n_cells =
-          std::min<std::size_t>(n_lanes, cells.size() - first);
+        batch.n_cells = std::min<std::size_t>(n_lanes, cells.size() - first);
         batch.has_axial_mass = has_axial_mass;
         for (unsigned int lane = 0; lane < n_lanes; ++lane)
           {
-            boxes.push_back(
-              cells[first + (lane < batch.n_cells ? lane : 0)]);
+            boxes.push_back(cells[first + (lane < batch.n_cells ? lane : 0)]);
             const Tensor<1, dim> size = size_of(boxes.back());
             batch.volume[lane]        = 1.;
             for (unsigned int d = 0; d < dim; ++d)

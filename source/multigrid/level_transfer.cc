@@ -18,9 +18,9 @@ namespace ThermoContact
                                      const unsigned int            n_components,
                                      const MPI_Comm                communicator)
   {
-    this->nodes        = std::move(nodes);
-    this->n_components = n_components;
-    this->communicator = communicator;
+    this->nodes         = std::move(nodes);
+    this->n_components  = n_components;
+    this->communicator  = communicator;
     unsigned int stride = n_components;
     for (unsigned int d = dim; d-- > 0;)
       {
@@ -39,8 +39,8 @@ namespace ThermoContact
           {
             while (cell + 1 < from.n_cells() && x >= from.ends[cell + 1])
               ++cell;
-            const double place = (x - from.ends[cell]) /
-                                 (from.ends[cell + 1] - from.ends[cell]);
+            const double place =
+              (x - from.ends[cell]) / (from.ends[cell + 1] - from.ends[cell]);
             axis.first.push_back(cell * from.degree);
             for (const auto &polynomial : basis)
               {
@@ -58,7 +58,7 @@ namespace ThermoContact
   template <typename Visit>
   inline void
   LevelTransfer<dim, Number>::visit_weights(const LevelNode<dim> &node,
-                                            const Visit &visit) const
+                                            const Visit          &visit) const
   {
     std::array<const Number *, dim> weights;
     unsigned int                    first = 0;
@@ -96,12 +96,10 @@ namespace ThermoContact
     const Number *from = coarse.begin();
     Number       *to   = fine.begin();
     for (const LevelNode<dim> &node : nodes)
-      visit_weights(node,
-                    [&](const unsigned int entry, const Number weight) {
-                      for (unsigned int c = 0; c < n_components; ++c)
-                        to[node.position + c * node.stride] +=
-                          weight * from[entry + c];
-                    });
+      visit_weights(node, [&](const unsigned int entry, const Number weight) {
+        for (unsigned int c = 0; c < n_components; ++c)
+          to[node.position + c * node.stride] += weight * from[entry + c];
+      });
   }
 
 
@@ -115,12 +113,10 @@ namespace ThermoContact
     const Number *from = fine.begin();
     Number       *to   = coarse.begin();
     for (const LevelNode<dim> &node : nodes)
-      visit_weights(node,
-                    [&](const unsigned int entry, const Number weight) {
-                      for (unsigned int c = 0; c < n_components; ++c)
-                        to[entry + c] +=
-                          weight * from[node.position + c * node.stride];
-                    });
+      visit_weights(node, [&](const unsigned int entry, const Number weight) {
+        for (unsigned int c = 0; c < n_components; ++c)
+          to[entry + c] += weight * from[node.position + c * node.stride];
+      });
     sum_over_ranks(coarse);
   }
 
@@ -133,13 +129,12 @@ namespace ThermoContact
   {
     coarse = Number();
     for (const LevelNode<dim> &node : nodes)
-      visit_weights(node,
-                    [&](const unsigned int entry, const Number weight) {
-                      if (weight == 1)
-                        for (unsigned int c = 0; c < n_components; ++c)
-                          coarse.local_element(entry + c) =
-                            fine.local_element(node.position + c * node.stride);
-                    });
+      visit_weights(node, [&](const unsigned int entry, const Number weight) {
+        if (weight == 1)
+          for (unsigned int c = 0; c < n_components; ++c)
+            coarse.local_element(entry + c) =
+              fine.local_element(node.position + c * node.stride);
+      });
     sum_over_ranks(coarse);
   }
 

@@ -40,8 +40,7 @@ namespace ThermoContact
     : body(body)
   {
     const Discretization<dim> &space = body.discretization;
-    for (const LevelGrid<dim> &grid :
-         grids_of<dim>(body.scene.parameters.mesh))
+    for (const LevelGrid<dim> &grid : grids_of<dim>(body.scene.parameters.mesh))
       levels.push_back({grid, nullptr, {}});
     for (Level &level : levels)
       level.products =
@@ -83,9 +82,8 @@ namespace ThermoContact
     of_field.stiffness                = of_field.right;
     if (&level == &levels.back())
       {
-        const MatrixFreeOperator<dim> &products =
-          *body.equations.matrix_free();
-        const bool is_heat = field == Field::temperature;
+        const MatrixFreeOperator<dim> &products = *body.equations.matrix_free();
+        const bool                     is_heat  = field == Field::temperature;
         copy_values(of_field.mass,
                     is_heat ? products.heat_diagonal({1., 0.}) :
                               products.momentum_diagonal({1., 0.}));
@@ -99,16 +97,15 @@ namespace ThermoContact
       {
         LevelVector<Number> &diagonal =
           is_mass ? of_field.mass : of_field.stiffness;
-        level.products->visit_entries(
-          field,
-          is_mass,
-          !is_mass,
-          [&](const unsigned int row,
-              const unsigned int column,
-              const Number       value) {
-            if (row == column)
-              diagonal.local_element(row) += value;
-          });
+        level.products->visit_entries(field,
+                                      is_mass,
+                                      !is_mass,
+                                      [&](const unsigned int row,
+                                          const unsigned int column,
+                                          const Number       value) {
+                                        if (row == column)
+                                          diagonal.local_element(row) += value;
+                                      });
       }
   }
 
@@ -123,14 +120,16 @@ namespace ThermoContact
     LevelField<dim, Number>       &coarse_field = coarse.fields[field];
     const LevelField<dim, Number> &fine_field   = fine.fields[field];
     const bool                     is_finest    = &fine == &levels.back();
-    fine.fields[field].transfer.reinit(
-      coarse.grid,
-      fine.grid,
-      fine.products->nodes(field),
-      n_components(field),
-      is_finest ? body.discretization.communicator() : MPI_COMM_SELF);
+    fine.fields[field].transfer.reinit(coarse.grid,
+                                       fine.grid,
+                                       fine.products->nodes(field),
+                                       n_components(field),
+                                       is_finest ?
+                                         body.discretization.communicator() :
+                                         MPI_COMM_SELF);
 
-    LevelVector<Number> marks(fine_field.right), coarse_marks(coarse_field.right);
+    LevelVector<Number> marks(fine_field.right),
+      coarse_marks(coarse_field.right);
     for (const unsigned int entry : fine_field.prescribed)
       marks.local_element(entry) = 1.;
     fine_field.transfer.inject(coarse_marks, marks);
@@ -144,9 +143,8 @@ namespace ThermoContact
     if (is_finest)
       for (const auto &[node, entry] :
            body.contact_end().entries(Field::temperature))
-        exchange.local_element(entry) =
-          body.scene.heat.linear_coefficient() *
-          body.contact_end().nodes()[node].weight;
+        exchange.local_element(entry) = body.scene.heat.linear_coefficient() *
+                                        body.contact_end().nodes()[node].weight;
     else
       exchange = fine_field.exchange;
     fine_field.transfer.restrict_to(coarse_field.exchange, exchange);

@@ -51,7 +51,7 @@ namespace ThermoContact
         }
       if (rows.held.size() > 0)
         {
-          const auto own = local_rows(rows.held);
+          const auto                           own = local_rows(rows.held);
           std::vector<types::global_dof_index> all;
           for (const auto &of_rank :
                Utilities::MPI::all_gather(matrix.get_mpi_communicator(), own))

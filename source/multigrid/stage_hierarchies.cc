@@ -42,11 +42,13 @@ namespace ThermoContact
     types::global_dof_index    result = 0;
     for (const Field::Block field : all_fields)
       if (space.has_field(field))
-        result = std::max<types::global_dof_index>(
-          result,
-          !matrices                     ? levels_.n_coarse_rows(field) :
-          field == Field::temperature ? space.n_temperature_dofs() :
-                                        space.n_displacement_dofs());
+        result =
+          std::max<types::global_dof_index>(result,
+                                            !matrices ?
+                                              levels_.n_coarse_rows(field) :
+                                            field == Field::temperature ?
+                                              space.n_temperature_dofs() :
+                                              space.n_displacement_dofs());
     return result;
   }
 

@@ -29,9 +29,11 @@ namespace ThermoContact
       if (field == Field::temperature)
         return {2, 15.};
       constexpr double   most_steps = 24.;
-      const double       ratio  = 2. * material.lambda / material.two_mu;
-      const unsigned int degree = std::clamp(
-        std::ceil(1.5 + 0.75 * std::sqrt(std::max(ratio, 0.))), 3., most_steps);
+      const double       ratio      = 2. * material.lambda / material.two_mu;
+      const unsigned int degree =
+        std::clamp(std::ceil(1.5 + 0.75 * std::sqrt(std::max(ratio, 0.))),
+                   3.,
+                   most_steps);
       return {degree, 15. * degree * degree / 9.};
     }
 
@@ -98,8 +100,10 @@ namespace ThermoContact
           levels, l, field, tau, scale);
         if (l == 0)
           continue;
-        level.smoother = std::make_unique<ChebyshevSmoother<dim, Number>>(
-          *level.block, steps.degree, steps.range);
+        level.smoother =
+          std::make_unique<ChebyshevSmoother<dim, Number>>(*level.block,
+                                                           steps.degree,
+                                                           steps.range);
         level.smoother->estimate_eigenvalue();
       }
     coarse_without_contact = make_coarse_solver();
@@ -112,9 +116,9 @@ namespace ThermoContact
   StageMultigrid<dim, Number>::make_coarse_solver() const
   {
     const StageBlock<dim, Number> &block = *stage_levels[0].block;
-    auto solver = std::make_unique<CoarseSolver>(levels.n_coarse_rows(field),
-                                                 levels.coarse_bandwidth(
-                                                   field));
+    auto                           solver =
+      std::make_unique<CoarseSolver>(levels.n_coarse_rows(field),
+                                     levels.coarse_bandwidth(field));
     block.visit_entries(levels.coarse_products(),
                         [&](const unsigned int row,
                             const unsigned int column,

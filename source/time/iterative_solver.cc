@@ -36,8 +36,9 @@ namespace ThermoContact
   IterativeSolver<dim>::retained() const
   {
     RetainedFactorizations retained;
-    retained.counters            = counters_;
-    retained.shortest_factorised = stage.preconditioners().shortest_factorised();
+    retained.counters = counters_;
+    retained.shortest_factorised =
+      stage.preconditioners().shortest_factorised();
     for (const auto &hierarchy : stage.preconditioners().all())
       {
         retained.taus.push_back(hierarchy.tau);

@@ -482,11 +482,11 @@ namespace ThermoContact
         body.equations.conduction().vmult(flow, known.temperature);
         size = std::max(size, tau * norm(flow));
         flow.copy_locally_owned_data_from(known.temperature);
-        scale_by(
-          hierarchies.levels()
-            .field(hierarchies.levels().n_levels() - 1, Field::temperature)
-            .stiffness,
-          flow);
+        scale_by(hierarchies.levels()
+                   .field(hierarchies.levels().n_levels() - 1,
+                          Field::temperature)
+                   .stiffness,
+                 flow);
         size = std::max(size,
                         tau * epsilon / body.scene.linear_solver.tolerance *
                           norm(flow));

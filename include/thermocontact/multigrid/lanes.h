@@ -104,10 +104,10 @@ namespace ThermoContact
    * @tparam add to @p y, which may else be @p x
    * @param matrices row by row, their entries the same in all lanes
    */
-  template <int dim,
-            int direction,
-            int n_along,
-            int n_across,
+  template <int  dim,
+            int  direction,
+            int  n_along,
+            int  n_across,
             bool add,
             typename Number>
   inline __attribute__((always_inline)) void

@@ -83,12 +83,11 @@ namespace ThermoContact
      * added up; of a coarser grid.
      */
     void
-    visit_entries(
-      const Field::Block                                            field,
-      const double                                                  mass,
-      const double                                                  stiffness,
-      const std::function<void(unsigned int, unsigned int, Number)> &visit)
-      const;
+    visit_entries(const Field::Block field,
+                  const double       mass,
+                  const double       stiffness,
+                  const std::function<void(unsigned int, unsigned int, Number)>
+                    &visit) const;
 
     static constexpr unsigned int n_lanes = 16 / sizeof(Number);
 
@@ -145,13 +144,13 @@ namespace ThermoContact
       AlignedVector<Number> derivatives, derivatives_transposed;
     };
 
-    const Geometry<dim>        &geometry;
-    const Material             &material;
-    const LevelGrid<dim>        grid;
-    const MatrixFreeSpaces<dim> *spaces; ///< of the body; else null
-    const LineSizes             sizes;   ///< nodes of a cell
-    const unsigned int          n_nodes; ///< of a cell
-    const bool                  has_lumped_mass;
+    const Geometry<dim>         &geometry;
+    const Material              &material;
+    const LevelGrid<dim>         grid;
+    const MatrixFreeSpaces<dim> *spaces;  ///< of the body; else null
+    const LineSizes              sizes;   ///< nodes of a cell
+    const unsigned int           n_nodes; ///< of a cell
+    const bool                   has_lumped_mass;
 
     /** From a component of a node to the next one, by lexicographic order. */
     std::vector<unsigned int> strides;

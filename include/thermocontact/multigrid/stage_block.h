@@ -26,8 +26,8 @@ namespace ThermoContact
    * The block of one field of the stage matrix (D2.2) on one level, without
    * matrix, over a scale: $M+\tau(K+kB)$ or $bM_u+\tau\zeta S_\zeta+\tau^2S$,
    * with springs at contact nodes.
-   * On coarser levels the heat exchange is springs, too. Prescribed degrees of freedom are left out:
-   * vectors are zero there, and so are products.
+   * On coarser levels the heat exchange is springs, too. Prescribed degrees of
+   * freedom are left out: vectors are zero there, and so are products.
    */
   template <int dim, typename Number>
   class StageBlock

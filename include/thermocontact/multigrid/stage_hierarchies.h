@@ -115,8 +115,7 @@ namespace ThermoContact
     std::unique_ptr<const BodyMatrices<dim>> matrices; ///< once needed
     std::list<Hierarchy>                     hierarchies;
     unsigned int                             n_made_ = 0;
-    double                                   shortest_factorised_ =
-      std::numeric_limits<double>::infinity();
+    double shortest_factorised_ = std::numeric_limits<double>::infinity();
   };
 } // namespace ThermoContact
 
