@@ -55,7 +55,8 @@ namespace
   std::unique_ptr<const ContactLaw>
   linear(const double eps, const double c = 0.)
   {
-    return contact_law("normal compliance").make({eps, 1., c});
+    return contact_law("normal compliance")
+      .make({{"Compliance", eps}, {"Damping", c}});
   }
 
   std::unique_ptr<const ContactLaw>
@@ -203,7 +204,9 @@ namespace
             kind == 1 ? linear(eps) :
             kind == 2 ? contact_law("none").make({}) :
             kind == 3 ? contact_law("power law")
-                          .make({eps, 1.5 + 0.5 * (generator() % 4), 0.}) :
+                          .make({{"Compliance", eps},
+                                 {"Exponent", 1.5 + 0.5 * (generator() % 4)},
+                                 {"Damping", 0.}}) :
                         linear(eps, ten_to(-2., 2.) / scale));
           laws.emplace_back(*obstacles.back());
           NodeLaw &law = laws.back();
@@ -324,7 +327,9 @@ namespace
   void
   test_slopes()
   {
-    const auto power = contact_law("power law").make({0.3, 2., 0.});
+    const auto power =
+      contact_law("power law")
+        .make({{"Compliance", 0.3}, {"Exponent", 2.}, {"Damping", 0.}});
     const auto soft = linear(0.4), wall = rigid(), lossy = linear(0.4, 2.);
     std::vector<NodeLaw> laws = {NodeLaw(*power),
                                  NodeLaw(*soft),
