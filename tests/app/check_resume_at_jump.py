@@ -26,7 +26,7 @@ def table(path):
 
 def show(what, directory):
     last = table(directory / "contact.csv")[-1]
-    events = [f"{event['kind']} at {float(event['time']):g}"
+    events = [f"{event['kind']} at {float(event['time']):g}, velocity {event['velocity']}"
               for event in table(directory / "events.csv")]
     print(f"{what}:", *(f"{float(last[name]):.9g}" for name in COLUMNS),
           *(events or ["no contact"]))
