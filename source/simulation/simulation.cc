@@ -362,11 +362,8 @@ namespace ThermoContact
   void
   Simulation<dim>::take_warnings()
   {
-    for (auto &&warnings :
-         {integrator->stage_solver().take_warnings(), reset.take_warnings()})
-      history_.warnings.insert(history_.warnings.end(),
-                               warnings.begin(),
-                               warnings.end());
+    for (std::string &warning : integrator->stage_solver().take_warnings())
+      history_.warnings.push_back(std::move(warning));
   }
 
 

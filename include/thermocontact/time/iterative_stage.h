@@ -9,8 +9,7 @@
 #include <thermocontact/time/flexible_gmres.h>
 
 #include <array>
-#include <string>
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace ThermoContact
@@ -115,7 +114,7 @@ namespace ThermoContact
 
     /**
      * Solves for the present set. Where multigrid does not converge, a body of
-     * up to 1e5 unknowns gets factors, if there is memory for twice as many.
+     * up to 1e5 unknowns gets factors from then on.
      *
      * @param tolerance relative residual, (D8.4); what rounding leaves may be
      *   more
@@ -155,18 +154,27 @@ namespace ThermoContact
       return tau;
     }
 
-    /**
-     * What the user is to know since the last call: factors in place of
-     * multigrid, and residuals that rounding holds above the tolerance.
-     */
-    std::vector<std::string>
-    take_warnings()
+    /** The largest residual that rounding has left above the tolerance. */
+    double
+    largest_rounding() const
     {
-      return std::exchange(warnings, {});
+      return rounding_floor;
+    }
+
+    /** Puts factors of the body in the place of its coarser levels. */
+    void
+    factorise();
+
+    const MultigridLevels<dim, float> &
+    multigrid_levels() const
+    {
+      return *levels;
     }
 
   private:
-    const Body<dim>      &body;
+    const Body<dim>                                   &body;
+    std::unique_ptr<const MultigridLevels<dim, float>> levels;
+
     StageHierarchies<dim> hierarchies;
 
     double               tau      = 0.;
@@ -189,9 +197,7 @@ namespace ThermoContact
     FlexibleGmres krylov;
 
     double largest_residual = 0.; ///< of the present stage, at the start
-    double told_rounding    = 0.; ///< the largest one warned of
-
-    std::vector<std::string> warnings;
+    double rounding_floor   = 0.; ///< of all stages so far
 
     /** Local rows of contact nodes without mass; empty: none, or all are. */
     std::vector<bool> massless_rows;
@@ -246,13 +252,6 @@ namespace ThermoContact
     /** Improves the solution until the estimate of GMRES is small enough. */
     FlexibleGmres::Result
     add_correction(const double tolerance);
-
-    bool
-    has_room_for_factors() const;
-
-    /** Takes them in place of multigrid. */
-    void
-    factorise();
 
     [[noreturn]] void
     give_up(const double       residual,
