@@ -106,15 +106,17 @@ read_parameters(const std::string              &name,
   ThermoContact::Parameters parameters;
   dealii::ParameterHandler  prm;
   parameters.add_parameters(prm);
+  std::vector<ThermoContact::Assignment> assignments;
   if (!name.empty())
     {
       std::istringstream text(
         ThermoContact::read_text(std::string(PRM_DIR) + "/" + name));
-      ThermoContact::assign_entries(ThermoContact::read_assignments(text, name),
-                                    prm);
+      assignments = ThermoContact::read_assignments(text, name);
     }
   for (const std::string &text : overrides)
-    ThermoContact::assign_entries({ThermoContact::parse_override(text)}, prm);
+    assignments.push_back(ThermoContact::parse_override(text));
+  // together: the variables of one follow from others
+  ThermoContact::assign_entries(assignments, prm);
   check_unused_entries(parameters, prm);
   check_scene(parameters);
   return parameters;

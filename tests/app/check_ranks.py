@@ -88,7 +88,8 @@ def check_obstacle(reference):
         expected = numpy.column_stack([gaps, 0 * mesh.points[:, 1:]])
         worst = max(abs(mesh.point_data["gap"] - gaps).max(),
                     abs(mesh.point_data["displacement"] - expected).max())
-        faults += [f"t = {time}: by {worst}"] if worst > 1e-14 or len(gaps) < 2 else []
+        # numbers of single precision, of gaps below 1/8
+        faults += [f"t = {time}: by {worst}"] if worst > 2.**-27 or len(gaps) < 2 else []
     print("obstacle at the times of the fields:", "; ".join(faults) or "as its formula")
 
 

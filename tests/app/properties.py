@@ -637,7 +637,8 @@ def check_results(run):
         "first_contact_time": float(begins[0]) if len(begins) else None})
     towards = e["velocity"] * sides_of(e)
     impact, release = (towards[mask] if len(e) else [] for mask in (is_begin, ~is_begin))
-    ratio = -release[-1] / impact[0] if len(release) and impact[0] > 0 else math.nan
+    known = [v for v in impact if not math.isnan(v)]  # what lies there at t = 0 has none
+    ratio = -release[-1] / known[0] if len(release) and known and known[0] > 0 else math.nan
     created = numpy.diff(c["energy"]) - numpy.diff(c["work"])
     last = {f"final_{name}": float(c[name][-1]) for name in (
         "time", "displacement_end", "energy", "contact_force", "temperature_end")}

@@ -146,7 +146,7 @@ def check_contact_face(directory):
     axes = figures[0].axes[0]
     axes.clear()
     y = numpy.array([0.2, 0.0, 0.1])  # as cells may be written
-    paraview_contact.draw_line(axes, y, 10 * y, "", "")
+    paraview_contact.draw_line(axes, y, 10 * y, "")
     check("a line in the order of y", numpy.array_equal(
         axes.lines[0].get_xydata(), [[0, 0], [0.1, 1], [0.2, 2]]))
 
