@@ -347,7 +347,12 @@ namespace ThermoContact
     end.get_all_values(Field::displacement, rate_of_forces(state), rate_load);
     end.get_values(Field::displacement, state.velocity, rate);
     for (unsigned int i = 0; i < p.size(); ++i)
-      rate[i] -= p[i] < 0. && end.is_two_sided() ? 0. : state.gap_rate[i];
+      {
+        NodeLaw &law = node_laws[i]; // it may have gone to the other side
+        if (p[i] * law.side < 0. && end.is_two_sided())
+          law.side = -law.side;
+        rate[i] -= law.local_rate();
+      }
     const std::vector<double> acceleration =
       static_nodes->solve_rates(rate_load, rate, closing);
 

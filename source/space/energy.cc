@@ -400,7 +400,9 @@ namespace ThermoContact
       {
         const double p = state.contact_pressure[i];
         rate += end.share(i) * (p - elastic[i]) *
-                (p < 0. ? -rear_velocity[i] : relative_velocity[i]);
+                ((p < 0. || elastic[i] < 0.) && end.is_two_sided() ?
+                   -rear_velocity[i] :
+                   relative_velocity[i]);
       }
     return rate;
   }

@@ -11,7 +11,7 @@ namespace ThermoContact
 {
   namespace
   {
-    /** A number that a cell has on all ranks. */
+    /** A number that a cell has on all ranks, of cells of one level. */
     template <int dim>
     std::uint64_t
     number_of(const typename DoFHandler<dim>::active_cell_iterator &cell)

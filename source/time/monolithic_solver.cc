@@ -352,7 +352,6 @@ namespace ThermoContact
     constexpr double largest_loss = 1e4;
 
     constexpr unsigned int max_refinements = 3;
-
   } // namespace
 
 

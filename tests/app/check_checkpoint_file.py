@@ -66,7 +66,7 @@ def main():
     resume(reference, "another format", lambda newest, previous:
            newest.write_bytes(newest.read_bytes()[1:]))
     resume(reference, "an entry unknown then", lambda newest, previous: replace(
-        newest, '"Mesh/Grading"', '"Mxsh/Grading"'))
+        newest, '"Mesh/Grading"', '"Mesh-Grading"'))
     resume(reference, "numbers of another mesh", lambda newest, previous: replace(
         newest, '"Mesh/Cells":"8"', '"Mesh/Cells":"9"'),
         "Mesh/Cells=9")
