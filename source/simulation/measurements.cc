@@ -85,8 +85,7 @@ namespace ThermoContact
   Measurements<dim>::measure_displacement(const State &state,
                                           StepRecord  &record)
   {
-    const ContactEnd<dim>     &end  = body.contact_end();
-    const std::vector<double> &axis = on_axis->evaluate(state);
+    const ContactEnd<dim> &end = body.contact_end();
     end.get_values(Field::displacement, state.displacement, contact_values);
     record.displacement_end = end.mean(contact_values);
     if (body.law().is_active())
@@ -104,7 +103,7 @@ namespace ThermoContact
         end.get_values(Field::displacement, state.velocity, contact_values);
         record.velocity_end = end.mean(contact_values);
         if (body.scene.has_midpoint_mass)
-          record.velocity_end = axis[2 * PointValues<dim>::velocity + 1];
+          record.velocity_end = on_axis->evaluate_axial(state.velocity)[1];
       }
 
     const auto [smallest, largest] =
@@ -124,8 +123,7 @@ namespace ThermoContact
     if (dim > 1)
       measure_face(state, record);
 
-    record.displacement_mid =
-      axis[PointValues<dim>::displacement * on_axis->n_places()];
+    record.displacement_mid = on_axis->evaluate_axial(state.displacement)[0];
   }
 
 

@@ -60,15 +60,16 @@ namespace ThermoContact
                                 const std::vector<Place<dim>> &places)
     : scene(scene)
     , discretization(discretization)
-    , n_places_(places.size())
+    , n_places(places.size())
     , values(n_quantities * places.size())
+    , axial_values(places.size())
   {
     const auto all_shares =
       Utilities::MPI::all_gather(discretization.communicator(),
                                  local_shares(places));
 
     // a share of form n_forms counts the cells of a place
-    std::vector<double> n_cells(n_places_, 0.);
+    std::vector<double> n_cells(n_places, 0.);
     for (const auto &of_rank : all_shares)
       for (const Share &share : of_rank)
         if (share.form == n_forms)
@@ -213,7 +214,7 @@ namespace ThermoContact
                                const Quantity quantity)
   {
     const double *const local  = vector.begin();
-    double *const       result = values.data() + quantity * n_places_;
+    double *const       result = values.data() + quantity * n_places;
     for (const Term &term : terms[form])
       result[term.place] += factor * term.weight * local[term.entry];
   }
@@ -253,11 +254,27 @@ namespace ThermoContact
 
 
   template <int dim>
+  const std::vector<double> &
+  PointValues<dim>::evaluate_axial(const Vector &vector)
+  {
+    std::fill(axial_values.begin(), axial_values.end(), 0.);
+    for (const Term &term : terms[displacement_form])
+      axial_values[term.place] += term.weight * vector.begin()[term.entry];
+    if (Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
+      Utilities::MPI::sum(axial_values,
+                          discretization.communicator(),
+                          axial_values);
+    return axial_values;
+  }
+
+
+
+  template <int dim>
   void
   PointValues<dim>::set_absent(const Quantity quantity)
   {
-    std::fill_n(values.begin() + quantity * n_places_,
-                n_places_,
+    std::fill_n(values.begin() + quantity * n_places,
+                n_places,
                 std::numeric_limits<double>::quiet_NaN());
   }
 

@@ -292,7 +292,8 @@ namespace ThermoContact
                                          rear_penetration(position);
     }
 
-    /** The pressure at a position where the node has this velocity. */
+    /** The pressure at a position of a node with this velocity, not relative.
+     */
     double
     pressure_at(const double position, const double velocity) const;
 

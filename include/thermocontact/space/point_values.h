@@ -85,11 +85,12 @@ namespace ThermoContact
     const std::vector<double> &
     evaluate(const State &state);
 
-    unsigned int
-    n_places() const
-    {
-      return n_places_;
-    }
+    /**
+     * One value at each place, likewise: of the axial component of a
+     * displacement or velocity alone.
+     */
+    const std::vector<double> &
+    evaluate_axial(const Vector &vector);
 
   private:
     /** Linear form of the nodal values of a field. */
@@ -127,9 +128,10 @@ namespace ThermoContact
 
     const Scene                           &scene;
     const Discretization<dim>             &discretization;
-    const unsigned int                     n_places_;
+    const unsigned int                     n_places;
     std::array<std::vector<Term>, n_forms> terms;
     std::vector<double>                    values;
+    std::vector<double>                    axial_values;
 
     /**
      * Adds the shares of one cell at one place, not yet divided by the number

@@ -19,9 +19,8 @@ namespace ThermoContact
    * by others.
    *
    * A node is a support point of the finite element space, with all its degrees
-   * of freedom. Cells have whole coordinates in the grid that they form, nodes
-   * of degree p have those of a grid p times as fine; their number counts them
-   * along x, then y, then z.
+   * of freedom. Its number is that of the first cell around it, of the
+   * uniformly refined coarsest mesh, and its place in that cell.
    */
   template <int dim>
   class StateSerialiser
