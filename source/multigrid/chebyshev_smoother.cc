@@ -13,9 +13,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /** The largest eigenvalue of smoothing over the smallest. */
-    constexpr double smoothing_range = 15.;
-
     constexpr unsigned int n_estimate_iterations = 12;
 
     /** Of an estimate, which is from below. */
@@ -47,9 +44,11 @@ namespace ThermoContact
   template <int dim, typename Number>
   ChebyshevSmoother<dim, Number>::ChebyshevSmoother(
     const StageBlock<dim, Number> &block,
-    const unsigned int             degree)
+    const unsigned int             degree,
+    const double                   range)
     : block(block)
     , degree(degree)
+    , range(range)
   {
     update_diagonal();
   }
@@ -102,8 +101,8 @@ namespace ThermoContact
         p.sadd(beta, z);
       }
     const double largest = safety * largest_eigenvalue(diagonal, off_diagonal);
-    theta                = 0.5 * (largest + largest / smoothing_range);
-    delta                = 0.5 * (largest - largest / smoothing_range);
+    theta                = 0.5 * (largest + largest / range);
+    delta                = 0.5 * (largest - largest / range);
   }
 
 

@@ -25,8 +25,10 @@ namespace ThermoContact
                    tau + levels.scene().material.viscosity) /
                 scale)
     , scale(scale)
-    , prescribed(levels.discretization(level).constrained_entries(field))
-  {}
+    , prescribed(levels.field(level, field).prescribed)
+  {
+    set_exchange();
+  }
 
 
 
@@ -48,7 +50,8 @@ namespace ThermoContact
   StageBlock<dim, Number>::diagonal() const
   {
     const LevelField<dim, Number> &parts = levels.field(level, field);
-    Vector result(levels.spaces(level).make_vector(field));
+    Vector                         result;
+    result.reinit(parts.right.get_partitioner());
     for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
       result.local_element(i) = mass * parts.mass.local_element(i) +
                                 stiffness * parts.stiffness.local_element(i);
@@ -70,8 +73,9 @@ namespace ThermoContact
   void
   StageBlock<dim, Number>::set_contact(const ContactRows &rows)
   {
-    prescribed = levels.discretization(level).constrained_entries(field);
+    prescribed = levels.field(level, field).prescribed;
     springs.clear();
+    set_exchange();
     for (unsigned int i = 0; i < rows.springs.locally_owned_size(); ++i)
       if (rows.springs.local_element(i) > 0.)
         springs.emplace_back(i,
@@ -80,6 +84,18 @@ namespace ThermoContact
     for (unsigned int i = 0; i < rows.held.locally_owned_size(); ++i)
       if (rows.held.local_element(i) > 0.)
         prescribed.push_back(i);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  StageBlock<dim, Number>::set_exchange()
+  {
+    const LevelVector<Number> &exchange = levels.field(level, field).exchange;
+    for (unsigned int i = 0; i < exchange.locally_owned_size(); ++i)
+      if (exchange.local_element(i) > 0.)
+        springs.emplace_back(i, stiffness * exchange.local_element(i));
   }
 
 

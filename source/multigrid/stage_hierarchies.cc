@@ -14,10 +14,43 @@ namespace ThermoContact
 
 
   template <int dim>
-  StageHierarchies<dim>::StageHierarchies(
-    const MultigridLevels<dim, float> &levels)
-    : levels(&levels)
+  StageHierarchies<dim>::StageHierarchies(const Body<dim> &body)
+    : body(body)
+    , levels_(body)
   {}
+
+
+
+  template <int dim>
+  void
+  StageHierarchies<dim>::factorise()
+  {
+    shortest_factorised_ = current().tau;
+    hierarchies.remove_if([this](const Hierarchy &hierarchy) {
+      return hierarchy.tau >= shortest_factorised_;
+    });
+    provide(shortest_factorised_);
+  }
+
+
+
+  template <int dim>
+  types::global_dof_index
+  StageHierarchies<dim>::n_factorized_unknowns() const
+  {
+    const Discretization<dim> &space  = body.discretization;
+    types::global_dof_index    result = 0;
+    for (const Field::Block field : all_fields)
+      if (space.has_field(field))
+        result =
+          std::max<types::global_dof_index>(result,
+                                            !matrices ?
+                                              levels_.n_coarse_rows(field) :
+                                            field == Field::temperature ?
+                                              space.n_temperature_dofs() :
+                                              space.n_displacement_dofs());
+    return result;
+  }
 
 
 
@@ -36,18 +69,24 @@ namespace ThermoContact
       }
     while (hierarchies.size() >= max_hierarchies)
       hierarchies.pop_back();
+    if (tau >= shortest_factorised_ && !matrices)
+      matrices = std::make_unique<const BodyMatrices<dim>>(body);
     hierarchies.push_front({tau, nullptr, nullptr, {}, {}, {}});
     Hierarchy         &hierarchy = hierarchies.front();
-    const unsigned int finest    = levels->n_levels() - 1;
+    const unsigned int finest    = levels_.n_levels() - 1;
     for (const Field::Block field : all_fields)
-      if (levels->discretization(finest).has_field(field))
+      if (body.discretization.has_field(field))
         {
-          auto &multigrid =
+          std::unique_ptr<StagePreconditioner> &multigrid =
             field == Field::temperature ? hierarchy.heat : hierarchy.momentum;
-          multigrid =
-            std::make_unique<StageMultigrid<dim, float>>(*levels, field, tau);
+          if (has_factors())
+            multigrid =
+              std::make_unique<StageFactors<dim>>(*matrices, field, tau);
+          else
+            multigrid =
+              std::make_unique<StageMultigrid<dim, float>>(levels_, field, tau);
           hierarchy.diagonals[field] =
-            StageBlock<dim, float>(*levels, finest, field, tau).diagonal();
+            StageBlock<dim, float>(levels_, finest, field, tau).diagonal();
         }
     ++n_made_;
   }

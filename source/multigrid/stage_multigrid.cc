@@ -3,63 +3,76 @@
 #include <thermocontact/multigrid/stage_multigrid.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ThermoContact
 {
   namespace
   {
+    /** Steps of smoothers, and the range of eigenvalues that they treat. */
+    struct Smoothing
+    {
+      unsigned int degree;
+      double       range;
+    };
+
+
+
+    /**
+     * Three steps treat a range of 15. What keeps its volume is soft beside
+     * what does not, by $\mu/\lambda$, and coarser levels do not have it all:
+     * the range grows with $\lambda/\mu$, the steps with its root.
+     */
+    Smoothing
+    smoothing(const Field::Block field, const Material &material)
+    {
+      if (field == Field::temperature)
+        return {2, 15.};
+      constexpr double   most_steps = 24.;
+      const double       ratio      = 2. * material.lambda / material.two_mu;
+      const unsigned int degree =
+        std::clamp(std::ceil(1.5 + 0.75 * std::sqrt(std::max(ratio, 0.))),
+                   3.,
+                   most_steps);
+      return {degree, 15. * degree * degree / 9.};
+    }
+
+
+
     /** Restricts contact rows to the next coarser level. */
     template <int dim, typename Number>
     ContactRows
     restricted(const ContactRows             &fine,
                const LevelField<dim, Number> &fine_field,
-               const LevelField<dim, Number> &coarse_field,
-               const ContactEnd<dim>         &fine_end)
+               const LevelField<dim, Number> &coarse_field)
     {
-      // over the largest one, so that float has room for it
-      const auto restrict_vector = [&](const Vector &vector) {
-        LevelVector<Number> result(coarse_field.right), copy(fine_field.right);
-        const double        largest = vector.linfty_norm();
-        const double        scale   = largest > 0. ? largest : 1.;
-        result                      = 0.;
-        for (unsigned int i = 0; i < vector.locally_owned_size(); ++i)
-          copy.local_element(i) = vector.local_element(i) / scale;
-        copy.update_ghost_values();
-        fine_field.transfer.restrict_and_add(result, copy);
-        Vector coarse(result.get_partitioner());
-        copy_values(coarse, result);
-        coarse *= scale;
-        return coarse;
+      LevelVector<Number> values(fine_field.right), coarse(coarse_field.right);
+      ContactRows         result;
+      const auto          set = [&](Vector &vector, const double factor) {
+        vector.reinit(coarse.get_partitioner());
+        copy_values(vector, coarse);
+        vector *= factor;
       };
-      ContactRows coarse;
+      values = Number();
       if (fine.springs.size() > 0)
         {
-          // the row sums of the product with the springs between two transfers
-          coarse.springs = restrict_vector(fine.springs);
-          for (double &spring : coarse.springs)
-            spring = std::max(spring, 0.);
+          // the row sums of the product with the springs between two transfers,
+          // over the largest one, so that float has room for it
+          const double largest = fine.springs.linfty_norm();
+          for (unsigned int i = 0; i < values.locally_owned_size(); ++i)
+            values.local_element(i) = fine.springs.local_element(i) / largest;
+          fine_field.transfer.restrict_to(coarse, values);
+          for (Number &spring : coarse)
+            spring = std::max(spring, Number());
+          set(result.springs, largest);
         }
       if (fine.held.size() > 0)
         {
-          // a coarse node is held if more than half of what it stands for is
-          Vector all(fine.held), part(fine.held);
-          all = 0.;
-          for (const auto &[node, entry] :
-               fine_end.entries(Field::displacement))
-            all.local_element(entry) = fine_end.nodes()[node].weight;
-          part.scale(all);
-          const Vector whole = restrict_vector(all);
-          coarse.held        = restrict_vector(part);
-          for (unsigned int i = 0; i < whole.locally_owned_size(); ++i)
-            {
-              double &held = coarse.held.local_element(i);
-              held         = whole.local_element(i) > 0. &&
-                         held > 0.5 * whole.local_element(i) ?
-                               1. :
-                               0.;
-            }
+          copy_values(values, fine.held);
+          fine_field.transfer.inject(coarse, values);
+          set(result.held, 1.);
         }
-      return coarse;
+      return result;
     }
   } // namespace
 
@@ -72,29 +85,50 @@ namespace ThermoContact
     const double                        tau)
     : levels(levels)
     , field(field)
-    , tau(tau)
-    , fine(levels.n_levels() - 1)
+    , stage_levels(levels.n_levels())
+    , coarse_values(levels.n_coarse_rows(field))
   {
     const unsigned int finest = levels.n_levels() - 1;
     scale = StageBlock<dim, Number>(levels, finest, field, tau)
               .diagonal()
               .linfty_norm();
-    for (unsigned int l = 1; l < levels.n_levels(); ++l)
+    const Smoothing steps = smoothing(field, levels.scene().material);
+    for (unsigned int l = 0; l < levels.n_levels(); ++l)
       {
-        Level &level = fine[l - 1];
+        Level &level = stage_levels[l];
         level.block  = std::make_unique<StageBlock<dim, Number>>(
           levels, l, field, tau, scale);
-        level.smoother = std::make_unique<ChebyshevSmoother<dim, Number>>(
-          *level.block, field == Field::temperature ? 2 : 3);
+        if (l == 0)
+          continue;
+        level.smoother =
+          std::make_unique<ChebyshevSmoother<dim, Number>>(*level.block,
+                                                           steps.degree,
+                                                           steps.range);
         level.smoother->estimate_eigenvalue();
       }
-    coarse_without_contact = std::make_unique<CoarseSolver<dim>>(
-      levels.spaces(0).dof_handler(field),
-      field,
-      field == Field::temperature ?
-        levels.coarse_operator().heat_stage_matrix(tau) :
-        levels.coarse_operator().momentum_stage_matrix(tau),
-      levels.is_factorised(levels.spaces(0).dof_handler(field).n_dofs()));
+    coarse_without_contact = make_coarse_solver();
+  }
+
+
+
+  template <int dim, typename Number>
+  std::unique_ptr<const CoarseSolver>
+  StageMultigrid<dim, Number>::make_coarse_solver() const
+  {
+    const StageBlock<dim, Number> &block = *stage_levels[0].block;
+    auto                           solver =
+      std::make_unique<CoarseSolver>(levels.n_coarse_rows(field),
+                                     levels.coarse_bandwidth(field));
+    block.visit_entries(levels.coarse_products(),
+                        [&](const unsigned int row,
+                            const unsigned int column,
+                            const double       value) {
+                          solver->add(row, column, value);
+                        });
+    for (const unsigned int entry : block.prescribed_entries())
+      solver->hold(entry);
+    solver->factorise();
+    return solver;
   }
 
 
@@ -103,15 +137,16 @@ namespace ThermoContact
   void
   StageMultigrid<dim, Number>::set_rows(const ContactRows &rows)
   {
-    coarse_rows = rows;
-    for (unsigned int l = levels.n_levels() - 1; l >= 1; --l)
+    ContactRows of_level(rows);
+    for (unsigned int l = levels.n_levels() - 1;; --l)
       {
-        fine[l - 1].block->set_contact(coarse_rows);
-        fine[l - 1].smoother->update_diagonal();
-        coarse_rows = restricted(coarse_rows,
-                                 levels.field(l, field),
-                                 levels.field(l - 1, field),
-                                 levels.discretization(l).contact_end());
+        stage_levels[l].block->set_contact(of_level);
+        if (l == 0)
+          break;
+        stage_levels[l].smoother->update_diagonal();
+        of_level = restricted(of_level,
+                              levels.field(l, field),
+                              levels.field(l - 1, field));
       }
   }
 
@@ -131,28 +166,8 @@ namespace ThermoContact
       }
     has_contact = true;
     set_rows(*rows);
-    if (are_as_before && coarse_with_contact)
-      return;
-    coarse_with_contact.reset(); // its memory, before there are other factors
-    coarse_with_contact = std::make_unique<CoarseSolver<dim>>(
-      levels.spaces(0).dof_handler(field),
-      field,
-      with_contact(coarse_without_contact->matrix(), coarse_rows),
-      levels.is_factorised(levels.spaces(0).dof_handler(field).n_dofs()));
-  }
-
-
-
-  template <int dim, typename Number>
-  void
-  StageMultigrid<dim, Number>::zero_coarse(Vector &vector) const
-  {
-    for (const unsigned int entry :
-         levels.discretization(0).constrained_entries(field))
-      vector.local_element(entry) = 0.;
-    for (unsigned int i = 0; i < coarse_rows.held.locally_owned_size(); ++i)
-      if (coarse_rows.held.local_element(i) > 0.)
-        vector.local_element(i) = 0.;
+    if (!are_as_before || !coarse_with_contact)
+      coarse_with_contact = make_coarse_solver();
   }
 
 
@@ -161,16 +176,15 @@ namespace ThermoContact
   void
   StageMultigrid<dim, Number>::solve_coarse() const
   {
-    const LevelField<dim, Number> &vectors  = levels.field(0, field);
-    Vector                        &right    = vectors.coarse_right;
-    Vector                        &solution = vectors.coarse_solution;
-    copy_values(right, vectors.right);
-    zero_coarse(right);
+    const LevelField<dim, Number> &vectors = levels.field(0, field);
+    std::copy(vectors.right.begin(),
+              vectors.right.begin() + coarse_values.size(),
+              coarse_values.begin());
     (has_contact ? coarse_with_contact : coarse_without_contact)
-      ->solve(solution, right);
-    zero_coarse(solution);
-    solution *= scale;
-    copy_values(vectors.solution, solution);
+      ->solve(coarse_values);
+    std::copy(coarse_values.begin(),
+              coarse_values.end(),
+              vectors.solution.begin());
   }
 
 
@@ -186,7 +200,7 @@ namespace ThermoContact
       }
     const LevelField<dim, Number> &vectors  = levels.field(l, field);
     const LevelField<dim, Number> &coarse   = levels.field(l - 1, field);
-    const Level                   &level    = fine[l - 1];
+    const Level                   &level    = stage_levels[l];
     LevelVector<Number>           &residual = vectors.residual;
     LevelVector<Number>           &solution = vectors.solution;
     level.smoother->smooth_zero(solution,
@@ -194,16 +208,10 @@ namespace ThermoContact
                                 {residual, vectors.update});
     level.block->vmult(residual, solution);
     residual.sadd(-1., vectors.right);
-    residual.update_ghost_values();
-    coarse.right = 0.;
-    vectors.transfer.restrict_and_add(coarse.right, residual);
-    residual.zero_out_ghost_values();
-    if (l > 1)
-      fine[l - 2].block->zero_prescribed(coarse.right);
+    vectors.transfer.restrict_to(coarse.right, residual);
+    stage_levels[l - 1].block->zero_prescribed(coarse.right);
     cycle(l - 1);
-    coarse.solution.update_ghost_values();
     vectors.transfer.prolongate_and_add(solution, coarse.solution);
-    coarse.solution.zero_out_ghost_values();
     level.block->zero_prescribed(solution);
     level.smoother->smooth(solution, vectors.right, {residual, vectors.update});
   }
@@ -224,7 +232,7 @@ namespace ThermoContact
       }
     for (unsigned int i = 0; i < r.locally_owned_size(); ++i)
       vectors.right.local_element(i) = r.local_element(i) / largest;
-    fine.back().block->zero_prescribed(vectors.right);
+    stage_levels.back().block->zero_prescribed(vectors.right);
     cycle(finest);
     const double factor = largest / scale;
     for (unsigned int i = 0; i < r.locally_owned_size(); ++i)

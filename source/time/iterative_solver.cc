@@ -26,14 +26,7 @@ namespace ThermoContact
   types::global_dof_index
   IterativeSolver<dim>::n_factorized_unknowns() const
   {
-    const Discretization<dim> &coarsest =
-      stage.multigrid_levels().discretization(0);
-    types::global_dof_index largest = 0;
-    for (const types::global_dof_index n :
-         {coarsest.n_temperature_dofs(), coarsest.n_displacement_dofs()})
-      if (stage.multigrid_levels().is_factorised(n))
-        largest = std::max(largest, n);
-    return largest;
+    return stage.preconditioners().n_factorized_unknowns();
   }
 
 
@@ -43,8 +36,9 @@ namespace ThermoContact
   IterativeSolver<dim>::retained() const
   {
     RetainedFactorizations retained;
-    retained.counters           = counters_;
-    retained.has_refused_blocks = has_factors;
+    retained.counters = counters_;
+    retained.shortest_factorised =
+      stage.preconditioners().shortest_factorised();
     for (const auto &hierarchy : stage.preconditioners().all())
       {
         retained.taus.push_back(hierarchy.tau);
@@ -60,10 +54,7 @@ namespace ThermoContact
   void
   IterativeSolver<dim>::restore(const RetainedFactorizations &retained)
   {
-    stage.preconditioners().clear();
-    has_factors = retained.has_refused_blocks;
-    if (has_factors)
-      stage.factorise();
+    stage.preconditioners().clear(retained.shortest_factorised);
     for (unsigned int i = retained.taus.size(); i-- > 0;)
       stage.restore(retained.taus[i], retained.active_sets[i]);
     counters_ = retained.counters;
@@ -89,33 +80,8 @@ namespace ThermoContact
   {
     count(stage.solve(tolerance));
     stage.get_pressures(pressure);
-    warn();
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeSolver<dim>::warn()
-  {
-    if (stage.multigrid_levels().has_factors_of_body() &&
-        !std::exchange(has_factors, true))
-      warnings.push_back(
-        text("multigrid does not converge in a stage of length ",
-             significant(stage.length(), few_digits),
-             ": the body has sparse factors from then on, which take more "
-             "memory and time"));
-    if (stage.largest_rounding() > 2. * rounding)
-      {
-        rounding = stage.largest_rounding();
-        warnings.push_back(
-          text("Solver/Linear tolerance = ",
-               body.scene.linear_solver.tolerance,
-               ": rounding leaves ",
-               significant(rounding, 2),
-               " of the forces and heat flows in a stage of length ",
-               significant(stage.length(), few_digits)));
-      }
+    for (const std::string &warning : stage.take_warnings())
+      counters_.warnings.push_back(warning);
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/machine_memory.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
@@ -29,8 +30,7 @@ namespace ThermoContact
   template <int dim>
   IterativeStage<dim>::IterativeStage(const Body<dim> &body)
     : body(body)
-    , levels(std::make_unique<const MultigridLevels<dim, float>>(body))
-    , hierarchies(*levels)
+    , hierarchies(body)
     , krylov(max_directions)
   {
     rhs.reinit(2);
@@ -299,8 +299,7 @@ namespace ThermoContact
           return n_iterations;
         if (result.residual <= allowed)
           continue;
-        if (levels->has_factors_of_body() ||
-            body.scene.n_unknowns() > most_unknowns_of_factors)
+        if (hierarchies.has_factors() || !has_room_for_factors())
           give_up(reached, allowed, n_iterations);
         factorise();
         attempt = 0;
@@ -308,9 +307,32 @@ namespace ThermoContact
     // nothing but rounding is left
     if (reached > Tolerances::loose_residual)
       give_up(reached, allowed, n_iterations);
-    if (measure == Measure::of_terms)
-      rounding_floor = std::max(rounding_floor, reached);
+    if (measure == Measure::of_terms && reached > 2. * told_rounding)
+      {
+        told_rounding = reached;
+        warnings.push_back(
+          text("Solver/Linear tolerance = ",
+               body.scene.linear_solver.tolerance,
+               ": rounding leaves ",
+               significant(reached, 2),
+               " of the forces and heat flows in a stage of length ",
+               significant(tau, few_digits)));
+      }
     return n_iterations;
+  }
+
+
+
+  template <int dim>
+  bool
+  IterativeStage<dim>::has_room_for_factors() const
+  {
+    const double n_unknowns = body.scene.n_unknowns();
+    if (n_unknowns > most_unknowns_of_factors)
+      return false;
+    const SharedMemory memory =
+      scarcest_memory(body.discretization.communicator());
+    return 2. * factor_bytes(n_unknowns, dim) * memory.share < memory.bytes;
   }
 
 
@@ -319,14 +341,13 @@ namespace ThermoContact
   void
   IterativeStage<dim>::factorise()
   {
-    auto factors =
-      std::make_unique<const MultigridLevels<dim, float>>(body, true);
-    hierarchies.set_levels(*factors);
-    levels = std::move(factors);
-    if (tau == 0.)
-      return;
-    hierarchies.provide(tau);
+    hierarchies.factorise();
     hierarchies.set_contact(is_active, contact);
+    warnings.push_back(
+      text("multigrid does not converge in a stage of length ",
+           significant(tau, few_digits),
+           ": from this length on stages have sparse factors of the body, "
+           "which take more memory and time"));
   }
 
 
@@ -461,9 +482,11 @@ namespace ThermoContact
         body.equations.conduction().vmult(flow, known.temperature);
         size = std::max(size, tau * norm(flow));
         flow.copy_locally_owned_data_from(known.temperature);
-        scale_by(
-          levels->field(levels->n_levels() - 1, Field::temperature).stiffness,
-          flow);
+        scale_by(hierarchies.levels()
+                   .field(hierarchies.levels().n_levels() - 1,
+                          Field::temperature)
+                   .stiffness,
+                 flow);
         size = std::max(size,
                         tau * epsilon / body.scene.linear_solver.tolerance *
                           norm(flow));
@@ -505,7 +528,8 @@ namespace ThermoContact
     const Material &material = body.scene.material;
     const Vector   &diagonal =
       hierarchies.current().diagonals[Field::displacement];
-    const unsigned int finest = levels->n_levels() - 1;
+    const MultigridLevels<dim, float> &levels = hierarchies.levels();
+    const unsigned int                 finest = levels.n_levels() - 1;
 
     // Forces that move something: those beside the pressure that is there.
     Sizes  sizes{};
@@ -538,7 +562,7 @@ namespace ThermoContact
     raise_to(sizes, {{0., momentum_sizes(rows)[1]}});
     // Nothing is solved for that is rounding of the right-hand side.
     rows.copy_locally_owned_data_from(known.displacement);
-    scale_by(levels->field(finest, Field::displacement).stiffness, rows);
+    scale_by(levels.field(finest, Field::displacement).stiffness, rows);
     raise_to(sizes,
              momentum_sizes(rows),
              tau * epsilon / body.scene.linear_solver.tolerance);

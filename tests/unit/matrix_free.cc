@@ -193,7 +193,8 @@ namespace
     const Scene                   scene(with_solver(parameters, "iterative"));
     const Discretization<dim>     space(scene, MPI_COMM_SELF);
     const MatrixFreeOperator<dim> products(scene, space);
-    const LevelProducts<dim, double> lanes(scene, space, products);
+    const LevelProducts<dim, double> lanes(
+      scene, space, LevelGrid<dim>(scene.parameters.mesh), products);
     deallog << "; lanes ";
     for (const Field::Block field : all_fields)
       for (const double mass : {1., 0.})

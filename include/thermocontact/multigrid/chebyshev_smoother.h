@@ -9,7 +9,7 @@ namespace ThermoContact
 {
   /**
    * Chebyshev polynomials in a StageBlock with its diagonal, for the upper
-   * 14/15 of the spectrum (Adams, Brezina, Hu and Tuminaro 2003): the
+   * part of the spectrum (Adams, Brezina, Hu and Tuminaro 2003): the
    * iteration of PreconditionChebyshev, each of its steps in one pass over the
    * vectors. Vectors are zero at prescribed degrees of freedom.
    */
@@ -20,9 +20,11 @@ namespace ThermoContact
     /**
      * @param block borrowed
      * @param degree steps of a smoothing
+     * @param range the largest eigenvalue of smoothing over the smallest
      */
     ChebyshevSmoother(const StageBlock<dim, Number> &block,
-                      const unsigned int             degree);
+                      const unsigned int             degree,
+                      const double                   range);
 
     /** Takes the diagonal that the block has at present. */
     void
@@ -54,6 +56,7 @@ namespace ThermoContact
   private:
     const StageBlock<dim, Number> &block;
     const unsigned int             degree;
+    const double                   range;
     LevelVector<Number> inverse_diagonal; ///< zero for prescribed ones
     double              theta = 1., delta = 0.;
 

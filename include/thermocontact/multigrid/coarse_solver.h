@@ -3,70 +3,51 @@
 #ifndef thermocontact_multigrid_coarse_solver_h
 #define thermocontact_multigrid_coarse_solver_h
 
-#include <thermocontact/space/direct_solver.h>
-
-#include <deal.II/dofs/dof_handler.h>
-
-#include <deal.II/lac/trilinos_precondition.h>
-
-#include <memory>
+#include <vector>
 
 namespace ThermoContact
 {
-  /** The degrees of freedom at the contact end that a stage changes. */
-  struct ContactRows
-  {
-    /** Added to the diagonal: springs of an elastic obstacle; or empty. */
-    Vector springs;
-
-    /** 1 where a rigid obstacle prescribes the velocity, else 0; or empty. */
-    Vector held;
-  };
-
-
-
   /**
-   * The coarsest level of a V-cycle: a matrix and its sparse factors or, if it
-   * has none, one cycle of algebraic multigrid. Symmetric for a symmetric
-   * matrix, and the same whenever it is made for the same matrix.
+   * The coarsest level of a V-cycle: a symmetric positive matrix with a band,
+   * and its Cholesky factor, whole on every rank.
    */
-  template <int dim>
   class CoarseSolver
   {
   public:
     /**
-     * @param space of the matrix
-     * @param has_factors else a cycle of algebraic multigrid
-     * @throw ComputationError if the matrix cannot be factorised
+     * @param n_rows of a matrix of zeros
+     * @param bandwidth the largest difference of a row and a column
      */
-    CoarseSolver(const DoFHandler<dim> &space,
-                 const Field::Block     field,
-                 SparseMatrix         &&matrix,
-                 const bool             has_factors);
+    CoarseSolver(const unsigned int n_rows, const unsigned int bandwidth);
 
+    /** Adds to an entry; those above the diagonal are ignored. */
     void
-    solve(Vector &x, const Vector &b) const;
+    add(const unsigned int row, const unsigned int column, const double value);
 
-    const SparseMatrix &
-    matrix() const
-    {
-      return factors ? factors->matrix() : *unfactorized;
-    }
+    /** A row and column of the identity. */
+    void
+    hold(const unsigned int row);
+
+    /** @throw ComputationError if the matrix is not positive */
+    void
+    factorise();
+
+    /** The solution in place of the right-hand side. */
+    void
+    solve(std::vector<double> &x) const;
 
   private:
-    std::unique_ptr<DirectSolver>                      factors;
-    std::unique_ptr<const SparseMatrix>                unfactorized;
-    std::unique_ptr<TrilinosWrappers::PreconditionAMG> cycle; ///< refers to it
+    const unsigned int  n;
+    const unsigned int  width;
+    std::vector<double> rows; ///< the band left of the diagonal, and that
 
-    void
-    make_cycle(const DoFHandler<dim> &space, const Field::Block field);
+    /** Points to column 0 of a row, which need not be in the band. */
+    const double *
+    row(const unsigned int i) const
+    {
+      return rows.data() + std::ptrdiff_t(i) * width + width;
+    }
   };
-
-
-
-  /** @p matrix with springs, and with held rows and columns of the identity. */
-  SparseMatrix
-  with_contact(const SparseMatrix &matrix, const ContactRows &rows);
 } // namespace ThermoContact
 
 #endif

@@ -5,9 +5,6 @@
 
 #include <thermocontact/multigrid/level_products.h>
 #include <thermocontact/space/body.h>
-#include <thermocontact/space/matrix_free_operator.h>
-
-#include <deal.II/multigrid/mg_transfer_global_coarsening.h>
 
 #include <array>
 #include <memory>
@@ -20,31 +17,31 @@ namespace ThermoContact
   struct LevelField
   {
     /** From the next coarser level; of all but the coarsest. */
-    MGTwoLevelTransfer<dim, LevelVector<Number>> transfer;
+    LevelTransfer<dim, Number> transfer;
+
+    /** Local entries of prescribed rates, zero in all vectors. */
+    std::vector<unsigned int> prescribed;
 
     /** Diagonals of mass and stiffness (conduction). */
     LevelVector<Number> mass;
     LevelVector<Number> stiffness;
+
+    /** Heat exchange with the obstacle on coarser levels, row by row. */
+    LevelVector<Number> exchange;
 
     /** What a V-cycle works with, of one stage length after the other. */
     mutable LevelVector<Number> right;
     mutable LevelVector<Number> solution;
     mutable LevelVector<Number> residual;
     mutable LevelVector<Number> update;
-
-    /** For the coarsest, whose system is solved in double precision. */
-    mutable Vector coarse_right;
-    mutable Vector coarse_solution;
   };
 
 
 
   /**
-   * The body on coarser spaces: half the degree as long as there is one, then
-   * half the cells, until the number of cells in some direction is odd. Each
-   * level but the coarsest computes its products without matrices; the coarsest
-   * has matrices. Where that does not converge there is one coarse level, the
-   * body itself with factors.
+   * The body on coarser grids, as LevelGrid makes them, until there are few
+   * nodes. Each level computes its products without matrices. All but the
+   * finest are whole on every rank.
    *
    * @tparam Number of vectors: a preconditioner needs few digits, and float
    *   has half the size and twice the lanes
@@ -53,22 +50,8 @@ namespace ThermoContact
   class MultigridLevels
   {
   public:
-    /**
-     * @param body borrowed; it is the finest level
-     * @param has_factors_of_body instead of coarser spaces
-     */
-    explicit MultigridLevels(const Body<dim> &body,
-                             const bool       has_factors_of_body = false);
-
-    /** Whether the coarsest level has factors of a matrix of so many rows. */
-    bool
-    is_factorised(const types::global_dof_index n_rows) const;
-
-    bool
-    has_factors_of_body() const
-    {
-      return has_factors_of_body_;
-    }
+    /** @param body borrowed; it is the finest level */
+    explicit MultigridLevels(const Body<dim> &body);
 
     /** The coarsest one is 0. */
     unsigned int
@@ -77,23 +60,10 @@ namespace ThermoContact
       return levels.size();
     }
 
-    const Discretization<dim> &
-    discretization(const unsigned int level) const
-    {
-      return *levels[level].discretization;
-    }
-
-    /** Not of the coarsest level. */
     const LevelProducts<dim, Number> &
     products(const unsigned int level) const
     {
       return *levels[level].products;
-    }
-
-    const MatrixFreeSpaces<dim> &
-    spaces(const unsigned int level) const
-    {
-      return *levels[level].spaces;
     }
 
     const LevelField<dim, Number> &
@@ -108,48 +78,51 @@ namespace ThermoContact
       return body.scene;
     }
 
-    /** The matrices of the coarsest level. */
-    const ThermoviscoelasticOperator<dim> &
-    coarse_operator() const
+    /** Products of the coarsest level, whose entries make its matrices. */
+    const LevelProducts<dim, double> &
+    coarse_products() const
     {
-      return *coarse_operator_;
+      return *coarse_products_;
+    }
+
+    /** Rows of the matrix of the coarsest level, and its bandwidth. */
+    unsigned int
+    n_coarse_rows(const Field::Block field) const
+    {
+      return levels[0].grid.n_nodes() * n_components(field);
+    }
+
+    unsigned int
+    coarse_bandwidth(const Field::Block field) const
+    {
+      return (levels[0].grid.bandwidth() + 1) * n_components(field) - 1;
     }
 
   private:
     struct Level
     {
-      std::unique_ptr<const Scene>                 own_scene;
-      std::unique_ptr<const Discretization<dim>>   own_discretization;
-      std::unique_ptr<const MatrixFreeSpaces<dim>> own_spaces;
-
+      LevelGrid<dim>                                    grid;
       std::unique_ptr<const LevelProducts<dim, Number>> products;
-
-      const Discretization<dim>             *discretization = nullptr;
-      const MatrixFreeSpaces<dim>           *spaces         = nullptr;
-      std::array<LevelField<dim, Number>, 2> fields;
+      std::array<LevelField<dim, Number>, 2>            fields;
     };
 
-    const Body<dim>                                       &body;
-    const bool                                             has_factors_of_body_;
-    std::vector<Level>                                     levels;
-    std::unique_ptr<const ThermoviscoelasticOperator<dim>> coarse_operator_;
+    const Body<dim>   &body;
+    std::vector<Level> levels;
+
+    std::unique_ptr<const LevelProducts<dim, double>> coarse_products_;
+
+    static unsigned int
+    n_components(const Field::Block field)
+    {
+      return field == Field::temperature ? 1 : dim;
+    }
 
     void
-    make_level(const Parameters &parameters, Level &level) const;
+    make_field(Level &level, const Field::Block field) const;
 
+    /** The transfer, and what the coarser level has from the finer one. */
     void
-    make_coarse_vectors(Level &level) const;
-
-    void
-    make_vectors(Level &level) const;
-
-    void
-    compute_diagonals(Level                         &level,
-                      const Scene                   &scene,
-                      const MatrixFreeOperator<dim> &products) const;
-
-    void
-    connect(const Level &coarse, Level &fine) const;
+    connect(Level &coarse, Level &fine, const Field::Block field) const;
   };
 } // namespace ThermoContact
 

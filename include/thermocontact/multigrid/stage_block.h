@@ -3,7 +3,6 @@
 #ifndef thermocontact_multigrid_stage_block_h
 #define thermocontact_multigrid_stage_block_h
 
-#include <thermocontact/multigrid/coarse_solver.h>
 #include <thermocontact/multigrid/multigrid_levels.h>
 
 #include <utility>
@@ -11,11 +10,24 @@
 
 namespace ThermoContact
 {
+  /** The degrees of freedom at the contact end that a stage changes. */
+  struct ContactRows
+  {
+    /** Added to the diagonal: springs of an elastic obstacle; or empty. */
+    Vector springs;
+
+    /** 1 where a rigid obstacle prescribes the velocity, else 0; or empty. */
+    Vector held;
+  };
+
+
+
   /**
    * The block of one field of the stage matrix (D2.2) on one level, without
    * matrix, over a scale: $M+\tau(K+kB)$ or $bM_u+\tau\zeta S_\zeta+\tau^2S$,
-   * with springs at contact nodes. Prescribed degrees of freedom are left out:
-   * vectors are zero there, and so are products.
+   * with springs at contact nodes.
+   * On coarser levels the heat exchange is springs, too. Prescribed degrees of
+   * freedom are left out: vectors are zero there, and so are products.
    */
   template <int dim, typename Number>
   class StageBlock
@@ -39,6 +51,24 @@ namespace ThermoContact
     make_vector() const
     {
       return levels.products(level).make_vector(field);
+    }
+
+    /** Its entries, cell by cell, as LevelProducts::visit_entries(). */
+    template <typename Visit>
+    void
+    visit_entries(const LevelProducts<dim, double> &products,
+                  const Visit                      &visit) const
+    {
+      products.visit_entries(field, mass, stiffness, visit);
+      for (const auto &[entry, spring] : springs)
+        visit(entry, entry, spring);
+    }
+
+    /** Local entries of rates that are prescribed or held. */
+    const std::vector<unsigned int> &
+    prescribed_entries() const
+    {
+      return prescribed;
     }
 
     /** Takes over springs and held nodes of this level. */
@@ -65,6 +95,10 @@ namespace ThermoContact
 
     /** Local entries with the stiffness of their springs, over the scale. */
     std::vector<std::pair<unsigned int, Number>> springs;
+
+    /** Those of the heat exchange. */
+    void
+    set_exchange();
   };
 } // namespace ThermoContact
 

@@ -6,7 +6,7 @@
 #include <thermocontact/multigrid/chebyshev_smoother.h>
 #include <thermocontact/multigrid/coarse_solver.h>
 #include <thermocontact/multigrid/multigrid_levels.h>
-#include <thermocontact/multigrid/stage_block.h>
+#include <thermocontact/multigrid/stage_preconditioner.h>
 
 #include <memory>
 #include <vector>
@@ -14,14 +14,13 @@
 namespace ThermoContact
 {
   /**
-   * One V-cycle for the block of a field of the stage matrix: a preconditioner.
-   * Chebyshev smoothers of degree 3 with the diagonal (2 for heat) and a
-   * CoarseSolver. Symmetric to the rounding of @p Number and, between two calls
-   * of set_contact(), always the same. Systems are solved over a scale, so that
-   * float has room for them.
+   * One V-cycle: Chebyshev smoothers with the diagonal, of more steps for
+   * materials that hardly change their volume, and a CoarseSolver. Symmetric to
+   * the rounding of @p Number. Systems are solved over a scale, so that float
+   * has room for them.
    */
   template <int dim, typename Number>
-  class StageMultigrid
+  class StageMultigrid : public StagePreconditioner
   {
   public:
     /** @param levels borrowed */
@@ -31,20 +30,17 @@ namespace ThermoContact
 
     /**
      * The largest eigenvalues stay those without contact; so does its
-     * CoarseSolver, which is kept beside that of the last rows. Collective.
-     *
-     * @param rows of the finest level; null: no contact
-     * @param are_as_before the last ones that were not null were the same
+     * CoarseSolver, which is kept beside that of the last rows.
      */
     void
-    set_contact(const ContactRows *rows, const bool are_as_before = false);
+    set_contact(const ContactRows *rows,
+                const bool         are_as_before = false) override;
 
-    /** @p z = one V-cycle for @p r. */
     void
-    vmult(Vector &z, const Vector &r) const;
+    vmult(Vector &z, const Vector &r) const override;
 
   private:
-    /** Of all levels but the coarsest. */
+    /** Of the coarsest level without smoother. */
     struct Level
     {
       std::unique_ptr<StageBlock<dim, Number>>        block;
@@ -53,22 +49,21 @@ namespace ThermoContact
 
     const MultigridLevels<dim, Number> &levels;
     const Field::Block                  field;
-    const double                        tau;
     double                              scale = 1.; ///< of matrices
-    std::vector<Level>                  fine;       ///< level l is fine[l - 1]
+    std::vector<Level>                  stage_levels;
 
-    std::unique_ptr<CoarseSolver<dim>> coarse_without_contact;
-    std::unique_ptr<CoarseSolver<dim>> coarse_with_contact; ///< of present rows
-    ContactRows                        coarse_rows;
-    bool                               has_contact = false;
+    std::unique_ptr<const CoarseSolver> coarse_without_contact;
+    std::unique_ptr<const CoarseSolver> coarse_with_contact; ///< last rows
+    bool                                has_contact = false;
+    mutable std::vector<double>         coarse_values;
 
-    /** Springs and held nodes of all levels; those of the coarsest are kept. */
+    /** Springs and held nodes of all levels. */
     void
     set_rows(const ContactRows &rows);
 
-    /** Zero where the coarsest level has prescribed rates. */
-    void
-    zero_coarse(Vector &vector) const;
+    /** For the present block of the coarsest level. */
+    std::unique_ptr<const CoarseSolver>
+    make_coarse_solver() const;
 
     /** On the coarsest level. */
     void

@@ -70,12 +70,6 @@ namespace ThermoContact
   private:
     const Body<dim>    &body;
     IterativeStage<dim> stage;
-    bool                has_factors = false; ///< multigrid has not converged
-    double              rounding    = 0.;    ///< the largest told
-
-    /** Of factors, and of residuals that rounding holds above the tolerance. */
-    void
-    warn();
 
     /** Solves for the present set to a relative residual. */
     void

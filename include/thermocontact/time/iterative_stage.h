@@ -9,7 +9,8 @@
 #include <thermocontact/time/flexible_gmres.h>
 
 #include <array>
-#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace ThermoContact
@@ -114,7 +115,7 @@ namespace ThermoContact
 
     /**
      * Solves for the present set. Where multigrid does not converge, a body of
-     * up to 1e5 unknowns gets factors from then on.
+     * up to 1e5 unknowns gets factors, if there is memory for twice as many.
      *
      * @param tolerance relative residual, (D8.4); what rounding leaves may be
      *   more
@@ -154,27 +155,18 @@ namespace ThermoContact
       return tau;
     }
 
-    /** The largest residual that rounding has left above the tolerance. */
-    double
-    largest_rounding() const
+    /**
+     * What the user is to know since the last call: factors in place of
+     * multigrid, and residuals that rounding holds above the tolerance.
+     */
+    std::vector<std::string>
+    take_warnings()
     {
-      return rounding_floor;
-    }
-
-    /** Puts factors of the body in the place of its coarser levels. */
-    void
-    factorise();
-
-    const MultigridLevels<dim, float> &
-    multigrid_levels() const
-    {
-      return *levels;
+      return std::exchange(warnings, {});
     }
 
   private:
-    const Body<dim>                                   &body;
-    std::unique_ptr<const MultigridLevels<dim, float>> levels;
-
+    const Body<dim>      &body;
     StageHierarchies<dim> hierarchies;
 
     double               tau      = 0.;
@@ -197,7 +189,9 @@ namespace ThermoContact
     FlexibleGmres krylov;
 
     double largest_residual = 0.; ///< of the present stage, at the start
-    double rounding_floor   = 0.; ///< of all stages so far
+    double told_rounding    = 0.; ///< the largest one warned of
+
+    std::vector<std::string> warnings;
 
     /** Local rows of contact nodes without mass; empty: none, or all are. */
     std::vector<bool> massless_rows;
@@ -252,6 +246,13 @@ namespace ThermoContact
     /** Improves the solution until the estimate of GMRES is small enough. */
     FlexibleGmres::Result
     add_correction(const double tolerance);
+
+    bool
+    has_room_for_factors() const;
+
+    /** Takes them in place of multigrid. */
+    void
+    factorise();
 
     [[noreturn]] void
     give_up(const double       residual,

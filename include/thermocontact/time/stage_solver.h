@@ -10,6 +10,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,6 +69,9 @@ namespace ThermoContact
     double solve_seconds         = 0.; ///< with factorisations
     double contact_seconds       = 0.; ///< pressures and responses
 
+    /** What the user is to know of solvers, until it has been told. */
+    std::vector<std::string> warnings;
+
     SolverCounters &
     operator+=(const SolverCounters &other)
     {
@@ -81,6 +85,9 @@ namespace ThermoContact
       factorization_seconds += other.factorization_seconds;
       solve_seconds += other.solve_seconds;
       contact_seconds += other.contact_seconds;
+      warnings.insert(warnings.end(),
+                      other.warnings.begin(),
+                      other.warnings.end());
       return *this;
     }
 
@@ -109,17 +116,21 @@ namespace ThermoContact
     /** The set of contact nodes that is factorised, too; empty: none. */
     std::vector<std::vector<bool>> active_sets;
 
-    /**
-     * Whether a stage had sparse factors since the blocks of its rod grew, or
-     * the multigrid of its body did not converge.
-     */
+    /** Whether a stage had sparse factors since the blocks of its rod grew. */
     bool has_refused_blocks = false;
+
+    /**
+     * The shortest stage that has factors since the multigrid of its body did
+     * not converge; infinite: none has.
+     */
+    double shortest_factorised = std::numeric_limits<double>::infinity();
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &counters &taus &has_response &active_sets &has_refused_blocks;
+      archive &counters &taus &has_response &active_sets &has_refused_blocks
+        &shortest_factorised;
     }
   };
 
@@ -189,7 +200,7 @@ namespace ThermoContact
     std::vector<std::string>
     take_warnings()
     {
-      return std::exchange(warnings, {});
+      return std::exchange(counters_.warnings, {});
     }
 
     const SolverCounters &
@@ -210,8 +221,7 @@ namespace ThermoContact
     restore(const RetainedFactorizations &retained) = 0;
 
   protected:
-    SolverCounters           counters_;
-    std::vector<std::string> warnings;
+    SolverCounters counters_;
   };
 
 
