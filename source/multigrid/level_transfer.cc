@@ -1,88 +1,52 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/multigrid/level_transfer.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/polynomial.h>
-#include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ThermoContact
 {
   template <int dim, typename Number>
   void
-  LevelTransfer<dim, Number>::reinit(const LevelGrid<dim>         &coarse,
-                                     const LevelGrid<dim>         &fine,
-                                     std::vector<LevelNode<dim>> &&nodes,
-                                     const unsigned int            n_components,
-                                     const MPI_Comm                communicator)
+  LevelTransfer<dim, Number>::reinit(const LevelGrid<dim> &coarse,
+                                     const std::vector<NodalValue<dim>> &fine,
+                                     const unsigned int n_components,
+                                     const MPI_Comm     communicator)
   {
-    this->nodes         = std::move(nodes);
-    this->n_components  = n_components;
-    this->communicator  = communicator;
-    unsigned int stride = n_components;
-    for (unsigned int d = dim; d-- > 0;)
+    this->communicator = communicator;
+    const auto strides = coarse.strides();
+    for (unsigned int corner = 0; corner < n_corners; ++corner)
       {
-        strides[d] = stride;
-        stride *= coarse.axis(d).n_nodes();
+        corners[corner] = 0;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (is_upper(corner, d))
+            corners[corner] += strides[d] * n_components;
       }
-    for (unsigned int d = 0; d < 2; ++d)
+    for (const NodalValue<dim> &value : fine)
       {
-        const GridAxis &from  = coarse.axis(d);
-        const auto      basis = Polynomials::generate_complete_Lagrange_basis(
-          QGaussLobatto<1>(from.degree + 1).get_points());
-        Axis        &axis = axes[d];
-        unsigned int cell = 0;
-        axis.n_weights    = basis.size();
-        for (const double x : fine.axis(d).nodes())
+        Entry entry{value.component, {}};
+        for (unsigned int d = 0; d < dim; ++d)
           {
-            while (cell + 1 < from.n_cells() && x >= from.ends[cell + 1])
-              ++cell;
-            const double place =
-              (x - from.ends[cell]) / (from.ends[cell + 1] - from.ends[cell]);
-            axis.first.push_back(cell * from.degree);
-            for (const auto &polynomial : basis)
-              {
-                const double weight = polynomial.value(place);
-                axis.weights.push_back(
-                  std::abs(weight) < Tolerances::rounding_of_sum ? 0. : weight);
-              }
+            const std::vector<double> &x = coarse.positions(d);
+            // the last node is the upper one of the last cell
+            const unsigned int cell =
+              std::upper_bound(x.begin() + 1, x.end() - 1, value.node[d]) -
+              x.begin() - 1;
+            const double place = (value.node[d] - x[cell]) /
+                                 (x[cell + 1] - x[cell]);
+            const double nearest = std::round(place);
+            entry.place[d] =
+              std::abs(place - nearest) < Tolerances::rounding_of_data ?
+                nearest :
+                place;
+            entry.first += strides[d] * n_components * cell;
           }
+        entries.push_back(entry);
       }
-  }
-
-
-
-  template <int dim, typename Number>
-  template <typename Visit>
-  inline void
-  LevelTransfer<dim, Number>::visit_weights(const LevelNode<dim> &node,
-                                            const Visit          &visit) const
-  {
-    std::array<const Number *, dim> weights;
-    unsigned int                    first = 0;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        const Axis &axis = axes[d > 0];
-        weights[d]       = &axis.weights[node.index[d] * axis.n_weights];
-        first += strides[d] * axis.first[node.index[d]];
-      }
-    for (unsigned int i = 0; i < axes[0].n_weights; ++i)
-      if (weights[0][i] != 0)
-        for (unsigned int j = 0; j < axes[1].n_weights; ++j)
-          if (weights[1][j] != 0)
-            {
-              const unsigned int entry =
-                first + i * strides[0] + j * strides[1];
-              const Number weight = weights[0][i] * weights[1][j];
-              if constexpr (dim == 2)
-                visit(entry, weight);
-              else
-                for (unsigned int k = 0; k < axes[1].n_weights; ++k)
-                  if (weights[2][k] != 0)
-                    visit(entry + k * strides[2], weight * weights[2][k]);
-            }
   }
 
 
@@ -95,11 +59,10 @@ namespace ThermoContact
   {
     const Number *from = coarse.begin();
     Number       *to   = fine.begin();
-    for (const LevelNode<dim> &node : nodes)
-      visit_weights(node, [&](const unsigned int entry, const Number weight) {
-        for (unsigned int c = 0; c < n_components; ++c)
-          to[node.position + c * node.stride] += weight * from[entry + c];
-      });
+    for (unsigned int i = 0; i < entries.size(); ++i)
+      for (unsigned int corner = 0; corner < n_corners; ++corner)
+        to[i] += weight(entries[i], corner) *
+                 from[entries[i].first + corners[corner]];
   }
 
 
@@ -112,11 +75,10 @@ namespace ThermoContact
     coarse             = Number();
     const Number *from = fine.begin();
     Number       *to   = coarse.begin();
-    for (const LevelNode<dim> &node : nodes)
-      visit_weights(node, [&](const unsigned int entry, const Number weight) {
-        for (unsigned int c = 0; c < n_components; ++c)
-          to[entry + c] += weight * from[node.position + c * node.stride];
-      });
+    for (unsigned int i = 0; i < entries.size(); ++i)
+      for (unsigned int corner = 0; corner < n_corners; ++corner)
+        to[entries[i].first + corners[corner]] +=
+          weight(entries[i], corner) * from[i];
     sum_over_ranks(coarse);
   }
 
@@ -128,13 +90,11 @@ namespace ThermoContact
                                      const LevelVector<Number> &fine) const
   {
     coarse = Number();
-    for (const LevelNode<dim> &node : nodes)
-      visit_weights(node, [&](const unsigned int entry, const Number weight) {
-        if (weight == 1)
-          for (unsigned int c = 0; c < n_components; ++c)
-            coarse.local_element(entry + c) =
-              fine.local_element(node.position + c * node.stride);
-      });
+    for (unsigned int i = 0; i < entries.size(); ++i)
+      for (unsigned int corner = 0; corner < n_corners; ++corner)
+        if (weight(entries[i], corner) == 1)
+          coarse.local_element(entries[i].first + corners[corner]) =
+            fine.local_element(i);
     sum_over_ranks(coarse);
   }
 

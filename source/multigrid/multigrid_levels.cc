@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/multigrid/level_products.h>
 #include <thermocontact/multigrid/multigrid_levels.h>
 
 #include <optional>
@@ -14,22 +15,46 @@ namespace ThermoContact
 
 
 
-    /** From the coarsest to that of the body. */
+    /** Of all levels but the body; the coarsest first. */
     template <int dim>
     std::vector<LevelGrid<dim>>
-    grids_of(const MeshParameters &mesh)
+    coarser_grids(const MeshParameters &mesh)
     {
-      std::vector<LevelGrid<dim>> grids{LevelGrid<dim>(mesh)};
+      const LevelGrid<dim>        body(mesh);
+      std::vector<LevelGrid<dim>> grids;
       do
-        if (const std::optional<LevelGrid<dim>> coarse =
-              grids.front().coarsened())
+        {
+          const std::optional<LevelGrid<dim>> coarse =
+            (grids.empty() ? body : grids.front()).coarsened();
+          if (!coarse)
+            break;
           grids.insert(grids.begin(), *coarse);
-        else
-          break;
+        }
       while (grids.front().n_nodes() > max_coarse_nodes<dim>);
-      if (grids.size() == 1)
-        grids.push_back(grids.front());
+      if (grids.empty())
+        grids.push_back(body);
       return grids;
+    }
+
+
+
+    unsigned int
+    n_components(const Field::Block field, const unsigned int dim)
+    {
+      return field == Field::temperature ? 1 : dim;
+    }
+
+
+
+    template <int dim>
+    std::vector<NodalValue<dim>>
+    nodal_values(const LevelGrid<dim> &grid, const Field::Block field)
+    {
+      std::vector<NodalValue<dim>> values;
+      for (unsigned int i = 0; i < grid.n_nodes(); ++i)
+        for (unsigned int c = 0; c < n_components(field, dim); ++c)
+          values.push_back({c, grid.node(grid.index(i))});
+      return values;
     }
   } // namespace
 
@@ -39,115 +64,141 @@ namespace ThermoContact
   MultigridLevels<dim, Number>::MultigridLevels(const Body<dim> &body)
     : body(body)
   {
-    const Discretization<dim> &space = body.discretization;
-    for (const LevelGrid<dim> &grid : grids_of<dim>(body.scene.parameters.mesh))
-      levels.push_back({grid, nullptr, {}});
-    for (Level &level : levels)
-      level.products =
-        &level == &levels.back() ?
-          std::make_unique<const LevelProducts<dim, Number>>(
-            body.scene, space, level.grid, *body.equations.matrix_free()) :
-          std::make_unique<const LevelProducts<dim, Number>>(body.scene,
-                                                             space,
-                                                             level.grid);
-    coarse_products_ =
-      std::make_unique<const LevelProducts<dim, double>>(body.scene,
-                                                         space,
-                                                         levels[0].grid);
+    const Discretization<dim>        &space = body.discretization;
+    const std::vector<LevelGrid<dim>> grids =
+      coarser_grids<dim>(body.scene.parameters.mesh);
+    coarse_matrix_ =
+      std::make_unique<const LevelMatrix<dim, double>>(body.scene,
+                                                       space,
+                                                       grids[0]);
+    for (const LevelGrid<dim> &grid : grids)
+      {
+        auto matrix = std::make_unique<const LevelMatrix<dim, Number>>(
+          body.scene, space, grid);
+        levels.emplace_back();
+        for (const Field::Block field : all_fields)
+          if (space.has_field(field))
+            make_field(*matrix, field, levels.back().fields[field]);
+        levels.back().products = std::move(matrix);
+      }
+    auto products = std::make_unique<const LevelProducts<dim, Number>>(
+      body.scene, space, *body.equations.matrix_free());
+    levels.emplace_back();
     for (const Field::Block field : all_fields)
       if (space.has_field(field))
         {
-          for (Level &level : levels)
-            make_field(level, field);
-          levels.back().fields[field].prescribed =
-            space.constrained_entries(field);
-          for (unsigned int l = levels.size() - 1; l > 0; --l)
-            connect(levels[l - 1], levels[l], field);
+          make_field_of_body(*products, field, levels.back().fields[field]);
+          for (unsigned int l = grids.size(); l > 0; --l)
+            connect(grids[l - 1],
+                    l == grids.size() ? products->nodal_values(field) :
+                                        nodal_values(grids[l], field),
+                    l,
+                    field);
         }
+    levels.back().products = std::move(products);
   }
+
+
+
+  namespace
+  {
+    template <int dim, typename Number>
+    void
+    make_vectors(const LevelOperator<Number> &products,
+                 const Field::Block           field,
+                 LevelField<dim, Number>     &of_field)
+    {
+      for (LevelVector<Number> *vector : {&of_field.mass,
+                                          &of_field.stiffness,
+                                          &of_field.exchange,
+                                          &of_field.right,
+                                          &of_field.solution,
+                                          &of_field.residual,
+                                          &of_field.update})
+        *vector = products.make_vector(field);
+    }
+  } // namespace
 
 
 
   template <int dim, typename Number>
   void
-  MultigridLevels<dim, Number>::make_field(Level             &level,
-                                           const Field::Block field) const
+  MultigridLevels<dim, Number>::make_field(
+    const LevelMatrix<dim, Number> &matrix,
+    const Field::Block              field,
+    LevelField<dim, Number>        &of_field) const
   {
-    LevelField<dim, Number> &of_field = level.fields[field];
-    of_field.right                    = level.products->make_vector(field);
-    of_field.solution                 = of_field.right;
-    of_field.residual                 = of_field.right;
-    of_field.update                   = of_field.right;
-    of_field.mass                     = of_field.right;
-    of_field.stiffness                = of_field.right;
-    if (&level == &levels.back())
-      {
-        const MatrixFreeOperator<dim> &products = *body.equations.matrix_free();
-        const bool                     is_heat  = field == Field::temperature;
-        copy_values(of_field.mass,
-                    is_heat ? products.heat_diagonal({1., 0.}) :
-                              products.momentum_diagonal({1., 0.}));
-        copy_values(of_field.stiffness,
-                    is_heat ? products.heat_diagonal({0., 1.}) :
-                              products.momentum_diagonal({0., 1.}));
-        return;
-      }
-    of_field.exchange = of_field.right;
+    make_vectors(matrix, field, of_field);
     for (const bool is_mass : {true, false})
-      {
-        LevelVector<Number> &diagonal =
-          is_mass ? of_field.mass : of_field.stiffness;
-        level.products->visit_entries(field,
-                                      is_mass,
-                                      !is_mass,
-                                      [&](const unsigned int row,
-                                          const unsigned int column,
-                                          const Number       value) {
-                                        if (row == column)
-                                          diagonal.local_element(row) += value;
-                                      });
-      }
+      matrix.visit_entries(field,
+                           is_mass,
+                           !is_mass,
+                           [&](const unsigned int row,
+                               const unsigned int column,
+                               const Number       value) {
+                             if (row == column)
+                               (is_mass ? of_field.mass : of_field.stiffness)
+                                 .local_element(row) = value;
+                           });
   }
 
 
 
   template <int dim, typename Number>
   void
-  MultigridLevels<dim, Number>::connect(Level             &coarse,
-                                        Level             &fine,
-                                        const Field::Block field) const
+  MultigridLevels<dim, Number>::make_field_of_body(
+    const LevelProducts<dim, Number> &products,
+    const Field::Block                field,
+    LevelField<dim, Number>          &of_field) const
   {
-    LevelField<dim, Number>       &coarse_field = coarse.fields[field];
-    const LevelField<dim, Number> &fine_field   = fine.fields[field];
-    const bool                     is_finest    = &fine == &levels.back();
-    fine.fields[field].transfer.reinit(coarse.grid,
-                                       fine.grid,
-                                       fine.products->nodes(field),
-                                       n_components(field),
-                                       is_finest ?
-                                         body.discretization.communicator() :
-                                         MPI_COMM_SELF);
+    make_vectors(products, field, of_field);
+    const MatrixFreeOperator<dim> &equations = *body.equations.matrix_free();
+    const bool                     is_heat   = field == Field::temperature;
+    copy_values(of_field.mass,
+                is_heat ? equations.heat_diagonal({1., 0.}) :
+                          equations.momentum_diagonal({1., 0.}));
+    copy_values(of_field.stiffness,
+                is_heat ? equations.heat_diagonal({0., 1.}) :
+                          equations.momentum_diagonal({0., 1.}));
+    of_field.prescribed = body.discretization.constrained_entries(field);
+  }
 
-    LevelVector<Number> marks(fine_field.right),
-      coarse_marks(coarse_field.right);
-    for (const unsigned int entry : fine_field.prescribed)
+
+
+  template <int dim, typename Number>
+  void
+  MultigridLevels<dim, Number>::connect(
+    const LevelGrid<dim>               &grid,
+    const std::vector<NodalValue<dim>> &fine_values,
+    const unsigned int                  level,
+    const Field::Block                  field)
+  {
+    LevelField<dim, Number> &fine      = levels[level].fields[field];
+    LevelField<dim, Number> &coarse    = levels[level - 1].fields[field];
+    const bool               is_finest = level + 1 == levels.size();
+    fine.transfer.reinit(grid,
+                         fine_values,
+                         n_components(field, dim),
+                         is_finest ? body.discretization.communicator() :
+                                     MPI_COMM_SELF);
+
+    LevelVector<Number> marks(fine.right), coarse_marks(coarse.right);
+    for (const unsigned int entry : fine.prescribed)
       marks.local_element(entry) = 1.;
-    fine_field.transfer.inject(coarse_marks, marks);
+    fine.transfer.inject(coarse_marks, marks);
     for (unsigned int i = 0; i < coarse_marks.locally_owned_size(); ++i)
       if (coarse_marks.local_element(i) > 0.)
-        coarse_field.prescribed.push_back(i);
+        coarse.prescribed.push_back(i);
 
     if (field == Field::displacement)
       return;
-    LevelVector<Number> exchange(fine_field.right);
+    LevelVector<Number> exchange(fine.exchange);
     if (is_finest)
       for (const auto &[node, entry] :
            body.contact_end().entries(Field::temperature))
         exchange.local_element(entry) = body.scene.heat.linear_coefficient() *
                                         body.contact_end().nodes()[node].weight;
-    else
-      exchange = fine_field.exchange;
-    fine_field.transfer.restrict_to(coarse_field.exchange, exchange);
+    fine.transfer.restrict_to(coarse.exchange, exchange);
   }
 
 

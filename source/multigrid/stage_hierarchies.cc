@@ -45,7 +45,7 @@ namespace ThermoContact
         result =
           std::max<types::global_dof_index>(result,
                                             !matrices ?
-                                              levels_.n_coarse_rows(field) :
+                                              levels_.field(0, field).right.size() :
                                             field == Field::temperature ?
                                               space.n_temperature_dofs() :
                                               space.n_displacement_dofs());

@@ -86,7 +86,7 @@ namespace ThermoContact
     : levels(levels)
     , field(field)
     , stage_levels(levels.n_levels())
-    , coarse_values(levels.n_coarse_rows(field))
+    , coarse_values(levels.field(0, field).right.size())
   {
     const unsigned int finest = levels.n_levels() - 1;
     scale = StageBlock<dim, Number>(levels, finest, field, tau)
@@ -117,14 +117,13 @@ namespace ThermoContact
   {
     const StageBlock<dim, Number> &block = *stage_levels[0].block;
     auto                           solver =
-      std::make_unique<CoarseSolver>(levels.n_coarse_rows(field),
-                                     levels.coarse_bandwidth(field));
-    block.visit_entries(levels.coarse_products(),
-                        [&](const unsigned int row,
+      std::make_unique<CoarseSolver>(coarse_values.size(),
+                                     levels.coarse_matrix().bandwidth(field));
+    block.visit_entries([&](const unsigned int row,
                             const unsigned int column,
                             const double       value) {
-                          solver->add(row, column, value);
-                        });
+      solver->add(row, column, value);
+    });
     for (const unsigned int entry : block.prescribed_entries())
       solver->hold(entry);
     solver->factorise();

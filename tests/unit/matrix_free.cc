@@ -193,8 +193,7 @@ namespace
     const Scene                   scene(with_solver(parameters, "iterative"));
     const Discretization<dim>     space(scene, MPI_COMM_SELF);
     const MatrixFreeOperator<dim> products(scene, space);
-    const LevelProducts<dim, double> lanes(
-      scene, space, LevelGrid<dim>(scene.parameters.mesh), products);
+    const LevelProducts<dim, double> lanes(scene, space, products);
     deallog << "; lanes ";
     for (const Field::Block field : all_fields)
       for (const double mass : {1., 0.})

@@ -88,44 +88,25 @@ namespace ThermoContact
 
 
 
-  /** Numbers of values in a line along the body and across it. */
-  using LineSizes = std::array<int, 2>;
-
-  /** Matrices for the lines along the body and across it. */
-  template <typename Number>
-  using LineMatrices = std::array<const Lanes<Number> *, 2>;
-
-
-
   /**
    * Applies a matrix to all lines of values of a cell along a direction.
    *
-   * @tparam n_along,n_across lines have that many values; 0: @p sizes
+   * @tparam n_static lines have that many values; 0: @p n_values
    * @tparam add to @p y, which may else be @p x
-   * @param matrices row by row, their entries the same in all lanes
+   * @param matrix row by row, its entries the same in all lanes
    */
-  template <int  dim,
-            int  direction,
-            int  n_along,
-            int  n_across,
-            bool add,
-            typename Number>
+  template <int dim, int direction, int n_static, bool add, typename Number>
   inline __attribute__((always_inline)) void
-  apply_along(const LineMatrices<Number> &matrices,
-              const Lanes<Number>        *x,
-              Lanes<Number>              *y,
-              const LineSizes            &sizes)
+  apply_along(const Lanes<Number> *matrix,
+              const Lanes<Number> *x,
+              Lanes<Number>       *y,
+              const int            n_values)
   {
     constexpr int max_values = 31; // of the largest degree, 30
-    constexpr int n_static   = direction == 0 ? n_along : n_across;
-    const int     along      = n_along > 0 ? n_along : sizes[0];
-    const int     across     = n_across > 0 ? n_across : sizes[1];
-    const int     n          = direction == 0 ? along : across;
-    const int     stride =
-      direction == 0 ? 1 : along * power_of(across, direction - 1);
-    const int            n_blocks = power_of(across, dim - 1 - direction);
-    const Lanes<Number> *matrix   = matrices[direction > 0];
-    Lanes<Number>        line[n_static > 0 ? n_static : max_values];
+    const int     n          = n_static > 0 ? n_static : n_values;
+    const int     stride     = power_of(n, direction);
+    const int     n_blocks   = power_of(n, dim - 1 - direction);
+    Lanes<Number> line[n_static > 0 ? n_static : max_values];
     for (int block = 0; block < n_blocks; ++block)
       for (int inner = 0; inner < stride; ++inner)
         {
@@ -147,67 +128,47 @@ namespace ThermoContact
 
 
 
-  /** The matrices along all directions, in place. */
-  template <int dim, int n_along, int n_across, typename Number>
+  /** The same matrix along all directions, in place. */
+  template <int dim, int n_static, typename Number>
   inline __attribute__((always_inline)) void
-  apply_along_all(const LineMatrices<Number> &matrices,
-                  Lanes<Number>              *x,
-                  const LineSizes            &sizes)
+  apply_along_all(const Lanes<Number> *matrix, Lanes<Number> *x, const int n)
   {
-    apply_along<dim, 0, n_along, n_across, false>(matrices, x, x, sizes);
-    apply_along<dim, 1, n_along, n_across, false>(matrices, x, x, sizes);
+    apply_along<dim, 0, n_static, false>(matrix, x, x, n);
+    apply_along<dim, 1, n_static, false>(matrix, x, x, n);
     if constexpr (dim == 3)
-      apply_along<dim, 2, n_along, n_across, false>(matrices, x, x, sizes);
+      apply_along<dim, 2, n_static, false>(matrix, x, x, n);
   }
 
 
 
   /** Derivatives of the values @p x along all directions. */
-  template <int dim, int n_along, int n_across, typename Number>
+  template <int dim, int n_static, typename Number>
   inline __attribute__((always_inline)) void
-  differentiate(const LineMatrices<Number>             &matrices,
+  differentiate(const Lanes<Number>                    *matrix,
                 const Lanes<Number>                    *x,
                 const std::array<Lanes<Number> *, dim> &derivatives,
-                const LineSizes                        &sizes)
+                const int                               n)
   {
-    apply_along<dim, 0, n_along, n_across, false>(matrices,
-                                                  x,
-                                                  derivatives[0],
-                                                  sizes);
-    apply_along<dim, 1, n_along, n_across, false>(matrices,
-                                                  x,
-                                                  derivatives[1],
-                                                  sizes);
+    apply_along<dim, 0, n_static, false>(matrix, x, derivatives[0], n);
+    apply_along<dim, 1, n_static, false>(matrix, x, derivatives[1], n);
     if constexpr (dim == 3)
-      apply_along<dim, 2, n_along, n_across, false>(matrices,
-                                                    x,
-                                                    derivatives[2],
-                                                    sizes);
+      apply_along<dim, 2, n_static, false>(matrix, x, derivatives[2], n);
   }
 
 
 
   /** Adds the transpose of differentiate() to @p x. */
-  template <int dim, int n_along, int n_across, typename Number>
+  template <int dim, int n_static, typename Number>
   inline __attribute__((always_inline)) void
-  add_transposed(const LineMatrices<Number>             &transposed,
+  add_transposed(const Lanes<Number>                    *transposed,
                  const std::array<Lanes<Number> *, dim> &derivatives,
                  Lanes<Number>                          *x,
-                 const LineSizes                        &sizes)
+                 const int                               n)
   {
-    apply_along<dim, 0, n_along, n_across, true>(transposed,
-                                                 derivatives[0],
-                                                 x,
-                                                 sizes);
-    apply_along<dim, 1, n_along, n_across, true>(transposed,
-                                                 derivatives[1],
-                                                 x,
-                                                 sizes);
+    apply_along<dim, 0, n_static, true>(transposed, derivatives[0], x, n);
+    apply_along<dim, 1, n_static, true>(transposed, derivatives[1], x, n);
     if constexpr (dim == 3)
-      apply_along<dim, 2, n_along, n_across, true>(transposed,
-                                                   derivatives[2],
-                                                   x,
-                                                   sizes);
+      apply_along<dim, 2, n_static, true>(transposed, derivatives[2], x, n);
   }
 } // namespace ThermoContact
 

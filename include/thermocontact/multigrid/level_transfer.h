@@ -3,44 +3,41 @@
 #ifndef thermocontact_multigrid_level_transfer_h
 #define thermocontact_multigrid_level_transfer_h
 
-#include <thermocontact/base/types.h>
 #include <thermocontact/multigrid/level_grid.h>
+#include <thermocontact/multigrid/level_operator.h>
 
 #include <array>
 #include <vector>
 
 namespace ThermoContact
 {
-  /** A vector of one field on a level of a V-cycle. */
-  template <typename Number>
-  using LevelVector = LinearAlgebra::distributed::Vector<Number>;
-
-  /** Where the values of a node are in the vector of a field. */
+  /** The value of a component at a node. */
   template <int dim>
-  struct LevelNode
+  struct NodalValue
   {
-    unsigned int                  position; ///< of the first component
-    unsigned int                  stride;   ///< to the next component
-    std::array<unsigned int, dim> index;    ///< in the grid
+    unsigned int component;
+    Point<dim>   node;
   };
 
 
 
   /**
-   * From a grid to the next finer one, whose nodes have its nodes among them.
-   * Vectors of the coarse grid are whole on every rank.
+   * Linear interpolation from a grid, whose vectors are whole on every rank, to
+   * the next finer level, which has its nodes and others.
    */
   template <int dim, typename Number>
   class LevelTransfer
   {
   public:
-    /** @param nodes owned by this rank, of the finer grid */
+    /**
+     * @param coarse its vectors have the components of a node together
+     * @param fine what the local part of a vector of the finer level has
+     */
     void
-    reinit(const LevelGrid<dim>         &coarse,
-           const LevelGrid<dim>         &fine,
-           std::vector<LevelNode<dim>> &&nodes,
-           const unsigned int            n_components,
-           const MPI_Comm                communicator);
+    reinit(const LevelGrid<dim>               &coarse,
+           const std::vector<NodalValue<dim>> &fine,
+           const unsigned int                  n_components,
+           const MPI_Comm                      communicator);
 
     /** Adds the values of a coarse vector at the nodes of the finer grid. */
     void
@@ -57,24 +54,34 @@ namespace ThermoContact
     inject(LevelVector<Number> &coarse, const LevelVector<Number> &fine) const;
 
   private:
-    /** What nodes of the finer axis take from the coarse one. */
-    struct Axis
+    /** Corners of the coarse cell that a node is in. */
+    static constexpr unsigned int n_corners = 1U << dim;
+
+    struct Entry
     {
-      std::vector<unsigned int> first; ///< coarse nodes
-      std::vector<Number>       weights;
-      unsigned int              n_weights; ///< of a node
+      unsigned int            first; ///< of the coarse vector
+      std::array<Number, dim> place; ///< from there, in parts of the cell
     };
 
-    std::array<Axis, 2>           axes; ///< along, across
-    std::array<unsigned int, dim> strides;
-    std::vector<LevelNode<dim>>   nodes;
-    unsigned int                  n_components = 0;
-    MPI_Comm                      communicator = MPI_COMM_SELF;
+    std::vector<Entry>                  entries;
+    std::array<unsigned int, n_corners> corners; ///< from the first one
+    MPI_Comm                            communicator = MPI_COMM_SELF;
 
-    /** Calls @p visit(coarse entry, weight) for what a node takes. */
-    template <typename Visit>
-    void
-    visit_weights(const LevelNode<dim> &node, const Visit &visit) const;
+    /** Bit d: whether it is the upper one along direction d. */
+    static bool
+    is_upper(const unsigned int corner, const unsigned int d)
+    {
+      return (corner >> d & 1U) != 0;
+    }
+
+    static Number
+    weight(const Entry &entry, const unsigned int corner)
+    {
+      Number weight = 1;
+      for (unsigned int d = 0; d < dim; ++d)
+        weight *= is_upper(corner, d) ? entry.place[d] : 1 - entry.place[d];
+      return weight;
+    }
 
     void
     sum_over_ranks(LevelVector<Number> &coarse) const;

@@ -3,7 +3,9 @@
 #ifndef thermocontact_multigrid_multigrid_levels_h
 #define thermocontact_multigrid_multigrid_levels_h
 
+#include <thermocontact/multigrid/level_matrix.h>
 #include <thermocontact/multigrid/level_products.h>
+#include <thermocontact/multigrid/level_transfer.h>
 #include <thermocontact/space/body.h>
 
 #include <array>
@@ -26,7 +28,10 @@ namespace ThermoContact
     LevelVector<Number> mass;
     LevelVector<Number> stiffness;
 
-    /** Heat exchange with the obstacle on coarser levels, row by row. */
+    /**
+     * Heat exchange with the obstacle, row by row, that products leave out: of
+     * coarser levels.
+     */
     LevelVector<Number> exchange;
 
     /** What a V-cycle works with, of one stage length after the other. */
@@ -40,8 +45,8 @@ namespace ThermoContact
 
   /**
    * The body on coarser grids, as LevelGrid makes them, until there are few
-   * nodes. Each level computes its products without matrices. All but the
-   * finest are whole on every rank.
+   * nodes. The body computes its products without matrices; all other levels
+   * are whole on every rank.
    *
    * @tparam Number of vectors: a preconditioner needs few digits, and float
    *   has half the size and twice the lanes
@@ -60,7 +65,7 @@ namespace ThermoContact
       return levels.size();
     }
 
-    const LevelProducts<dim, Number> &
+    const LevelOperator<Number> &
     products(const unsigned int level) const
     {
       return *levels[level].products;
@@ -78,51 +83,44 @@ namespace ThermoContact
       return body.scene;
     }
 
-    /** Products of the coarsest level, whose entries make its matrices. */
-    const LevelProducts<dim, double> &
-    coarse_products() const
+    /** Of the coarsest level, for its factors. */
+    const LevelMatrix<dim, double> &
+    coarse_matrix() const
     {
-      return *coarse_products_;
-    }
-
-    /** Rows of the matrix of the coarsest level, and its bandwidth. */
-    unsigned int
-    n_coarse_rows(const Field::Block field) const
-    {
-      return levels[0].grid.n_nodes() * n_components(field);
-    }
-
-    unsigned int
-    coarse_bandwidth(const Field::Block field) const
-    {
-      return (levels[0].grid.bandwidth() + 1) * n_components(field) - 1;
+      return *coarse_matrix_;
     }
 
   private:
     struct Level
     {
-      LevelGrid<dim>                                    grid;
-      std::unique_ptr<const LevelProducts<dim, Number>> products;
-      std::array<LevelField<dim, Number>, 2>            fields;
+      std::unique_ptr<const LevelOperator<Number>> products;
+      std::array<LevelField<dim, Number>, 2>       fields;
     };
 
     const Body<dim>   &body;
     std::vector<Level> levels;
 
-    std::unique_ptr<const LevelProducts<dim, double>> coarse_products_;
-
-    static unsigned int
-    n_components(const Field::Block field)
-    {
-      return field == Field::temperature ? 1 : dim;
-    }
+    std::unique_ptr<const LevelMatrix<dim, double>> coarse_matrix_;
 
     void
-    make_field(Level &level, const Field::Block field) const;
+    make_field(const LevelMatrix<dim, Number> &matrix,
+               const Field::Block              field,
+               LevelField<dim, Number>        &of_field) const;
 
-    /** The transfer, and what the coarser level has from the finer one. */
     void
-    connect(Level &coarse, Level &fine, const Field::Block field) const;
+    make_field_of_body(const LevelProducts<dim, Number> &products,
+                       const Field::Block                field,
+                       LevelField<dim, Number>          &of_field) const;
+
+    /**
+     * The transfer from a grid to the next finer level, and what the field on
+     * the grid has from there.
+     */
+    void
+    connect(const LevelGrid<dim>               &grid,
+            const std::vector<NodalValue<dim>> &fine_values,
+            const unsigned int                  level,
+            const Field::Block                  field);
   };
 } // namespace ThermoContact
 

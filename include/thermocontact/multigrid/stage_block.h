@@ -53,13 +53,12 @@ namespace ThermoContact
       return levels.products(level).make_vector(field);
     }
 
-    /** Its entries, cell by cell, as LevelProducts::visit_entries(). */
+    /** Its entries on the coarsest level, as LevelMatrix::visit_entries(). */
     template <typename Visit>
     void
-    visit_entries(const LevelProducts<dim, double> &products,
-                  const Visit                      &visit) const
+    visit_entries(const Visit &visit) const
     {
-      products.visit_entries(field, mass, stiffness, visit);
+      levels.coarse_matrix().visit_entries(field, mass, stiffness, visit);
       for (const auto &[entry, spring] : springs)
         visit(entry, entry, spring);
     }
