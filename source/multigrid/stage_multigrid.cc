@@ -134,19 +134,18 @@ namespace ThermoContact
 
   template <int dim, typename Number>
   void
-  StageMultigrid<dim, Number>::set_rows(const ContactRows &rows)
+  StageMultigrid<dim, Number>::set_rows(const unsigned int l,
+                                        const ContactRows &rows)
   {
-    ContactRows of_level(rows);
-    for (unsigned int l = levels.n_levels() - 1;; --l)
-      {
-        stage_levels[l].block->set_contact(of_level);
-        if (l == 0)
-          break;
-        stage_levels[l].smoother->update_diagonal();
-        of_level = restricted(of_level,
-                              levels.field(l, field),
-                              levels.field(l - 1, field));
-      }
+    stage_levels[l].block->set_contact(rows);
+    if (l == 0)
+      return;
+    stage_levels[l].smoother->update_diagonal();
+    // no vector of a level is assigned to one of another, whose ranks differ
+    set_rows(l - 1,
+             restricted(rows,
+                        levels.field(l, field),
+                        levels.field(l - 1, field)));
   }
 
 
@@ -159,12 +158,12 @@ namespace ThermoContact
     if (rows == nullptr)
       {
         if (has_contact)
-          set_rows(ContactRows());
+          set_rows(levels.n_levels() - 1, ContactRows());
         has_contact = false;
         return;
       }
     has_contact = true;
-    set_rows(*rows);
+    set_rows(levels.n_levels() - 1, *rows);
     if (!are_as_before || !coarse_with_contact)
       coarse_with_contact = make_coarse_solver();
   }

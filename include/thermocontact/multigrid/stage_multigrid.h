@@ -57,9 +57,9 @@ namespace ThermoContact
     bool                                has_contact = false;
     mutable std::vector<double>         coarse_values;
 
-    /** Springs and held nodes of all levels. */
+    /** Springs and held nodes of a level and of those that are coarser. */
     void
-    set_rows(const ContactRows &rows);
+    set_rows(const unsigned int level, const ContactRows &rows);
 
     /** For the present block of the coarsest level. */
     std::unique_ptr<const CoarseSolver>
