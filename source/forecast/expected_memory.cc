@@ -3,7 +3,6 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/expected_memory.h>
-#include <thermocontact/multigrid/stage_factors.h>
 #include <thermocontact/time/monolithic_solver.h>
 
 #include <algorithm>
@@ -25,6 +24,16 @@ namespace ThermoContact
     matrix_bytes(const unsigned int dim)
     {
       return dim == 2 ? 1500. : 4000.;
+    }
+
+
+
+    /** Of the factors of such a matrix. */
+    double
+    factor_bytes(const double n_unknowns, const unsigned int dim)
+    {
+      return dim == 2 ? 330. * std::pow(n_unknowns, 1.22) :
+                        92. * std::pow(n_unknowns, 1.54);
     }
   } // namespace
 
@@ -55,16 +64,16 @@ namespace ThermoContact
   namespace
   {
     /**
-     * Work of a stage beside that of cubes with $\nu=0.3$: flat and graded
-     * cells and $\nu\to1/2$ take more, less so with inertia.
+     * Krylov iterations of a stage beside those of cubes with $\nu=0.3$: flat
+     * and graded cells and $\nu\to1/2$ take more, less so with inertia.
      */
     double
-    relative_work(const Scene &scene)
+    relative_iterations(const Scene &scene)
     {
       const double aspect   = scene.parameters.mesh.cell_aspect();
       const double softness = std::max(1., 0.57 / scene.material.two_mu);
       const double exponent = scene.material.has_inertia() ? 0.6 : 1.;
-      return std::pow(std::pow(aspect, 0.25) * std::pow(softness, 0.65),
+      return std::pow(std::pow(aspect, 0.6) * std::pow(softness, 0.35),
                       exponent) *
              (scene.material.has_inertia() ? 1. : 1.4);
     }
@@ -96,7 +105,7 @@ namespace ThermoContact
         const double set_up = (dim == 2 ? 1e-5 : 2.5e-5) *
                               std::max(1., std::pow(degree / 2., dim - 1.));
         const double stage =
-          (degree == 1. ? 4e-6 : 2e-6) * relative_work(scene);
+          (degree == 1. ? 4e-6 : 2e-6) * relative_iterations(scene);
         return seconds_of_process +
                n * (set_up + stage * (n_stages + 0.1 * n_sizes));
       }

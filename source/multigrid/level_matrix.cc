@@ -75,11 +75,8 @@ namespace ThermoContact
       }
     for (const Field::Block field : all_fields)
       if (discretization.has_field(field))
-        {
-          const unsigned int n       = field == Field::temperature ? 1 : dim;
-          fields[field].n_components = n;
-          fields[field].stiffness.resize(mass.size() * n * n);
-        }
+        stiffness[field].resize(mass.size() * n_components(field) *
+                                n_components(field));
     for (unsigned int node = 0; node < n_nodes; ++node)
       {
         const typename LevelGrid<dim>::Index index = grid.index(node);
@@ -113,8 +110,8 @@ namespace ThermoContact
         volume *= size[d];
         first_node += first[d] * grid.strides()[d];
       }
-    FieldEntries &heat     = fields[Field::temperature];
-    FieldEntries &momentum = fields[Field::displacement];
+    std::vector<Number> &conduction = stiffness[Field::temperature];
+    std::vector<Number> &elasticity = stiffness[Field::displacement];
     for (unsigned int q = 0; q < rule.size(); ++q)
       {
         Point<dim> point = corner;
@@ -139,14 +136,14 @@ namespace ThermoContact
               const std::size_t k =
                 std::size_t(node) * n_neighbours + digits + 1 - n_neighbours;
               mass[k] += weight * basis[i].value * basis[j].value;
-              if (heat.n_components > 0)
-                heat.stiffness[k] +=
+              if (!conduction.empty())
+                conduction[k] +=
                   weight * (basis[i].gradient * basis[j].gradient);
-              if (momentum.n_components == 0)
+              if (elasticity.empty())
                 continue;
               for (unsigned int c = 0; c < dim; ++c)
                 for (unsigned int e = 0; e < dim; ++e)
-                  momentum.stiffness[(k * dim + c) * dim + e] +=
+                  elasticity[(k * dim + c) * dim + e] +=
                     weight * elastic_product(scene.material,
                                              basis[i].strains[c],
                                              basis[j].strains[e]);
@@ -160,63 +157,7 @@ namespace ThermoContact
   LevelVector<Number>
   LevelMatrix<dim, Number>::make_vector(const Field::Block field) const
   {
-    return LevelVector<Number>(n_nodes * fields[field].n_components);
-  }
-
-
-
-  template <int dim, typename Number>
-  inline Number
-  LevelMatrix<dim, Number>::entry(const FieldEntries &field,
-                                  const unsigned int  node,
-                                  const unsigned int  neighbour,
-                                  const unsigned int  c,
-                                  const unsigned int  e,
-                                  const Number        mass_factor,
-                                  const Number        stiffness_factor) const
-  {
-    const std::size_t k = std::size_t(node) * n_neighbours + neighbour;
-    const Number      stiffness =
-      field.stiffness[(k * field.n_components + c) * field.n_components + e];
-    return stiffness_factor * stiffness +
-           (c == e ? mass_factor * mass[k] : Number());
-  }
-
-
-
-  template <int dim, typename Number>
-  template <int n_components>
-  void
-  LevelMatrix<dim, Number>::add_products(const FieldEntries &field,
-                                         const Number        mass_factor,
-                                         const Number        stiffness_factor,
-                                         const Number       *x,
-                                         Number             *y) const
-  {
-    const Number *block       = field.stiffness.data();
-    const Number *mass_of     = mass.data();
-    for (unsigned int node = 0; node < n_nodes; ++node)
-      for (unsigned int k = 0; k < n_neighbours;
-           ++k, ++mass_of, block += n_components * n_components)
-        {
-          const unsigned int other = node + offsets[k];
-          if (other >= n_nodes)
-            continue;
-          const Number *x_node  = x + node * n_components;
-          const Number *x_other = x + other * n_components;
-          Number       *y_node  = y + node * n_components;
-          Number       *y_other = y + other * n_components;
-          for (int c = 0; c < n_components; ++c)
-            for (int e = 0; e < n_components; ++e)
-              {
-                Number value = stiffness_factor * block[c * n_components + e];
-                if (c == e)
-                  value += mass_factor * *mass_of;
-                y_node[c] += value * x_other[e];
-                if (k > 0)
-                  y_other[e] += value * x_node[c];
-              }
-        }
+    return LevelVector<Number>(n_nodes * n_components(field));
   }
 
 
@@ -229,13 +170,19 @@ namespace ThermoContact
                                   LevelVector<Number>       &y,
                                   const LevelVector<Number> &x) const
   {
-    y = Number();
-    if (field == Field::temperature)
-      add_products<1>(
-        fields[field], mass_factor, stiffness_factor, x.begin(), y.begin());
-    else
-      add_products<dim>(
-        fields[field], mass_factor, stiffness_factor, x.begin(), y.begin());
+    y                      = Number();
+    const Number *const in = x.begin();
+    Number *const      out = y.begin();
+    visit_entries(field,
+                  mass_factor,
+                  stiffness_factor,
+                  [in, out](const unsigned int row,
+                            const unsigned int column,
+                            const Number       value) {
+                    out[row] += value * in[column];
+                    if (row != column)
+                      out[column] += value * in[row];
+                  });
   }
 
 

@@ -79,38 +79,13 @@ namespace ThermoContact
       for (unsigned int corner = 0; corner < n_corners; ++corner)
         to[entries[i].first + corners[corner]] +=
           weight(entries[i], corner) * from[i];
-    sum_over_ranks(coarse);
-  }
-
-
-
-  template <int dim, typename Number>
-  void
-  LevelTransfer<dim, Number>::inject(LevelVector<Number>       &coarse,
-                                     const LevelVector<Number> &fine) const
-  {
-    coarse = Number();
-    for (unsigned int i = 0; i < entries.size(); ++i)
-      for (unsigned int corner = 0; corner < n_corners; ++corner)
-        if (weight(entries[i], corner) == 1)
-          coarse.local_element(entries[i].first + corners[corner]) =
-            fine.local_element(i);
-    sum_over_ranks(coarse);
-  }
-
-
-
-  template <int dim, typename Number>
-  void
-  LevelTransfer<dim, Number>::sum_over_ranks(LevelVector<Number> &coarse) const
-  {
     if (Utilities::MPI::n_mpi_processes(communicator) == 1)
       return;
     const unsigned int        n = coarse.locally_owned_size();
-    const std::vector<Number> own(coarse.begin(), coarse.begin() + n);
+    const std::vector<Number> own(to, to + n);
     Utilities::MPI::sum(make_array_view(own),
                         communicator,
-                        make_array_view(coarse.begin(), coarse.begin() + n));
+                        make_array_view(to, to + n));
   }
 
 

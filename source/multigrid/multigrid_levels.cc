@@ -9,9 +9,8 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Nodes of the coarsest level, whose factors fill their band. */
-    template <int dim>
-    constexpr unsigned int max_coarse_nodes = dim == 2 ? 1000 : 400;
+    /** Nodes of the coarsest level, whose factors are full. */
+    constexpr unsigned int max_coarse_nodes = 100;
 
 
 
@@ -30,7 +29,7 @@ namespace ThermoContact
             break;
           grids.insert(grids.begin(), *coarse);
         }
-      while (grids.front().n_nodes() > max_coarse_nodes<dim>);
+      while (grids.front().n_nodes() > max_coarse_nodes);
       if (grids.empty())
         grids.push_back(body);
       return grids;
@@ -185,9 +184,9 @@ namespace ThermoContact
     LevelVector<Number> marks(fine.right), coarse_marks(coarse.right);
     for (const unsigned int entry : fine.prescribed)
       marks.local_element(entry) = 1.;
-    fine.transfer.inject(coarse_marks, marks);
+    fine.transfer.restrict_to(coarse_marks, marks);
     for (unsigned int i = 0; i < coarse_marks.locally_owned_size(); ++i)
-      if (coarse_marks.local_element(i) > 0.)
+      if (coarse_marks.local_element(i) >= 1)
         coarse.prescribed.push_back(i);
 
     if (field == Field::displacement)

@@ -15,42 +15,8 @@ namespace ThermoContact
 
   template <int dim>
   StageHierarchies<dim>::StageHierarchies(const Body<dim> &body)
-    : body(body)
-    , levels_(body)
+    : levels_(body)
   {}
-
-
-
-  template <int dim>
-  void
-  StageHierarchies<dim>::factorise()
-  {
-    shortest_factorised_ = current().tau;
-    hierarchies.remove_if([this](const Hierarchy &hierarchy) {
-      return hierarchy.tau >= shortest_factorised_;
-    });
-    provide(shortest_factorised_);
-  }
-
-
-
-  template <int dim>
-  types::global_dof_index
-  StageHierarchies<dim>::n_factorized_unknowns() const
-  {
-    const Discretization<dim> &space  = body.discretization;
-    types::global_dof_index    result = 0;
-    for (const Field::Block field : all_fields)
-      if (space.has_field(field))
-        result =
-          std::max<types::global_dof_index>(result,
-                                            !matrices ?
-                                              levels_.field(0, field).right.size() :
-                                            field == Field::temperature ?
-                                              space.n_temperature_dofs() :
-                                              space.n_displacement_dofs());
-    return result;
-  }
 
 
 
@@ -69,22 +35,16 @@ namespace ThermoContact
       }
     while (hierarchies.size() >= max_hierarchies)
       hierarchies.pop_back();
-    if (tau >= shortest_factorised_ && !matrices)
-      matrices = std::make_unique<const BodyMatrices<dim>>(body);
     hierarchies.push_front({tau, nullptr, nullptr, {}, {}, {}});
     Hierarchy         &hierarchy = hierarchies.front();
     const unsigned int finest    = levels_.n_levels() - 1;
     for (const Field::Block field : all_fields)
-      if (body.discretization.has_field(field))
+      if (levels_.has_field(field))
         {
-          std::unique_ptr<StagePreconditioner> &multigrid =
+          auto &multigrid =
             field == Field::temperature ? hierarchy.heat : hierarchy.momentum;
-          if (has_factors())
-            multigrid =
-              std::make_unique<StageFactors<dim>>(*matrices, field, tau);
-          else
-            multigrid =
-              std::make_unique<StageMultigrid<dim, float>>(levels_, field, tau);
+          multigrid =
+            std::make_unique<StageMultigrid<dim, float>>(levels_, field, tau);
           hierarchy.diagonals[field] =
             StageBlock<dim, float>(levels_, finest, field, tau).diagonal();
         }

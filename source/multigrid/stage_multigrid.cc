@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/multigrid/stage_multigrid.h>
 
 #include <algorithm>
@@ -68,8 +69,11 @@ namespace ThermoContact
         }
       if (fine.held.size() > 0)
         {
+          // its own node has the weight 1, or it is among others that are held
           copy_values(values, fine.held);
-          fine_field.transfer.inject(coarse, values);
+          fine_field.transfer.restrict_to(coarse, values);
+          for (Number &held : coarse)
+            held = held >= 1;
           set(result.held, 1.);
         }
       return result;
@@ -106,28 +110,44 @@ namespace ThermoContact
                                                            steps.range);
         level.smoother->estimate_eigenvalue();
       }
-    coarse_without_contact = make_coarse_solver();
+    factors_without_contact = make_factors();
   }
 
 
 
   template <int dim, typename Number>
-  std::unique_ptr<const CoarseSolver>
-  StageMultigrid<dim, Number>::make_coarse_solver() const
+  std::unique_ptr<const LAPACKFullMatrix<double>>
+  StageMultigrid<dim, Number>::make_factors() const
   {
-    const StageBlock<dim, Number> &block = *stage_levels[0].block;
-    auto                           solver =
-      std::make_unique<CoarseSolver>(coarse_values.size(),
-                                     levels.coarse_matrix().bandwidth(field));
+    const StageBlock<dim, Number> &block   = *stage_levels[0].block;
+    auto                           factors = std::make_unique<Factors>();
+    factors->reinit(coarse_values.size());
+    factors->set_property(LAPACKSupport::symmetric);
     block.visit_entries([&](const unsigned int row,
                             const unsigned int column,
                             const double       value) {
-      solver->add(row, column, value);
+      (*factors)(row, column) += value;
+      if (row != column)
+        (*factors)(column, row) += value;
     });
-    for (const unsigned int entry : block.prescribed_entries())
-      solver->hold(entry);
-    solver->factorise();
-    return solver;
+    for (const unsigned int held : block.prescribed_entries())
+      {
+        for (unsigned int i = 0; i < coarse_values.size(); ++i)
+          (*factors)(held, i) = (*factors)(i, held) = 0.;
+        (*factors)(held, held) = 1.;
+      }
+    try
+      {
+        factors->compute_cholesky_factorization();
+      }
+    catch (const ExceptionBase &)
+      {
+        throw ComputationError(
+          "the coarsest level of multigrid is not positive\n"
+          "  remedy:  check the coefficients of section Model, the mesh and "
+          "Time/Step size for extreme values");
+      }
+    return factors;
   }
 
 
@@ -164,8 +184,8 @@ namespace ThermoContact
       }
     has_contact = true;
     set_rows(levels.n_levels() - 1, *rows);
-    if (!are_as_before || !coarse_with_contact)
-      coarse_with_contact = make_coarse_solver();
+    if (!are_as_before || !factors_with_contact)
+      factors_with_contact = make_factors();
   }
 
 
@@ -178,7 +198,7 @@ namespace ThermoContact
     std::copy(vectors.right.begin(),
               vectors.right.begin() + coarse_values.size(),
               coarse_values.begin());
-    (has_contact ? coarse_with_contact : coarse_without_contact)
+    (has_contact ? factors_with_contact : factors_without_contact)
       ->solve(coarse_values);
     std::copy(coarse_values.begin(),
               coarse_values.end(),

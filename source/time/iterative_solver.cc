@@ -26,7 +26,11 @@ namespace ThermoContact
   types::global_dof_index
   IterativeSolver<dim>::n_factorized_unknowns() const
   {
-    return stage.preconditioners().n_factorized_unknowns();
+    const MultigridLevels<dim, float> &levels = stage.preconditioners().levels();
+    types::global_dof_index            largest = 0;
+    for (const Field::Block field : all_fields)
+      largest = std::max(largest, levels.field(0, field).right.size());
+    return largest;
   }
 
 
@@ -37,8 +41,6 @@ namespace ThermoContact
   {
     RetainedFactorizations retained;
     retained.counters = counters_;
-    retained.shortest_factorised =
-      stage.preconditioners().shortest_factorised();
     for (const auto &hierarchy : stage.preconditioners().all())
       {
         retained.taus.push_back(hierarchy.tau);
@@ -54,7 +56,7 @@ namespace ThermoContact
   void
   IterativeSolver<dim>::restore(const RetainedFactorizations &retained)
   {
-    stage.preconditioners().clear(retained.shortest_factorised);
+    stage.preconditioners().clear();
     for (unsigned int i = retained.taus.size(); i-- > 0;)
       stage.restore(retained.taus[i], retained.active_sets[i]);
     counters_ = retained.counters;

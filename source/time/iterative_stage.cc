@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/machine_memory.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
@@ -20,9 +19,6 @@ namespace ThermoContact
   {
     /** Directions of a Krylov space that are kept. */
     constexpr unsigned int max_directions = 60;
-
-    /** Of a body that gets factors where multigrid does not converge. */
-    constexpr double most_unknowns_of_factors = 1e5;
   } // namespace
 
 
@@ -297,12 +293,8 @@ namespace ThermoContact
             2. * allowed + rounding +
               Tolerances::rounding_of_sum * std::max(1., largest_residual))
           return n_iterations;
-        if (result.residual <= allowed)
-          continue;
-        if (hierarchies.has_factors() || !has_room_for_factors())
+        if (result.residual > allowed)
           give_up(reached, allowed, n_iterations);
-        factorise();
-        attempt = 0;
       }
     // nothing but rounding is left
     if (reached > Tolerances::loose_residual)
@@ -319,35 +311,6 @@ namespace ThermoContact
                significant(tau, few_digits)));
       }
     return n_iterations;
-  }
-
-
-
-  template <int dim>
-  bool
-  IterativeStage<dim>::has_room_for_factors() const
-  {
-    const double n_unknowns = body.scene.n_unknowns();
-    if (n_unknowns > most_unknowns_of_factors)
-      return false;
-    const SharedMemory memory =
-      scarcest_memory(body.discretization.communicator());
-    return 2. * factor_bytes(n_unknowns, dim) * memory.share < memory.bytes;
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeStage<dim>::factorise()
-  {
-    hierarchies.factorise();
-    hierarchies.set_contact(is_active, contact);
-    warnings.push_back(
-      text("multigrid does not converge in a stage of length ",
-           significant(tau, few_digits),
-           ": from this length on stages have sparse factors of the body, "
-           "which take more memory and time"));
   }
 
 

@@ -3,10 +3,10 @@
 // Coarser grids, and V-cycles of a strip with an odd number of graded, flat
 // cells. On one rank and on two.
 //
-// 1. Grids by hand. Of 5 x 2 squares of degree 2 the degree is halved, then
-//    neighbours are joined: 3 x 1, one cell stays alone. Of 8 x 2 cells eight
-//    times as wide as long those along the body are joined first: 4, 2, 1, and
-//    then those across.
+// 1. Grids by hand, as distances between nodes. Of 5 x 2 squares of degree 2,
+//    which have 10 x 4, each second node stays: 5 x 2, then 3 x 1, one distance
+//    stays alone. Of 8 x 2 cells eight times as wide as long those along the
+//    body are joined first: 4, 2, 1, and then those across.
 // 2. As preconditioners the cycles are what others are (matrix_free.cc):
 //    symmetric to 1e-10, positive, and half of an error is left at most;
 //    without contact, with springs and with held nodes. In single precision
@@ -45,9 +45,8 @@ namespace
     mesh.degree       = degree;
     for (std::optional<LevelGrid<2>> grid = LevelGrid<2>(mesh); grid;
          grid                             = grid->coarsened())
-      deallog << grid->axis(0).n_cells() << " x " << grid->axis(1).n_cells()
-              << " of degree " << grid->axis(0).degree << ' '
-              << grid->axis(1).degree << "; ";
+      deallog << grid->positions(0).size() - 1 << " x "
+              << grid->positions(1).size() - 1 << "; ";
     deallog << std::endl;
   }
 

@@ -39,60 +39,57 @@ namespace ThermoContact
 
     /**
      * Calls @p visit(row, column, value) for the lower triangle of the matrix
-     * of vmult().
+     * of vmult(). Where there is no neighbour, values are zero.
      */
     template <typename Visit>
     void
     visit_entries(const Field::Block field,
-                  const double       mass,
-                  const double       stiffness,
+                  const double       mass_factor,
+                  const double       stiffness_factor,
                   const Visit       &visit) const
     {
-      const unsigned int n_components = fields[field].n_components;
-      for (unsigned int node = 0; node < n_nodes; ++node)
-        for (unsigned int k = 0; k < n_neighbours; ++k)
-          if (node + offsets[k] < n_nodes)
-            for (unsigned int c = 0; c < n_components; ++c)
-              for (unsigned int e = k == 0 ? c : 0; e < n_components; ++e)
-                visit((node + offsets[k]) * n_components + e,
-                      node * n_components + c,
-                      entry(fields[field], node, k, c, e, mass, stiffness));
-    }
-
-    /** Of the matrices of a field. */
-    unsigned int
-    bandwidth(const Field::Block field) const
-    {
-      return (offsets.back() + 1) * fields[field].n_components - 1;
+      if (field == Field::temperature)
+        visit_blocks<1>(field, mass_factor, stiffness_factor, visit);
+      else
+        visit_blocks<dim>(field, mass_factor, stiffness_factor, visit);
     }
 
   private:
     /** A node itself, and neighbours with larger numbers. */
     static constexpr unsigned int n_neighbours = ((dim == 2 ? 9 : 27) + 1) / 2;
 
-    struct FieldEntries
-    {
-      unsigned int        n_components = 0; ///< 0: there is no such field
-      std::vector<Number> stiffness;        ///< blocks of neighbours of nodes
-    };
-
     const unsigned int                     n_nodes;
     std::array<unsigned int, n_neighbours> offsets; ///< of their numbers
-    std::vector<Number> mass; ///< of one component, for neighbours of nodes
-    std::array<FieldEntries, 2> fields;
 
-    /**
-     * Row component @p c of a node, column component @p e of a neighbour.
-     * Neighbours that are not there have zeros.
-     */
-    Number
-    entry(const FieldEntries &field,
-          const unsigned int  node,
-          const unsigned int  neighbour,
-          const unsigned int  c,
-          const unsigned int  e,
-          const Number        mass_factor,
-          const Number        stiffness_factor) const;
+    /** For the neighbours of all nodes: of a component; of each field, blocks. */
+    std::vector<Number>                mass;
+    std::array<std::vector<Number>, 2> stiffness;
+
+    static unsigned int
+    n_components(const Field::Block field)
+    {
+      return field == Field::temperature ? 1 : dim;
+    }
+
+    template <unsigned int n, typename Visit>
+    void
+    visit_blocks(const Field::Block field,
+                 const Number       mass_factor,
+                 const Number       stiffness_factor,
+                 const Visit       &visit) const
+    {
+      const Number *block = stiffness[field].data();
+      const Number *m     = mass.data();
+      for (unsigned int node = 0; node < n_nodes; ++node)
+        for (unsigned int k = 0; k < n_neighbours; ++k, ++m, block += n * n)
+          if (const unsigned int other = node + offsets[k]; other < n_nodes)
+            for (unsigned int c = 0; c < n; ++c)
+              for (unsigned int e = k == 0 ? c : 0; e < n; ++e)
+                visit(other * n + e,
+                      node * n + c,
+                      stiffness_factor * block[c * n + e] +
+                        (c == e ? mass_factor * *m : Number()));
+    }
 
     /** The integrals over the cell above a node in all directions. */
     void
@@ -101,14 +98,6 @@ namespace ThermoContact
              const LevelGrid<dim>                 &grid,
              const typename LevelGrid<dim>::Index &first,
              const Quadrature<dim>                &rule);
-
-    template <int n_components>
-    void
-    add_products(const FieldEntries &field,
-                 const Number        mass_factor,
-                 const Number        stiffness_factor,
-                 const Number       *x,
-                 Number             *y) const;
   };
 } // namespace ThermoContact
 

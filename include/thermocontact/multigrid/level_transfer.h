@@ -49,10 +49,6 @@ namespace ThermoContact
     restrict_to(LevelVector<Number>       &coarse,
                 const LevelVector<Number> &fine) const;
 
-    /** The values at the nodes that both have. Collective. */
-    void
-    inject(LevelVector<Number> &coarse, const LevelVector<Number> &fine) const;
-
   private:
     /** Corners of the coarse cell that a node is in. */
     static constexpr unsigned int n_corners = 1U << dim;
@@ -82,9 +78,6 @@ namespace ThermoContact
         weight *= is_upper(corner, d) ? entry.place[d] : 1 - entry.place[d];
       return weight;
     }
-
-    void
-    sum_over_ranks(LevelVector<Number> &coarse) const;
   };
 } // namespace ThermoContact
 

@@ -77,6 +77,12 @@ namespace ThermoContact
       return levels[level].fields[field];
     }
 
+    bool
+    has_field(const Field::Block field) const
+    {
+      return body.discretization.has_field(field);
+    }
+
     const Scene &
     scene() const
     {

@@ -3,11 +3,9 @@
 #ifndef thermocontact_multigrid_stage_hierarchies_h
 #define thermocontact_multigrid_stage_hierarchies_h
 
-#include <thermocontact/multigrid/stage_factors.h>
 #include <thermocontact/multigrid/stage_multigrid.h>
 
 #include <array>
-#include <limits>
 #include <list>
 #include <memory>
 #include <vector>
@@ -16,9 +14,7 @@ namespace ThermoContact
 {
   /**
    * The preconditioners of both fields for the stage lengths that were used
-   * last: step sizes come back. V-cycles, or factors of the body for stages
-   * that are not shorter than the first one for which factorise() was called:
-   * the longer a stage, the less inertia helps.
+   * last: step sizes come back.
    */
   template <int dim>
   class StageHierarchies
@@ -33,35 +29,13 @@ namespace ThermoContact
       return levels_;
     }
 
-    /** Factors for the present stage length and longer ones. */
-    void
-    factorise();
-
-    /** Whether the present stage length has factors. */
-    bool
-    has_factors() const
-    {
-      return !hierarchies.empty() && current().tau >= shortest_factorised_;
-    }
-
-    /** The shortest stage with factors; infinite: V-cycles for all. */
-    double
-    shortest_factorised() const
-    {
-      return shortest_factorised_;
-    }
-
-    /** Rows of the largest matrix that has factors. */
-    types::global_dof_index
-    n_factorized_unknowns() const;
-
     /** The preconditioners for a stage length; null: no such field. */
     struct Hierarchy
     {
-      double                               tau;
-      std::unique_ptr<StagePreconditioner> heat;
-      std::unique_ptr<StagePreconditioner> momentum;
-      std::array<Vector, 2>                diagonals; ///< of the blocks
+      double                                      tau;
+      std::unique_ptr<StageMultigrid<dim, float>> heat;
+      std::unique_ptr<StageMultigrid<dim, float>> momentum;
+      std::array<Vector, 2>                       diagonals; ///< of the blocks
 
       /** Contact nodes that the momentum block has springs or holds at. */
       std::vector<bool> active_set;
@@ -101,21 +75,16 @@ namespace ThermoContact
       return hierarchies;
     }
 
-    /** Forgets them, and has factors for stages of that length and longer. */
     void
-    clear(const double shortest_factorised)
+    clear()
     {
       hierarchies.clear();
-      shortest_factorised_ = shortest_factorised;
     }
 
   private:
-    const Body<dim>                         &body;
-    const MultigridLevels<dim, float>        levels_;
-    std::unique_ptr<const BodyMatrices<dim>> matrices; ///< once needed
-    std::list<Hierarchy>                     hierarchies;
-    unsigned int                             n_made_ = 0;
-    double shortest_factorised_ = std::numeric_limits<double>::infinity();
+    const MultigridLevels<dim, float> levels_;
+    std::list<Hierarchy>              hierarchies;
+    unsigned int                      n_made_ = 0;
   };
 } // namespace ThermoContact
 

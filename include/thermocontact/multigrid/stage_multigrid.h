@@ -4,9 +4,9 @@
 #define thermocontact_multigrid_stage_multigrid_h
 
 #include <thermocontact/multigrid/chebyshev_smoother.h>
-#include <thermocontact/multigrid/coarse_solver.h>
 #include <thermocontact/multigrid/multigrid_levels.h>
-#include <thermocontact/multigrid/stage_preconditioner.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <memory>
 #include <vector>
@@ -15,12 +15,12 @@ namespace ThermoContact
 {
   /**
    * One V-cycle: Chebyshev smoothers with the diagonal, of more steps for
-   * materials that hardly change their volume, and a CoarseSolver. Symmetric to
-   * the rounding of @p Number. Systems are solved over a scale, so that float
+   * materials that hardly change their volume, and factors of the coarsest level.
+   * Symmetric to the rounding of @p Number. Systems are solved over a scale, so that float
    * has room for them.
    */
   template <int dim, typename Number>
-  class StageMultigrid : public StagePreconditioner
+  class StageMultigrid
   {
   public:
     /** @param levels borrowed */
@@ -29,15 +29,19 @@ namespace ThermoContact
                    const double                        tau);
 
     /**
-     * The largest eigenvalues stay those without contact; so does its
-     * CoarseSolver, which is kept beside that of the last rows.
+     * Rows of contact. Between two calls it is the same linear map. The largest
+     * eigenvalues stay those without contact; so do its factors, which are kept
+     * beside those of the last rows. Collective.
+     *
+     * @param rows of the body; null: no contact
+     * @param are_as_before the last ones that were not null were the same
      */
     void
-    set_contact(const ContactRows *rows,
-                const bool         are_as_before = false) override;
+    set_contact(const ContactRows *rows, const bool are_as_before = false);
 
+    /** @p z = about the solution for @p r. Collective. */
     void
-    vmult(Vector &z, const Vector &r) const override;
+    vmult(Vector &z, const Vector &r) const;
 
   private:
     /** Of the coarsest level without smoother. */
@@ -52,18 +56,24 @@ namespace ThermoContact
     double                              scale = 1.; ///< of matrices
     std::vector<Level>                  stage_levels;
 
-    std::unique_ptr<const CoarseSolver> coarse_without_contact;
-    std::unique_ptr<const CoarseSolver> coarse_with_contact; ///< last rows
-    bool                                has_contact = false;
-    mutable std::vector<double>         coarse_values;
+    using Factors = LAPACKFullMatrix<double>;
+
+    std::unique_ptr<const Factors>  factors_without_contact;
+    std::unique_ptr<const Factors>  factors_with_contact; ///< last rows
+    bool                            has_contact = false;
+    mutable dealii::Vector<double>  coarse_values;
 
     /** Springs and held nodes of a level and of those that are coarser. */
     void
     set_rows(const unsigned int level, const ContactRows &rows);
 
-    /** For the present block of the coarsest level. */
-    std::unique_ptr<const CoarseSolver>
-    make_coarse_solver() const;
+    /**
+     * Of the present block of the coarsest level.
+     *
+     * @throw ComputationError if it is not positive
+     */
+    std::unique_ptr<const Factors>
+    make_factors() const;
 
     /** On the coarsest level. */
     void

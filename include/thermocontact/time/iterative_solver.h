@@ -57,7 +57,7 @@ namespace ThermoContact
                  const std::vector<double> &pressure,
                  State                     &difference) override;
 
-    /** The coarsest level, of one field; zero without factors. */
+    /** The coarsest level, of one field. */
     types::global_dof_index
     n_factorized_unknowns() const override;
 

@@ -114,8 +114,7 @@ namespace ThermoContact
     restore(const double stage_length, const std::vector<bool> &last_contact);
 
     /**
-     * Solves for the present set. Where multigrid does not converge, a body of
-     * up to 1e5 unknowns gets factors, if there is memory for twice as many.
+     * Solves for the present set.
      *
      * @param tolerance relative residual, (D8.4); what rounding leaves may be
      *   more
@@ -156,8 +155,8 @@ namespace ThermoContact
     }
 
     /**
-     * What the user is to know since the last call: factors in place of
-     * multigrid, and residuals that rounding holds above the tolerance.
+     * What the user is to know since the last call: residuals that rounding
+     * holds above the tolerance.
      */
     std::vector<std::string>
     take_warnings()
@@ -246,13 +245,6 @@ namespace ThermoContact
     /** Improves the solution until the estimate of GMRES is small enough. */
     FlexibleGmres::Result
     add_correction(const double tolerance);
-
-    bool
-    has_room_for_factors() const;
-
-    /** Takes them in place of multigrid. */
-    void
-    factorise();
 
     [[noreturn]] void
     give_up(const double       residual,

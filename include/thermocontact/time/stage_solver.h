@@ -10,7 +10,6 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -119,18 +118,11 @@ namespace ThermoContact
     /** Whether a stage had sparse factors since the blocks of its rod grew. */
     bool has_refused_blocks = false;
 
-    /**
-     * The shortest stage that has factors since the multigrid of its body did
-     * not converge; infinite: none has.
-     */
-    double shortest_factorised = std::numeric_limits<double>::infinity();
-
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &counters &taus &has_response &active_sets &has_refused_blocks
-        &shortest_factorised;
+      archive &counters &taus &has_response &active_sets &has_refused_blocks;
     }
   };
 
