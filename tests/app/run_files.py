@@ -37,6 +37,12 @@ class Table:
     def __len__(self):
         return len(self.columns[self.names[0]])
 
+    def copy(self):
+        """A table whose columns can be replaced."""
+        other = copy.copy(self)
+        other.names, other.columns = list(self.names), dict(self.columns)
+        return other
+
     def keep(self, mask):
         """Leaves out the rows for which mask is false."""
         for name, values in self.columns.items():
@@ -99,10 +105,10 @@ class Run:
         self.log = log.read_text(encoding="utf-8") if log.exists() else ""
 
     def copy(self):
-        """A run whose tables and summary can be falsified."""
+        """A run whose columns and keys can be replaced."""
         other = copy.copy(self)
-        other.tables = copy.deepcopy(self.tables)
-        other.summary = copy.deepcopy(self.summary)
+        other.tables = {name: table.copy() for name, table in self.tables.items()}
+        other.summary = dict(self.summary) if self.summary else self.summary
         return other
 
     def __getattr__(self, name):
