@@ -11,7 +11,7 @@ import re
 import numpy
 
 from falsify import Checks
-from polynomials import Element, lobatto_nodes
+from polynomials import equidistant, lobatto
 from run_files import differences, due, nearly
 
 EXACT, SINGLE, ROUGH = 1e-10, 2e-5, 0.1
@@ -333,7 +333,7 @@ def check_snapshots(run):
         "Boundary/Obstacle temperature", "0")
     is_steady = not s.number("Boundary/Lateral heat exchange") and not (
         re.search("[a-z]", scene.drive + k + theta_obs))
-    e = Element(numpy.linspace(0, 1, int(s["Mesh/Degree"]) + 1))
+    e = equidistant(int(s["Mesh/Degree"]))
     B, G = e.values(e.points), e.derivatives(e.points)
     energies, rates, rows = [], [], []
     for time, mesh in run.snapshots():
@@ -440,7 +440,7 @@ def weights_of_face(settings):
     degree, cells = int(settings["Mesh/Degree"]), int(settings["Mesh/Cells across"])
     weights = numpy.zeros(cells * degree + 1)
     for first in range(0, cells * degree, degree):
-        weights[first:first + degree + 1] += Element(lobatto_nodes(degree)).integrals / cells
+        weights[first:first + degree + 1] += lobatto(degree).integrals / cells
     return weights if settings["Dimension"] == "2" else numpy.outer(weights, weights).ravel()
 
 
