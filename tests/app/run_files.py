@@ -8,7 +8,6 @@ import re
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
-import meshio
 import numpy
 
 FUNCTIONS = {"abs": numpy.abs, "if_": numpy.where, "min": numpy.minimum, "max": numpy.maximum} | {
@@ -48,6 +47,12 @@ class Table:
         for name, values in self.columns.items():
             self.columns[name] = (values[mask] if isinstance(values, numpy.ndarray) else
                                   [value for value, kept in zip(values, mask) if kept])
+
+
+def read_mesh(path):
+    """A file of VTK; half a second of loading for those that read one."""
+    import meshio
+    return meshio.read(path)
 
 
 def compiled(expression):
@@ -132,7 +137,7 @@ class Run:
             index = self.directory / name
             self.read_snapshots[name] = [
                 (float(entry.get("timestep")),
-                 meshio.read(self.directory / entry.get("file")))
+                 read_mesh(self.directory / entry.get("file")))
                 for entry in xml.parse(index).findall(".//DataSet")
             ] if index.exists() else []
         return self.read_snapshots[name]
@@ -141,7 +146,7 @@ class Run:
         """The mesh of the space-time file, or None"""
         path = self.directory / "space-time.vtu"
         if self.read_space_time is None and path.exists():
-            self.read_space_time = meshio.read(path)
+            self.read_space_time = read_mesh(path)
         return self.read_space_time
 
 
