@@ -83,7 +83,7 @@ namespace ThermoContact
     count(stage.solve(tolerance));
     stage.get_pressures(pressure);
     for (const std::string &warning : stage.take_warnings())
-      counters_.warnings.push_back(warning);
+      warnings.push_back(warning);
   }
 
 

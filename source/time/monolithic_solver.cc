@@ -72,7 +72,7 @@ namespace ThermoContact
       factorizations.front().matrix.n_factorizations();
     const std::string warning = factorizations.front().matrix.warning();
     if (!warning.empty() && !std::exchange(has_refused_blocks, true))
-      counters_.warnings.push_back(warning);
+      warnings.push_back(warning);
   }
 
 
@@ -189,7 +189,7 @@ namespace ThermoContact
       }
     counters_          = retained.counters;
     has_refused_blocks = retained.has_refused_blocks;
-    counters_.warnings.clear(); // the run has given them before
+    warnings.clear(); // the run has given them before
   }
 
 

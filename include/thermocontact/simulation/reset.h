@@ -13,8 +13,6 @@
 #include <thermocontact/time/time_integrator.h>
 
 #include <memory>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace ThermoContact
@@ -146,13 +144,6 @@ namespace ThermoContact
     counters() const
     {
       return counters_;
-    }
-
-    /** What the user is to know since the last call. */
-    std::vector<std::string>
-    take_warnings()
-    {
-      return std::exchange(counters_.warnings, {});
     }
 
     /** Whether inertia, stiffness, heat and adiabatic nodes are factorised. */

@@ -68,9 +68,6 @@ namespace ThermoContact
     double solve_seconds         = 0.; ///< with factorisations
     double contact_seconds       = 0.; ///< pressures and responses
 
-    /** What the user is to know of solvers, until it has been told. */
-    std::vector<std::string> warnings;
-
     SolverCounters &
     operator+=(const SolverCounters &other)
     {
@@ -84,9 +81,6 @@ namespace ThermoContact
       factorization_seconds += other.factorization_seconds;
       solve_seconds += other.solve_seconds;
       contact_seconds += other.contact_seconds;
-      warnings.insert(warnings.end(),
-                      other.warnings.begin(),
-                      other.warnings.end());
       return *this;
     }
 
@@ -115,7 +109,10 @@ namespace ThermoContact
     /** The set of contact nodes that is factorised, too; empty: none. */
     std::vector<std::vector<bool>> active_sets;
 
-    /** Whether a stage had sparse factors since the blocks of its rod grew. */
+    /**
+     * Whether a stage had sparse factors since the blocks of its rod grew, or
+     * the multigrid of its body did not converge.
+     */
     bool has_refused_blocks = false;
 
     template <class Archive>
@@ -192,7 +189,7 @@ namespace ThermoContact
     std::vector<std::string>
     take_warnings()
     {
-      return std::exchange(counters_.warnings, {});
+      return std::exchange(warnings, {});
     }
 
     const SolverCounters &
@@ -213,7 +210,8 @@ namespace ThermoContact
     restore(const RetainedFactorizations &retained) = 0;
 
   protected:
-    SolverCounters counters_;
+    SolverCounters           counters_;
+    std::vector<std::string> warnings;
   };
 
 
