@@ -24,18 +24,6 @@ namespace ThermoContact
   {
     using dealii::Utilities::trim;
 
-    std::vector<std::string>
-    cells_of(const std::string &line)
-    {
-      std::vector<std::string> cells;
-      std::istringstream       stream(line);
-      for (std::string cell; std::getline(stream, cell, ',');)
-        cells.push_back(trim(cell));
-      return cells;
-    }
-
-
-
     /** In SI base units, or those that are made of them without a factor. */
     std::optional<double>
     in_base_units(const double number, const std::string &unit)
@@ -140,7 +128,8 @@ namespace ThermoContact
         line = trim(line);
         if (line.empty() || line[0] == '#')
           continue;
-        const std::vector<std::string> cells = cells_of(line);
+        const std::vector<std::string> cells =
+          dealii::Utilities::split_string_list(line, ',');
         if (header.empty())
           {
             std::vector<std::string> names;
