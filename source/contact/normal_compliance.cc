@@ -58,7 +58,7 @@ namespace ThermoContact
       resolve(const double z, const double r) const override
       {
         return z > 0. ?
-                 NodalPressure{z / (compliance + r), 1. / (compliance + r)} :
+                 NodalPressure{z / (compliance + r), {compliance, 0.}} :
                  NodalPressure();
       }
 

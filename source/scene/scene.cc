@@ -254,7 +254,6 @@ namespace ThermoContact
     reason_for_factors(const Parameters   &parameters,
                        const SceneHeat    &heat,
                        const Scheme       &scheme,
-                       const SceneContact &contact,
                        const bool          is_fixed_point,
                        const bool          has_prescribed_start)
     {
@@ -268,14 +267,6 @@ namespace ThermoContact
         return "Time/Start = paper";
       if (heat.has_lateral_exchange())
         return "Boundary/Lateral heat exchange is not 0";
-      const std::string condition =
-        "Contact/Condition = " + parameters.contact.condition;
-      if (contact.law->damping() > 0.)
-        return text("Contact/Damping = ", contact.law->damping());
-      if (!contact.law->is_linear())
-        return condition;
-      if (contact.has_impacts())
-        return "Contact/Massless nodes = off and " + condition;
       if (!heat.exchange->is_constant())
         return "Boundary/Heat exchange depends on the contact";
       return "";
@@ -381,7 +372,6 @@ namespace ThermoContact
                               reason_for_factors(parameters,
                                                  heat,
                                                  scheme,
-                                                 contact,
                                                  is_fixed_point,
                                                  has_prescribed_start)))
   {}

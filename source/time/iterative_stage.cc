@@ -4,7 +4,6 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/iterative_stage.h>
 
 #include <deal.II/base/mpi.h>
@@ -43,7 +42,7 @@ namespace ThermoContact
     inverse_weights = rhs;
     correction      = rhs;
     scaled_residual = rhs;
-    is_active.assign(body.contact_end().n_nodes(), false);
+    springs.assign(body.contact_end().n_nodes(), 0.);
     if (body.scene.contact.has_massless_nodes &&
         body.scene.material.has_inertia())
       {
@@ -117,9 +116,6 @@ namespace ThermoContact
     hierarchies.provide(stage_length);
     tau      = stage_length;
     has_heat = with_heat && body.scene.fields.has_temperature;
-    get_node_laws(body, known, laws, start);
-    known_penetration = start;
-    branch.assign(laws.size(), 0);
     Vector &heat     = rhs.block(Field::temperature);
     Vector &momentum = rhs.block(Field::displacement);
     body.equations.stage_rhs(
@@ -144,17 +140,25 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeStage<dim>::prepare_displacement(
-    const std::vector<double> &displacement)
+  IterativeStage<dim>::prepare_pressures()
   {
     rhs              = 0.;
     solution         = 0.;
     has_residual     = false;
     largest_residual = 0.;
-    laws.assign(displacement.size(), NodeLaw(body.law()));
-    start.assign(displacement.size(), 0.);
-    for (unsigned int i = 0; i < displacement.size(); ++i)
-      start[i] -= displacement[i];
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::set_interface(const std::vector<double> &start,
+                                     const double               factor)
+  {
+    this->start  = start;
+    this->factor = factor;
+    laws.assign(start.size(), AffineLaw());
+    springs.assign(start.size(), 0.);
   }
 
 
@@ -170,7 +174,7 @@ namespace ThermoContact
       receptance);
     for (unsigned int i = 0; i < receptance.size(); ++i)
       receptance[i] =
-        tau * tau * body.contact_end().nodes()[i].weight / receptance[i];
+        factor * tau * body.contact_end().nodes()[i].weight / receptance[i];
     return receptance;
   }
 
@@ -178,62 +182,45 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeStage<dim>::set_rows(const std::vector<bool> &is_active)
+  IterativeStage<dim>::set_laws(const std::vector<AffineLaw> &new_laws)
   {
-    const ContactEnd<dim> &end = body.contact_end();
-    this->is_active            = is_active;
-    contact                    = ContactRows();
-    if (std::find(is_active.begin(), is_active.end(), true) != is_active.end())
-      {
-        Vector &rows = body.law().is_rigid() ? contact.held : contact.springs;
-        rows         = body.discretization.make_vector(Field::displacement);
-        const double tangent = body.law().tangent(0.);
-        for (const auto &[node, entry] : end.entries(Field::displacement))
-          if (is_active[node])
-            rows.local_element(entry) =
-              body.law().is_rigid() ?
-                1. :
-                tau * tau * end.nodes()[node].weight / tangent;
-      }
-    hierarchies.set_contact(is_active, contact);
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeStage<dim>::set_branches(const std::vector<int> &branch)
-  {
-    this->branch = branch;
-    std::vector<bool> is_active;
-    for (unsigned int i = 0; i < branch.size(); ++i)
-      {
-        is_active.push_back(branch[i] != 0);
-        known_penetration[i] =
-          start[i] - (branch[i] != 0 ? laws[i].obstacle(branch[i]) : 0.);
-      }
-    set_rows(is_active);
-    if (contact.held.size() == 0)
-      return;
-    has_residual = false;
-    Vector &v    = solution.block(Field::displacement);
+    laws = new_laws;
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      springs[i] = factor * tau * body.contact_end().nodes()[i].weight /
+                   laws[i].compliance;
+    hierarchies.set_contact(springs);
+    Vector &v = solution.block(Field::displacement);
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
-      if (branch[node] != 0)
-        v.local_element(entry) = -known_penetration[node] / tau;
+      if (is_held(node))
+        {
+          has_residual           = false;
+          v.local_element(entry) = touching_velocity(node);
+        }
+  }
+
+
+
+  template <int dim>
+  bool
+  IterativeStage<dim>::has_contact() const
+  {
+    return std::any_of(springs.begin(), springs.end(), [](const double spring) {
+      return spring > 0.;
+    });
   }
 
 
 
   template <int dim>
   void
-  IterativeStage<dim>::restore(const double             stage_length,
-                               const std::vector<bool> &last_contact)
+  IterativeStage<dim>::restore(const double               stage_length,
+                               const std::vector<double> &last_contact)
   {
     hierarchies.provide(stage_length);
     tau = stage_length;
     if (!last_contact.empty())
-      set_rows(last_contact);
+      hierarchies.set_contact(last_contact);
   }
 
 
@@ -250,21 +237,16 @@ namespace ThermoContact
     double        rounding = 0.;
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
-      if (is_active[node])
+      if (is_held(node))
+        r.local_element(entry) = 0.;
+      else if (springs[node] > 0.)
         {
-          if (body.law().is_rigid())
-            {
-              r.local_element(entry) = 0.;
-              continue;
-            }
           // what the spring does beside the body
-          const double spring = contact.springs.local_element(entry);
-          const double before = known_penetration[node] / tau;
-          r.local_element(entry) -= spring * (v.local_element(entry) + before);
-          const double size =
-            std::max(std::abs(before), std::abs(v.local_element(entry)));
-          rounding +=
-            Utilities::fixed_power<2>(w.local_element(entry) * spring * size);
+          r.local_element(entry) -= spring_force(node, v.local_element(entry));
+          const double size = std::max(std::abs(touching_velocity(node)),
+                                       std::abs(v.local_element(entry)));
+          rounding += Utilities::fixed_power<2>(w.local_element(entry) *
+                                                springs[node] * size);
         }
     scaled_residual.scale(weights);
     return 4. * std::numeric_limits<double>::epsilon() *
@@ -326,7 +308,7 @@ namespace ThermoContact
     if (tau == 0.)
       return;
     hierarchies.provide(tau);
-    hierarchies.set_contact(is_active, contact);
+    hierarchies.set_contact(springs);
   }
 
 
@@ -336,15 +318,14 @@ namespace ThermoContact
   IterativeStage<dim>::get_pressures(std::vector<double> &pressure)
   {
     const ContactEnd<dim> &end = body.contact_end();
-    if (std::find(is_active.begin(), is_active.end(), true) == is_active.end())
+    if (!has_contact())
       {
-        pressure.assign(is_active.size(), 0.);
+        pressure.assign(springs.size(), 0.);
         return;
       }
     compute_residual();
     const Vector &residual = this->residual.block(Field::displacement);
     const Vector &v        = solution.block(Field::displacement);
-    const Vector &springs  = contact.springs;
     const Vector &diagonal =
       hierarchies.current().diagonals[Field::displacement];
     Vector &forces = scaled_residual.block(Field::displacement);
@@ -353,18 +334,15 @@ namespace ThermoContact
         // Both agree where the stage is solved: the one that errors of the
         // solution change less, which for springs softer than the body is
         // theirs
-        const bool is_soft =
-          springs.size() > 0 &&
-          springs.local_element(entry) < diagonal.local_element(entry);
         forces.local_element(entry) =
-          is_soft ? springs.local_element(entry) *
-                      (v.local_element(entry) + known_penetration[node] / tau) :
-                    residual.local_element(entry);
+          springs[node] < diagonal.local_element(entry) ?
+            spring_force(node, v.local_element(entry)) :
+            residual.local_element(entry);
       }
     end.get_values(Field::displacement, forces, pressure);
     for (unsigned int i = 0; i < pressure.size(); ++i)
       pressure[i] =
-        is_active[i] ? pressure[i] / (tau * end.nodes()[i].weight) : 0.;
+        springs[i] > 0. ? pressure[i] / (tau * end.nodes()[i].weight) : 0.;
   }
 
 
@@ -377,9 +355,8 @@ namespace ThermoContact
                                   solution.block(Field::displacement),
                                   position);
     for (unsigned int i = 0; i < position.size(); ++i)
-      position[i] = branch[i] != 0 && body.law().is_rigid() ?
-                      laws[i].obstacle(branch[i]) :
-                      start[i] + tau * position[i];
+      position[i] =
+        is_held(i) ? laws[i].offset : start[i] + factor * position[i];
   }
 
 
@@ -582,15 +559,11 @@ namespace ThermoContact
       const Vector &x_u = x.block(Field::displacement);
       for (const auto &[node, entry] :
            stage.body.contact_end().entries(Field::displacement))
-        if (stage.is_active[node])
-          {
-            if (stage.contact.held.size() > 0)
-              y_u.local_element(entry) = x_u.local_element(entry);
-            else
-              y_u.local_element(entry) +=
-                stage.contact.springs.local_element(entry) *
-                x_u.local_element(entry);
-          }
+        if (stage.is_held(node))
+          y_u.local_element(entry) = x_u.local_element(entry);
+        else
+          y_u.local_element(entry) +=
+            stage.springs[node] * x_u.local_element(entry);
       y.scale(stage.weights);
     }
 
@@ -636,7 +609,7 @@ namespace ThermoContact
           // held rows keep their residual, which is zero
           for (const auto &[node, entry] :
                stage.body.contact_end().entries(Field::displacement))
-            if (stage.is_active[node] && stage.contact.held.size() > 0)
+            if (stage.is_held(node))
               rhs.local_element(entry) = 0.;
         }
       hierarchy.momentum->vmult(z.block(Field::displacement), rhs);

@@ -136,8 +136,7 @@ def body(entries):
 
 def iterative(scene):
     if scene["Dimension"] == "1" or "Boundary/Lateral heat exchange" in scene or \
-            scene.get("Contact/Condition") in ("power law", "rigid") or \
-            "Contact/Damping" in scene or "pressure" in scene.get("Boundary/Heat exchange", ""):
+            "pressure" in scene.get("Boundary/Heat exchange", ""):
         return None
     return scene | {"Solver/Linear solver": "iterative",
                     "Solver/Linear tolerance": "1e-10"}, {}
