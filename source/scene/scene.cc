@@ -265,8 +265,6 @@ namespace ThermoContact
         return "Solver/Step solver = fixed point";
       if (has_prescribed_start)
         return "Time/Start = paper";
-      if (heat.has_lateral_exchange())
-        return "Boundary/Lateral heat exchange is not 0";
       if (!heat.exchange->is_constant())
         return "Boundary/Heat exchange depends on the contact";
       return "";

@@ -136,7 +136,7 @@ namespace ThermoContact
 
   /**
    * InterfaceProblem for such a body: Newton's method, in whose step every law
-   * is its tangent at $z=x+rp$, doc/contact-in-time.md (C2.10). Steps are
+   * is its tangent at $z=x+rp$, doc/contact-in-time.md (C2.9). Steps are
    * halved while the pressures $P(z)$ do not come closer to those of the body;
    * a node whose tangent is its law to rounding keeps it. After many steps one
    * node at a time changes (Murty 1974), which cannot cycle where laws are

@@ -18,7 +18,7 @@ namespace ThermoContact
   /**
    * The linear system of a stage of a large body whose contact nodes meet
    * straight lines, doc/discretisation.md (D8.1), (D8.2), (D8.3), (D8.4),
-   * (C2.9). Those with a compliance add springs to the diagonal of (D2.2), a
+   * (C2.10). Those with a compliance add springs to the diagonal of (D2.2), a
    * rigid one prescribes the velocity that ends at it. GMRES, preconditioned
    * from the right by one V-cycle for each field, the temperature first, solves
    * it from the present solution on.
@@ -111,7 +111,7 @@ namespace ThermoContact
     unsigned int
     solve(const double tolerance, const Measure measure = Measure::of_terms);
 
-    /** Pressures of the solution, 0 at open nodes; (C2.9). */
+    /** Pressures of the solution, 0 at open nodes; (C2.10). */
     void
     get_pressures(std::vector<double> &pressure);
 
@@ -209,7 +209,7 @@ namespace ThermoContact
       return (laws[node].offset - start[node]) / factor;
     }
 
-    /** The force of a row at this velocity, $\tau w p$ of (C2.9). */
+    /** The force of a row at this velocity, $\tau w p$ of (C2.10). */
     double
     spring_force(const unsigned int node, const double v) const
     {
