@@ -252,7 +252,6 @@ namespace ThermoContact
     /** LinearSolver::needs_factors. */
     std::string
     reason_for_factors(const Parameters   &parameters,
-                       const SceneHeat    &heat,
                        const Scheme       &scheme,
                        const bool          is_fixed_point,
                        const bool          has_prescribed_start)
@@ -265,8 +264,6 @@ namespace ThermoContact
         return "Solver/Step solver = fixed point";
       if (has_prescribed_start)
         return "Time/Start = paper";
-      if (!heat.exchange->is_constant())
-        return "Boundary/Heat exchange depends on the contact";
       return "";
     }
 
@@ -368,7 +365,6 @@ namespace ThermoContact
                               fields,
                               contact,
                               reason_for_factors(parameters,
-                                                 heat,
                                                  scheme,
                                                  is_fixed_point,
                                                  has_prescribed_start)))

@@ -135,14 +135,30 @@ namespace ThermoContact
                                       std::vector<double>        &pressure)
   {
     stage.set_interface(start, factor);
-    std::vector<double> position;
-    stage.get_positions(position);
+    stage.get_positions(positions);
     return solve_by_tangents(*this,
                              laws,
                              stage.receptances(),
                              Tolerances::rounding_of_solution,
-                             position,
+                             positions,
                              pressure);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  IterativeSolver<dim>::law_at(const std::vector<double> &coefficient)
+  {
+    stage.set_exchange(coefficient);
+    n_sets += solve_contact(laws, start, factor, end_pressures);
+    std::vector<double> result;
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      result.push_back(coefficient_of_node(*body.scene.heat.exchange,
+                                           laws[i],
+                                           laws[i].position(positions[i]),
+                                           end_pressures[i]));
+    return result;
   }
 
 
@@ -242,10 +258,18 @@ namespace ThermoContact
       rates.pressure = known.contact_pressure;
     stage.prepare(
       known, tau, heat_load, momentum_load, rates.pressure, has_heat);
-    const double factor =
-      get_stage_laws(body, known, tau, mode, rates.held_at, laws, start);
-    const unsigned int n_sets =
-      solve_contact(laws, start, factor, rates.pressure);
+    factor = get_stage_laws(body, known, tau, mode, rates.held_at, laws, start);
+    n_sets = 0;
+    if (body.scene.heat.exchange->is_constant())
+      n_sets = solve_contact(laws, start, factor, rates.pressure);
+    else
+      {
+        end_pressures = rates.pressure;
+        solve_by_secants(*this,
+                         body.scene.linear_solver.tolerance,
+                         rates.exchange_coefficient);
+        rates.pressure = end_pressures;
+      }
     if (body.law().is_active() && mode != ContactMode::open)
       {
         rates.n_iterations = n_sets;

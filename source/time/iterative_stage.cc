@@ -76,6 +76,11 @@ namespace ThermoContact
             equations.subtract_heating(x_u, y_theta);
             y_theta *= -tau;
           }
+        if (!conductance.empty())
+          for (const auto &[node, entry] :
+               body.contact_end().entries(Field::temperature))
+            y_theta.local_element(entry) +=
+              conductance[node] * x_theta.local_element(entry);
         equations.zero_constrained(Field::temperature, y_theta);
       }
     else
@@ -134,6 +139,36 @@ namespace ThermoContact
       }
     set_weights(known, pressure);
     largest_residual = 0.;
+    conductance.clear();
+    if (has_heat)
+      {
+        body.contact_end().get_values(Field::temperature,
+                                      known.temperature,
+                                      excess_temperature);
+        for (double &value : excess_temperature)
+          value -= body.scene.heat.obstacle_temperature;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::set_exchange(const std::vector<double> &coefficient)
+  {
+    conductance.resize(coefficient.size(), 0.);
+    std::vector<double> change(conductance);
+    for (unsigned int i = 0; i < coefficient.size(); ++i)
+      {
+        conductance[i] =
+          tau * body.contact_end().nodes()[i].weight * coefficient[i];
+        change[i] -= conductance[i];
+      }
+    for (const auto &[node, entry] :
+         body.contact_end().entries(Field::temperature))
+      rhs.block(Field::temperature).local_element(entry) +=
+        change[node] * excess_temperature[node];
+    has_residual = false;
   }
 
 
@@ -186,8 +221,10 @@ namespace ThermoContact
   {
     laws = new_laws;
     for (unsigned int i = 0; i < laws.size(); ++i)
-      springs[i] = factor * tau * body.contact_end().nodes()[i].weight /
-                   laws[i].compliance;
+      springs[i] = laws[i].compliance == 0. ?
+                     std::numeric_limits<double>::infinity() :
+                     factor * tau * body.contact_end().nodes()[i].weight /
+                       laws[i].compliance;
     hierarchies.set_contact(springs);
     Vector &v = solution.block(Field::displacement);
     for (const auto &[node, entry] :
@@ -205,8 +242,8 @@ namespace ThermoContact
   bool
   IterativeStage<dim>::has_contact() const
   {
-    return std::any_of(springs.begin(), springs.end(), [](const double spring) {
-      return spring > 0.;
+    return !std::all_of(laws.begin(), laws.end(), [](const AffineLaw &law) {
+      return law.is_open();
     });
   }
 
@@ -239,7 +276,7 @@ namespace ThermoContact
          body.contact_end().entries(Field::displacement))
       if (is_held(node))
         r.local_element(entry) = 0.;
-      else if (springs[node] > 0.)
+      else if (springs[node] != 0.)
         {
           // what the spring does beside the body
           r.local_element(entry) -= spring_force(node, v.local_element(entry));
@@ -320,7 +357,7 @@ namespace ThermoContact
     const ContactEnd<dim> &end = body.contact_end();
     if (!has_contact())
       {
-        pressure.assign(springs.size(), 0.);
+        pressure.assign(laws.size(), 0.);
         return;
       }
     compute_residual();
@@ -342,7 +379,7 @@ namespace ThermoContact
     end.get_values(Field::displacement, forces, pressure);
     for (unsigned int i = 0; i < pressure.size(); ++i)
       pressure[i] =
-        springs[i] > 0. ? pressure[i] / (tau * end.nodes()[i].weight) : 0.;
+        laws[i].is_open() ? 0. : pressure[i] / (tau * end.nodes()[i].weight);
   }
 
 

@@ -314,9 +314,6 @@ SCENES = [
     ("Time/Start", EULER + EXCHANGE, "Time/Start=paper", "Time/Start=automatic",
      ("Time/Start=paper", "Boundary/Heat exchange=1")),
     ("Solver/Step solver", ITERATION, EXCHANGE[0], "Boundary/Heat exchange=1+1"),
-    ("Solver/Linear solver", PLANE + ("Solver/Linear solver=iterative",),
-     EXCHANGE[0], "Boundary/Heat exchange=1+1",
-     (EXCHANGE[0], "Solver/Linear solver=direct")),
 
     # probes: in the body, edges included
     ("Output/Probes", (), "Output/Probes=1.0000001", "Output/Probes=1"),

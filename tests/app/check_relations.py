@@ -135,8 +135,7 @@ def body(entries):
 
 
 def iterative(scene):
-    if scene["Dimension"] == "1" or "Boundary/Lateral heat exchange" in scene or \
-            "pressure" in scene.get("Boundary/Heat exchange", ""):
+    if scene["Dimension"] == "1":
         return None
     return scene | {"Solver/Linear solver": "iterative",
                     "Solver/Linear tolerance": "1e-10"}, {}

@@ -3,6 +3,7 @@
 #ifndef thermocontact_time_iterative_solver_h
 #define thermocontact_time_iterative_solver_h
 
+#include <thermocontact/contact/exchange_solver.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/iterative_stage.h>
 #include <thermocontact/time/stage_solver.h>
@@ -19,7 +20,9 @@ namespace ThermoContact
    * solves it, loosely until they repeat themselves.
    */
   template <int dim>
-  class IterativeSolver : public StageSolver, private InterfaceOperator
+  class IterativeSolver : public StageSolver,
+                          private InterfaceOperator,
+                          private ExchangeOperator
   {
   public:
     /** @param body borrowed; it has no matrices */
@@ -70,8 +73,12 @@ namespace ThermoContact
   private:
     const Body<dim>    &body;
     IterativeStage<dim> stage;
-    std::vector<NodeLaw> laws;  ///< of a stage
-    std::vector<double>  start; ///< its x without velocity
+    std::vector<NodeLaw> laws;          ///< of a stage
+    std::vector<double>  start;         ///< its x without velocity
+    double               factor = 0.;   ///< of IterativeStage::set_interface()
+    std::vector<double>  positions;     ///< x at its end
+    std::vector<double>  end_pressures; ///< of the exchange that is tried last
+    unsigned int         n_sets = 0;    ///< of tangents for it
     bool                has_factors = false; ///< multigrid has not converged
     double              rounding    = 0.;    ///< the largest told
 
@@ -102,6 +109,9 @@ namespace ThermoContact
           const bool                    is_last,
           std::vector<double>          &position,
           std::vector<double>          &pressure) override;
+
+    std::vector<double>
+    law_at(const std::vector<double> &coefficient) override;
 
     void
     count(const unsigned int n_iterations);

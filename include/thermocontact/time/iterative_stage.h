@@ -66,6 +66,13 @@ namespace ThermoContact
     prepare_pressures();
 
     /**
+     * Heat leaves through the contact nodes with these $k_i$ beside that of the
+     * matrices, (C5.2). None does until it is called.
+     */
+    void
+    set_exchange(const std::vector<double> &coefficient);
+
+    /**
      * What the laws of the contact nodes are relations of:
      * $x=x_{start}+f\,v$. All are open until set_laws().
      */
@@ -169,6 +176,8 @@ namespace ThermoContact
     std::vector<double>    start;                ///< x with $v=0$
     std::vector<AffineLaw> laws;                 ///< of the contact nodes
     std::vector<double>    springs;              ///< of rows of (D2.2)
+    std::vector<double>    conductance;          ///< $\tau wk$; empty: none
+    std::vector<double>    excess_temperature;   ///< of nodes at the beginning
     BlockVector            rhs;                  ///< without contact
     BlockVector            solution;             ///< $(\tau\theta',v)$
     BlockVector            residual;             ///< without contact
