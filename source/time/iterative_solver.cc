@@ -218,7 +218,8 @@ namespace ThermoContact
     for (unsigned int i = 0; i < laws.size(); ++i)
       {
         if (is_closed[i])
-          laws[i] = NodeLaw(body.law()).tangent_of_pressure(pressure[i]);
+          laws[i].compliance =
+            NodeLaw(body.law()).tangent_of_pressure(pressure[i]).compliance;
         displacement[i] *= -1.;
       }
     stage.set_interface(displacement, stage.length());

@@ -202,7 +202,9 @@ namespace ThermoContact
   std::vector<double>
   IterativeStage<dim>::receptances() const
   {
-    std::vector<double> receptance;
+    std::vector<double> receptance(springs.size(), 1.);
+    if (!body.scene.fields.has_displacement)
+      return receptance; // nothing pushes
     body.contact_end().get_values(
       Field::displacement,
       hierarchies.current().diagonals[Field::displacement],
