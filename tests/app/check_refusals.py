@@ -63,8 +63,7 @@ SCENES = [
     ("Contact/Compliance", POWER, "Contact/Compliance=0", "Contact/Compliance=1e-13"),
     *[(entry, scene, POWER[0], "Contact/Condition=normal compliance",
        POWER + ("Contact/Exponent=1",)) for entry, scene in (
-           ("Time/Scheme", CONSERVING), ("Solver/Step solver", ITERATION),
-           ("Solver/Linear solver", ITERATIVE))],
+           ("Time/Scheme", CONSERVING), ("Solver/Step solver", ITERATION))],
     # damping: its sign, and what needs an obstacle that stores all
     ("Contact/Damping", (), "Contact/Damping=-1e-9", "Contact/Damping=0",
      "Contact/Damping=1e3"),
@@ -75,8 +74,6 @@ SCENES = [
      "Model/Viscosity=0", "Model/Viscosity=1e-3",
      ("Model/Viscosity=0", "Contact/Damping=0"),
      ("Model/Viscosity=0", "Contact/Massless nodes=automatic")),
-    ("Solver/Linear solver", ITERATIVE, "Contact/Damping=0.5", "Contact/Damping=0",
-     ("Contact/Damping=0.5", "Solver/Linear solver=direct")),
     # an obstacle whose temperature varies
     ("Boundary/Obstacle temperature", (), "Boundary/Obstacle temperature=5*sin(t",
      "Boundary/Obstacle temperature=5*sin(t)", "Boundary/Obstacle temperature=-5"),
@@ -90,8 +87,6 @@ SCENES = [
      "Boundary/Lateral heat exchange=0", "Boundary/Lateral heat exchange=1e-3"),
     ("Boundary/Ambient temperature", LOSS, "Boundary/Ambient temperature=sin(t)",
      "Boundary/Ambient temperature=-300"),
-    ("Solver/Linear solver", ITERATIVE, LOSS, "Boundary/Lateral heat exchange=0",
-     LOSS + ("Solver/Linear solver=automatic",)),
     ("Output/Period", (), "Output/Period=-1", "Output/Period=0", "Output/Period=0.3"),
     # a fixed end that is heated or moved
     ("Boundary/Fixed end temperature", (), "Boundary/Fixed end temperature=5*sin(t",
@@ -268,7 +263,8 @@ SCENES = [
      ("Dimension=1", "Solver/Linear solver=automatic"),
      ("Dimension=1", "Solver/Linear solver=direct")),
     ("Solver/Linear solver", ITERATIVE + FIXED, "Time/Scheme=energy conserving",
-     "Time/Scheme=sdirk2",
+     "Time/Scheme=sdirk2", POWER + LOSS + EXCHANGE + ("Contact/Damping=0.5",),
+     RIGID + ("Contact/Massless nodes=off",),
      ("Time/Scheme=energy conserving", "Solver/Linear solver=automatic")),
     ("Solver/Linear solver", ITERATIVE + EULER + ("Time/Start=consistent",),
      "Solver/Step solver=fixed point", "Solver/Step solver=monolithic",
