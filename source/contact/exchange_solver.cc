@@ -231,7 +231,8 @@ namespace ThermoContact
           k   = trial;
           law = law_there;
         }
-      return defect(k, law) <= std::max(tolerance, Tolerances::rounding_of_data);
+      return defect(k, law) <=
+             std::max(tolerance, Tolerances::rounding_of_data);
     }
 
 

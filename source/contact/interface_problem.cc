@@ -318,12 +318,12 @@ namespace ThermoContact
           continue;
         is_last = is_last && law.is_held;
         if (law.is_held || pressure[i] != 0.)
-          tangents[i] =
-            law.is_in_velocity ?
-              law.resolve(position[i] + receptance[i] * pressure[i],
-                          receptance[i])
-                .tangent :
-              law.tangent_of_pressure(pressure[i]);
+          tangents[i] = law.is_in_velocity ?
+                          law
+                            .resolve(position[i] + receptance[i] * pressure[i],
+                                     receptance[i])
+                            .tangent :
+                          law.tangent_of_pressure(pressure[i]);
       }
 
     const unsigned int max_sets = max_sets_of_many_changes + 200 + 2 * n;

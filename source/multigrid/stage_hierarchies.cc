@@ -93,8 +93,9 @@ namespace ThermoContact
       values         = space.make_vector(Field::displacement);
       for (const auto &[node, entry] :
            space.contact_end().entries(Field::displacement))
-        values.local_element(entry) =
-          !are_rigid ? springs[node] : std::isinf(springs[node]) ? 1. : 0.;
+        values.local_element(entry) = !are_rigid ? springs[node] :
+                                      std::isinf(springs[node]) ? 1. :
+                                                                  0.;
       return rows;
     }
   } // namespace

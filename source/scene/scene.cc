@@ -251,10 +251,10 @@ namespace ThermoContact
 
     /** LinearSolver::needs_factors. */
     std::string
-    reason_for_factors(const Parameters   &parameters,
-                       const Scheme       &scheme,
-                       const bool          is_fixed_point,
-                       const bool          has_prescribed_start)
+    reason_for_factors(const Parameters &parameters,
+                       const Scheme     &scheme,
+                       const bool        is_fixed_point,
+                       const bool        has_prescribed_start)
     {
       if (parameters.dimension == 1)
         return "Dimension = 1";

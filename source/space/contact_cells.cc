@@ -49,10 +49,12 @@ namespace ThermoContact
           for (const unsigned int q : values.quadrature_point_indices())
             matrix(i, j) +=
               factor *
-              values.shape_value(
-                fe.component_to_system_index(component, nodes[i]), q) *
-              values.shape_value(
-                fe.component_to_system_index(component, nodes[j]), q) *
+              values.shape_value(fe.component_to_system_index(component,
+                                                              nodes[i]),
+                                 q) *
+              values.shape_value(fe.component_to_system_index(component,
+                                                              nodes[j]),
+                                 q) *
               space.geometry().weight(values, q);
       return matrix;
     }
@@ -64,9 +66,9 @@ namespace ThermoContact
   ContactCells<dim>::ContactCells(const Scene               &scene,
                                   const Discretization<dim> &discretization)
   {
-    const MatrixFree<dim>    &cells  = discretization.matrix_free().cells();
-    const unsigned int        degree = discretization.degree();
-    const FiniteElement<dim> &fe     = discretization.finite_element();
+    const MatrixFree<dim>     &cells  = discretization.matrix_free().cells();
+    const unsigned int         degree = discretization.degree();
+    const FiniteElement<dim>  &fe     = discretization.finite_element();
     const LateralExchange<dim> lateral(scene, discretization);
     const UpdateFlags          flags =
       update_values | update_quadrature_points | update_JxW_values;
@@ -81,7 +83,7 @@ namespace ThermoContact
       flags);
     const std::vector<unsigned int> lexicographic =
       FETools::hierarchic_to_lexicographic_numbering<dim>(degree);
-    const auto matrix_of = [&](const unsigned int         lane,
+    const auto matrix_of = [&](const unsigned int          lane,
                                std::vector<unsigned int> &&nodes,
                                const Field::Block          field,
                                const FEValuesBase<dim>    &values,

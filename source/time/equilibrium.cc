@@ -198,7 +198,7 @@ namespace ThermoContact
         rest *= -1.;
         if (forces != nullptr)
           rest += *forces;
-        y = held;
+        y    = held;
         free = 0.;
         Vector rhs(rest);
         zero_given(rhs);

@@ -182,10 +182,10 @@ namespace ThermoContact
       {
         new_position[i] =
           is_held(i) ? laws[i].offset : (*position)[i] + change[i];
-        pressure[i] = laws[i].is_open() ?
-                        0. :
-                        ((*load)[i] - force[i]) /
-                          body.contact_end().nodes()[i].weight;
+        pressure[i] =
+          laws[i].is_open() ?
+            0. :
+            ((*load)[i] - force[i]) / body.contact_end().nodes()[i].weight;
       }
   }
 

@@ -194,9 +194,9 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeSolver<dim>::keep_contact(const std::vector<bool> &is_closed,
+  IterativeSolver<dim>::keep_contact(const std::vector<bool>   &is_closed,
                                      const std::vector<double> &pressure,
-                                     State &difference)
+                                     State                     &difference)
   {
     std::vector<double> displacement;
     body.contact_end().get_values(Field::displacement,
@@ -300,9 +300,9 @@ namespace ThermoContact
     const StopWatch watch(counters_.solve_seconds);
     const State     at_rest = body.discretization.make_state();
     const Vector no_heat = body.discretization.make_vector(Field::temperature);
-    const unsigned int n_made = stage.preconditioners().n_made();
-    const bool         is_free = laws.empty();
-    std::vector<double> none(at_rest.contact_pressure.size(), 0.);
+    const unsigned int   n_made  = stage.preconditioners().n_made();
+    const bool           is_free = laws.empty();
+    std::vector<double>  none(at_rest.contact_pressure.size(), 0.);
     std::vector<double> &found = is_free ? none : pressure;
     found.resize(none.size(), 0.);
     stage.prepare(at_rest, 1., no_heat, forces, found, false);

@@ -119,8 +119,8 @@ namespace ThermoContact
                                const bool                 with_heat)
   {
     hierarchies.provide(stage_length);
-    tau      = stage_length;
-    has_heat = with_heat && body.scene.fields.has_temperature;
+    tau              = stage_length;
+    has_heat         = with_heat && body.scene.fields.has_temperature;
     Vector &heat     = rhs.block(Field::temperature);
     Vector &momentum = rhs.block(Field::displacement);
     body.equations.stage_rhs(

@@ -394,10 +394,9 @@ namespace ThermoContact
     std::vector<double>       slope(is_closed.size(), 0.);
     for (unsigned int i = 0; i < slope.size(); ++i)
       if (is_closed[i])
-        slope[i] =
-          NodeLaw(body.law())
-            .tangent_of_pressure(pressure[i])
-            .slope(receptance(i, i));
+        slope[i] = NodeLaw(body.law())
+                     .tangent_of_pressure(pressure[i])
+                     .slope(receptance(i, i));
     const std::vector<double> change =
       change_of_pressure(receptance, slope, displacement);
 
@@ -491,10 +490,9 @@ namespace ThermoContact
     std::vector<double>       slope(n, 0.), misfit;
     for (unsigned int i = 0; i < n; ++i)
       if (laws[i].is_held || rates.pressure[i] != 0.)
-        slope[i] =
-          laws[i]
-            .tangent_of_pressure(rates.pressure[i])
-            .slope(receptance(i, i));
+        slope[i] = laws[i]
+                     .tangent_of_pressure(rates.pressure[i])
+                     .slope(receptance(i, i));
 
     for (unsigned int k = 0; k < max_refinements; ++k)
       {

@@ -36,7 +36,8 @@
 // 4. Slopes: P' of each law is the difference quotient of P, to 1e-5.
 // 5. 300 random problems of 3 by tangents, where a body only knows linear
 //    systems, c = 1, eps/r from 1e-4: r p as in 3, to 1e-7 of the largest r p
-//    or x_free, and no more than 20 systems. Linear laws of which all are held: one system.
+//    or x_free, and no more than 20 systems. Linear laws of which all are held:
+//    one system.
 
 #include <thermocontact/contact/contact_law.h>
 #include <thermocontact/contact/interface_problem.h>
@@ -420,10 +421,10 @@ namespace
           solve_by_tangents(body, problem.laws, r, 1e-10, x, q);
         unsigned int &sets = is_held ? of_held : most;
         sets               = std::max(sets, n_sets);
-        double largest = 0.;
+        double largest     = 0.;
         for (unsigned int i = 0; i < p.size(); ++i)
-          largest =
-            std::max({largest, std::abs(r[i] * p[i]), std::abs(problem.free[i])});
+          largest = std::max(
+            {largest, std::abs(r[i] * p[i]), std::abs(problem.free[i])});
         for (unsigned int i = 0; i < p.size(); ++i)
           raise(worst, r[i] * std::abs(p[i] - q[i]) / largest);
       }

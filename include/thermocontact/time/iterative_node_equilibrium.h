@@ -51,16 +51,16 @@ namespace ThermoContact
     const Body<dim>                     &body;
     const double                         factor;
     const bool                           takes_heat;
-    std::vector<AffineLaw>               tangents; ///< of all nodes
+    std::vector<AffineLaw>               tangents;  ///< of all nodes
     std::vector<double>                  diagonal;  ///< of K
     std::unique_ptr<const HeatMass<dim>> heat_mass; ///< if it takes heat
     mutable Vector                       values;
     mutable Vector                       forces;
 
     // of the problem that is solved
-    const std::vector<double>  *load     = nullptr;
-    const std::vector<double>  *position = nullptr;
-    std::vector<double>         change;
+    const std::vector<double> *load     = nullptr;
+    const std::vector<double> *position = nullptr;
+    std::vector<double>        change;
 
     void
     solve(const std::vector<AffineLaw> &laws,

@@ -71,16 +71,16 @@ namespace ThermoContact
     restore(const RetainedFactorizations &retained) override;
 
   private:
-    const Body<dim>    &body;
-    IterativeStage<dim> stage;
+    const Body<dim>     &body;
+    IterativeStage<dim>  stage;
     std::vector<NodeLaw> laws;          ///< of a stage
     std::vector<double>  start;         ///< its x without velocity
     double               factor = 0.;   ///< of IterativeStage::set_interface()
     std::vector<double>  positions;     ///< x at its end
     std::vector<double>  end_pressures; ///< of the exchange that is tried last
-    unsigned int         n_sets = 0;    ///< of tangents for it
-    bool                has_factors = false; ///< multigrid has not converged
-    double              rounding    = 0.;    ///< the largest told
+    unsigned int         n_sets      = 0;     ///< of tangents for it
+    bool                 has_factors = false; ///< multigrid has not converged
+    double               rounding    = 0.;    ///< the largest told
 
     /** Of factors, and of residuals that rounding holds above the tolerance. */
     void
