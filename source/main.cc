@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/collective_errors.h>
+#include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/interruption.h>
 #include <thermocontact/base/log.h>
@@ -83,7 +83,7 @@ namespace ThermoContact
             fault = error.what();
           }
       throw_everywhere<InputError>(fault, MPI_COMM_WORLD);
-      assignments = Utilities::MPI::broadcast(MPI_COMM_WORLD, assignments);
+      assignments = broadcast(MPI_COMM_WORLD, assignments);
       assignments.insert(assignments.end(),
                          command.overrides.begin(),
                          command.overrides.end());

@@ -25,13 +25,8 @@
 using dealii::deallog;
 
 /** Sends deallog into the file that the test harness compares. */
-inline void
-initlog()
-{
-  static std::ofstream file("output");
-  deallog.attach(file, false);
-  deallog.depth_console(0);
-}
+void
+initlog();
 
 
 
@@ -52,20 +47,8 @@ raise(double &largest, const double value)
  * of a number below 1e-6, which is rounding, and larger ones are errors of the
  * method, whose first digit is the same on every machine.
  */
-inline std::string
-within(const double value, const double bound)
-{
-  std::ostringstream digits, text;
-  digits << std::scientific << std::setprecision(12) << value;
-  const std::string all      = digits.str();
-  const auto        exponent = all.find('e');
-  if (exponent == std::string::npos) // not finite
-    text << all;
-  else
-    text << std::stod(all.substr(0, all.find('.')) + all.substr(exponent));
-  text << (value <= bound ? " <= " : " > ") << bound;
-  return text.str();
-}
+std::string
+within(const double value, const double bound);
 
 
 
@@ -99,39 +82,14 @@ all_columns(const ThermoContact::StepRecord &r)
  * The parameters of a published file, e.g. "paper/experiment-1.prm", with
  * overrides 'Section/Entry=value' and all checks that the program makes.
  */
-inline ThermoContact::Parameters
+ThermoContact::Parameters
 read_parameters(const std::string              &name,
-                const std::vector<std::string> &overrides = {})
-{
-  ThermoContact::Parameters parameters;
-  dealii::ParameterHandler  prm;
-  parameters.add_parameters(prm);
-  std::vector<ThermoContact::Assignment> assignments;
-  if (!name.empty())
-    {
-      std::istringstream text(
-        ThermoContact::read_text(std::string(PRM_DIR) + "/" + name));
-      assignments = ThermoContact::read_assignments(text, name);
-    }
-  for (const std::string &text : overrides)
-    assignments.push_back(ThermoContact::parse_override(text));
-  // together: the variables of one follow from others
-  ThermoContact::assign_entries(assignments, prm);
-  check_unused_entries(parameters, prm);
-  check_scene(parameters);
-  return parameters;
-}
+                const std::vector<std::string> &overrides = {});
 
 
 
 /** The law of an obstacle: rigid if @p compliance is 0. */
-inline std::unique_ptr<const ThermoContact::ContactLaw>
-make_law(const double compliance)
-{
-  auto parameters             = ThermoContact::default_law_parameters();
-  parameters.at("Compliance") = compliance;
-  return compliance == 0. ? ThermoContact::rigid_obstacle().make(parameters) :
-                            ThermoContact::normal_compliance().make(parameters);
-}
+std::unique_ptr<const ThermoContact::ContactLaw>
+make_law(const double compliance);
 
 #endif

@@ -238,6 +238,17 @@ namespace ThermoContact
 
 
 
+  Parameters::Parameters()                   = default;
+  Parameters::Parameters(const Parameters &) = default;
+  Parameters::Parameters(Parameters &&)      = default;
+  Parameters &
+  Parameters::operator=(const Parameters &) = default;
+  Parameters &
+  Parameters::operator=(Parameters &&) = default;
+  Parameters::~Parameters()            = default;
+
+
+
   ExpressionNames
   Parameters::names(const std::string &path) const
   {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/collective.h>
 #include <thermocontact/multigrid/coarse_solver.h>
 
 #include <deal.II/base/mpi.h>
@@ -90,7 +91,7 @@ namespace ThermoContact
         const std::vector<types::global_dof_index> own = local_rows(rows.held);
         std::vector<types::global_dof_index>       all;
         for (const auto &of_rank :
-             Utilities::MPI::all_gather(matrix.get_mpi_communicator(), own))
+             all_gather(matrix.get_mpi_communicator(), own))
           all.insert(all.end(), of_rank.begin(), of_rank.end());
         std::sort(all.begin(), all.end());
         for (const types::global_dof_index row :

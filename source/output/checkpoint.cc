@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/atomic_file.h>
-#include <thermocontact/base/collective_errors.h>
+#include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/parallel_file.h>
 #include <thermocontact/base/text.h>
@@ -255,7 +255,7 @@ namespace ThermoContact
   {
     const std::string      next = directory + "/checkpoint.next.bin";
     std::vector<PartPlace> parts =
-      Utilities::MPI::gather(communicator, describe(checkpoint.nodes));
+      all_gather(communicator, describe(checkpoint.nodes));
     std::string before; // the parts of the ranks
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
@@ -286,8 +286,7 @@ namespace ThermoContact
     for (const char *name : {newest_name, previous_name})
       {
         const std::string path = directory + name;
-        if (!Utilities::MPI::broadcast(communicator,
-                                       access(path.c_str(), F_OK) == 0))
+        if (!broadcast(communicator, access(path.c_str(), F_OK) == 0))
           continue;
         Checkpoint  checkpoint;
         std::string fault;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/collective_errors.h>
+#include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/multiples.h>
 #include <thermocontact/output/output.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/atomic_file.h>
-#include <thermocontact/base/collective_errors.h>
+#include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/output/output_units.h>
@@ -22,13 +22,13 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Largest memory so far of each rank in MB; on rank 0. */
+    /** Largest memory so far of each rank in MB. */
     std::vector<double>
     peak_memory_per_rank(const MPI_Comm communicator)
     {
       Utilities::System::MemoryStats memory;
       Utilities::System::get_memory_stats(memory);
-      return Utilities::MPI::gather(communicator, memory.VmHWM / 1024.);
+      return all_gather(communicator, memory.VmHWM / 1024.);
     }
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/collective_errors.h>
+#include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/text.h>
@@ -65,6 +65,11 @@ namespace ThermoContact
                              warnings.begin(),
                              warnings.end());
   }
+
+
+
+  template <int dim>
+  Simulation<dim>::~Simulation() = default;
 
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
@@ -165,7 +166,7 @@ namespace ThermoContact
   {
     std::map<Dofs, ContactNode<dim>> nodes;
     for (const auto &of_rank :
-         Utilities::MPI::all_gather(communicator, local_shares(discretization)))
+         all_gather(communicator, local_shares(discretization)))
       for (const auto &[dofs, weight, position] : of_rank)
         {
           ContactNode<dim> &node =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/collective.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/energy.h>
 #include <thermocontact/space/steady_profile.h>
@@ -111,12 +112,12 @@ namespace ThermoContact
     if (Utilities::MPI::n_mpi_processes(communicator) == 1)
       return terms;
     const std::vector<double> values =
-      Utilities::MPI::broadcast(communicator,
-                                std::vector<double>{terms.thermal,
-                                                    terms.kinetic,
-                                                    terms.elastic,
-                                                    terms.obstacle,
-                                                    terms.coupling});
+      broadcast(communicator,
+                std::vector<double>{terms.thermal,
+                                    terms.kinetic,
+                                    terms.elastic,
+                                    terms.obstacle,
+                                    terms.coupling});
     return {values[0], values[1], values[2], values[3], values[4]};
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/collective.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/point_values.h>
 
@@ -30,7 +31,7 @@ namespace ThermoContact
           intervals.emplace_back(box.lower_bound(0), box.upper_bound(0));
     std::vector<std::pair<double, double>> all;
     for (const auto &of_rank :
-         Utilities::MPI::all_gather(discretization.communicator(), intervals))
+         all_gather(discretization.communicator(), intervals))
       all.insert(all.end(), of_rank.begin(), of_rank.end());
     std::sort(all.begin(), all.end());
 
@@ -65,8 +66,7 @@ namespace ThermoContact
     , axial_values(places.size())
   {
     const auto all_shares =
-      Utilities::MPI::all_gather(discretization.communicator(),
-                                 local_shares(places));
+      all_gather(discretization.communicator(), local_shares(places));
 
     // a share of form n_forms counts the cells of a place
     std::vector<double> n_cells(n_places, 0.);

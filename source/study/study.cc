@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/collective_errors.h>
+#include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/study/study.h>
@@ -79,7 +79,7 @@ namespace ThermoContact
           }
         catch (const Interruption &)
           {} // all ranks ask for signals next
-      result = Utilities::MPI::broadcast(communicator, result, last);
+      result = broadcast(communicator, result, last);
       if (!result.first.empty())
         throw ComputationError("Study/Reference: the run failed: " +
                                result.first);
@@ -171,13 +171,12 @@ namespace ThermoContact
     if (!fault.empty())
       throw ComputationError(fault);
     if (signal != 0)
-      throw Interruption(
-        text(name_of_signal(signal),
-             ": ",
-             Utilities::MPI::broadcast(communicator, table.size()),
-             " of ",
-             plan.n_runs(),
-             " runs have ended and have their rows"));
+      throw Interruption(text(name_of_signal(signal),
+                              ": ",
+                              broadcast(communicator, table.size()),
+                              " of ",
+                              plan.n_runs(),
+                              " runs have ended and have their rows"));
     throw_everywhere<ComputationError>(rank == 0 ? table.sort() : "",
                                        communicator);
   }

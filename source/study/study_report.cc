@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/atomic_file.h>
-#include <thermocontact/base/collective_errors.h>
+#include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/study/study_report.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/atomic_file.h>
+#include <thermocontact/base/collective.h>
 #include <thermocontact/base/csv_columns.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/input/si_scene.h>
@@ -225,7 +226,7 @@ namespace ThermoContact
     for (unsigned int run = 0; run < plan_.n_runs(); ++run)
       if (!has(run))
         runs.push_back(run);
-    return Utilities::MPI::broadcast(MPI_COMM_WORLD, runs);
+    return broadcast(MPI_COMM_WORLD, runs);
   }
 
 

@@ -1,11 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""steps.csv of a run that fails at the smallest size of its steps, 1e-3."""
+"""steps.csv of a run that fails at the smallest size of its steps, 1e-3, alone or as the
+second one of a study."""
 import sys
+from pathlib import Path
 
 from run_files import Run
 
-run = Run(sys.argv[1])
+directory = Path(sys.argv[1])
+kept = directory / "run-1"
+run = Run(kept if kept.exists() else directory)
 steps, times = run.steps, run.contact["time"]
 accepted = steps["accepted"] == 1
 last = {name: steps[name][-1] for name in steps.names}

@@ -47,7 +47,7 @@ def expected_lines(run):
         keys = [key for key in keys if key != "contact_force"]
     yield "final", "", [(last[key], SIX, 0) for key in keys]
     if s["predicted_in_contact"] is not None:
-        yield "at rest", "; differs in ", [(s["difference_" + key], TWO, 1e-12)
+        yield "steady", "; differs in ", [(s["difference_" + key], TWO, 1e-12)
                                            for key in keys]
     parts = [last["energy"], last["dissipation"], last["numerical_dissipation"]]
     first, shown = run.contact["energy"][0], parts.copy()

@@ -19,6 +19,7 @@ from pathlib import Path
 import numpy
 
 sys.dont_write_bytecode = True
+import program  # noqa: E402
 from contents import contents, different  # noqa: E402
 from run_files import Run, Settings  # noqa: E402
 
@@ -29,9 +30,10 @@ SAID = "on another number of ranks, {} instead of {}"
 
 def run(ranks, directory, *options):
     """Exit status and screen."""
-    launcher = [] if ranks == 1 else ["mpirun", "--allow-run-as-root", "--oversubscribe",
-                                      "-n", str(ranks)]
-    process = subprocess.run([*launcher, PROGRAM, "--output", str(directory), *options],
+    if ranks == 1:
+        return program.run("--output", directory, *options)[:2]
+    process = subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-n",
+                              str(ranks), PROGRAM, "--output", str(directory), *options],
                              capture_output=True, text=True, check=False)
     return process.returncode, process.stdout
 

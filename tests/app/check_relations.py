@@ -42,7 +42,7 @@ from program import for_all, run, settings  # noqa: E402
 from run_files import Run  # noqa: E402
 from scenes import draw  # noqa: E402
 
-N = int(sys.argv[2]) if len(sys.argv) > 2 else 60
+N = int(sys.argv[2]) if len(sys.argv) > 2 else 40
 FIRST = int(sys.argv[3]) if len(sys.argv) > 3 else 1
 THERMAL = ("Initial values/Temperature", "Boundary/Fixed end temperature",
            "Boundary/Obstacle temperature", "Boundary/Ambient temperature",

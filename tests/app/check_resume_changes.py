@@ -20,24 +20,21 @@ from pathlib import Path
 import meshio
 
 sys.dont_write_bytecode = True
-from program import started_by  # noqa: E402
+import program  # noqa: E402
 
 PROGRAM = os.environ["THERMOCONTACT"]
 TWO_RANKS = ("mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2")
 
 
-def start(directory, *options, program=()):
+def start(directory, *options, launcher=()):
     return subprocess.Popen(
-        [*program, PROGRAM, "--quiet", "--output", str(directory), *options],
+        [*launcher, PROGRAM, "--quiet", "--output", str(directory), *options],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 
 def run(directory, *options):
-    process = subprocess.run(
-        [PROGRAM, "--quiet", "--output", str(directory), *options],
-        capture_output=True, text=True)
-    message = process.stderr[process.stderr.find("thermocontact: "):]
-    return process.returncode, message.replace(str(directory), "DIR")
+    status, _, message = program.run("--quiet", "--output", directory, *options)
+    return status, message.replace(str(directory), "DIR")
 
 
 def contents(directory):
@@ -166,7 +163,7 @@ def short_tables(reference, prm):
             status, message = run(reference, prm, "--resume")
             print(f"{name}: status {status}, files untouched",
                   int(contents(reference) == before), "said", int(
-                      message.startswith(f"thermocontact: DIR/{name}: {what}\n")))
+                      message.startswith(f"DIR/{name}: {what}\n")))
         table.write_bytes(data)
 
 
@@ -176,12 +173,12 @@ def interrupt(prm):
     process = start(directory, prm, "--set", "Time/Step size=1e-4",
                     "--set", "Time/End time=1e3", "--set", "Dimension=2",
                     "--set", "Mesh/Cells=2", "--set", "Mesh/Cells across=1",
-                    "--set", "Output/Probes=1, 0.1", program=TWO_RANKS)
+                    "--set", "Output/Probes=1, 0.1", launcher=TWO_RANKS)
     # from the first checkpoint on signals are waited for
     while not (directory / "checkpoint.bin").exists() and process.poll() is None:
         time.sleep(0.01)
     # not to mpirun: that of Open MPI 5 hands it on, but then nothing of stderr
-    for rank in started_by(process):
+    for rank in program.started_by(process):
         os.kill(rank, signal.SIGTERM)
     message = process.communicate()[1]
     print("SIGTERM on two ranks:", message.partition("resume:  ")[2].partition(

@@ -217,7 +217,7 @@ def named_faults(study):
     if reference_of(study):
         for name in QUANTITIES:
             other = study.copy()
-            other.study["error_" + name][:] = study.study["final_error_" + name]
+            other.study.columns["error_" + name] = study.study["final_error_" + name]
             yield f"maximum of {name} at T", other
 
 

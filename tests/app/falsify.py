@@ -140,6 +140,13 @@ def falsify_keys(run):
         yield "summary.json/new", "a new key", other
 
 
+def falsified(run):
+    """Copies of a run with one fault each, and what it is."""
+    yield from falsify_keys(run)
+    for file in run.tables:
+        yield from falsify_table(run, file)
+
+
 def test_noticing(checks, run, exempt, named_faults=()):
     """Counts of falsifications that were noticed, and names of those that were not.
 
@@ -147,11 +154,8 @@ def test_noticing(checks, run, exempt, named_faults=()):
     and a copy of the run with that fault.
     """
     noticed, missed = 0, []
-    falsified = list(falsify_keys(run))
-    for file in run.tables:
-        falsified += falsify_table(run, file)
-    falsified += [("", name, other) for name, other in named_faults]
-    for name, way, other in falsified:
+    for name, way, other in [*falsified(run), *(
+            ("", name, other) for name, other in named_faults)]:
         if next(checks.faults(other, name), None):
             noticed += 1
         elif (name, way) not in exempt:

@@ -1,13 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Polynomials on the nodes of a cell, for those who read snapshots and contact faces."""
+import functools
+
 import numpy
 from numpy.polynomial import legendre
 
 
-def lobatto_nodes(degree):
-    """Zeros of (1 - s^2) P'_degree, on [0, 1]."""
+@functools.cache
+def equidistant(degree):
+    """Those of a snapshot."""
+    return Element(numpy.linspace(0, 1, degree + 1))
+
+
+@functools.cache
+def lobatto(degree):
+    """Those of the mesh: zeros of (1 - s^2) P'_degree, on [0, 1]."""
     inner = legendre.legroots(legendre.legder([0] * degree + [1]))
-    return numpy.concatenate([[0], (1 + numpy.sort(inner)) / 2, [1]])
+    return Element(numpy.concatenate([[0], (1 + numpy.sort(inner)) / 2, [1]]))
 
 
 class Element:

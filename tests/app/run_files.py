@@ -8,7 +8,6 @@ import re
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
-import meshio
 import numpy
 
 FUNCTIONS = {"abs": numpy.abs, "if_": numpy.where, "min": numpy.minimum, "max": numpy.maximum} | {
@@ -37,11 +36,23 @@ class Table:
     def __len__(self):
         return len(self.columns[self.names[0]])
 
+    def copy(self):
+        """A table whose columns can be replaced."""
+        other = copy.copy(self)
+        other.names, other.columns = list(self.names), dict(self.columns)
+        return other
+
     def keep(self, mask):
         """Leaves out the rows for which mask is false."""
         for name, values in self.columns.items():
             self.columns[name] = (values[mask] if isinstance(values, numpy.ndarray) else
                                   [value for value, kept in zip(values, mask) if kept])
+
+
+def read_mesh(path):
+    """A file of VTK; half a second of loading for those that read one."""
+    import meshio
+    return meshio.read(path)
 
 
 def compiled(expression):
@@ -99,10 +110,10 @@ class Run:
         self.log = log.read_text(encoding="utf-8") if log.exists() else ""
 
     def copy(self):
-        """A run whose tables and summary can be falsified."""
+        """A run whose columns and keys can be replaced."""
         other = copy.copy(self)
-        other.tables = copy.deepcopy(self.tables)
-        other.summary = copy.deepcopy(self.summary)
+        other.tables = {name: table.copy() for name, table in self.tables.items()}
+        other.summary = dict(self.summary) if self.summary else self.summary
         return other
 
     def __getattr__(self, name):
@@ -126,7 +137,7 @@ class Run:
             index = self.directory / name
             self.read_snapshots[name] = [
                 (float(entry.get("timestep")),
-                 meshio.read(self.directory / entry.get("file")))
+                 read_mesh(self.directory / entry.get("file")))
                 for entry in xml.parse(index).findall(".//DataSet")
             ] if index.exists() else []
         return self.read_snapshots[name]
@@ -135,7 +146,7 @@ class Run:
         """The mesh of the space-time file, or None"""
         path = self.directory / "space-time.vtu"
         if self.read_space_time is None and path.exists():
-            self.read_space_time = meshio.read(path)
+            self.read_space_time = read_mesh(path)
         return self.read_space_time
 
 

@@ -78,5 +78,9 @@ def draw_motion(r, s, heat):
         s["Sources/Body force"] = "0.5*x*cos(2*t)"
     if r.random() < 0.2:
         s["Boundary/Fixed end displacement"] = "0.03*(1-cos(5*t))"
+    if not heat and s["Model/Inertia"] != "0" and s.get("Time/Scheme", "").startswith(
+            "sdirk") and s["Contact/Condition"] in ("normal compliance", "rigid") and not {
+                "Contact/Damping", "Boundary/Fixed end displacement"} & set(s):
+        s["Time/Scheme"] = "energy conserving"
     if s["Dimension"] != "1" and s.get("Contact/Gap") == "0.1" and "Contact/Rear gap" not in s:
         s["Contact/Gap"] = "0.05+0.5*(y-0.03)^2"

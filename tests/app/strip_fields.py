@@ -5,7 +5,7 @@ A snapshot has (p + 1)^2 equidistant points for each cell, which hold a field of
 """
 import numpy
 
-from polynomials import Element, lobatto_nodes
+from polynomials import equidistant, lobatto
 
 
 class Snapshot:
@@ -13,7 +13,7 @@ class Snapshot:
 
     def __init__(self, time, mesh, degree):
         self.time, q = time, degree + 1
-        self.element = Element(numpy.linspace(0, 1, q))
+        self.element = equidistant(degree)
         points = mesh.points.reshape(-1, q, q, mesh.points.shape[1]).astype(float)
         assert (numpy.diff(points[..., 0], axis=2) > 0).all(), "x is not the fastest"
         assert (numpy.diff(points[..., 1], axis=1) > 0).all(), "y is not the slowest"
@@ -51,17 +51,17 @@ class Snapshot:
     def at_contact_nodes(self, name):
         """Values at the Gauss-Lobatto nodes of the end x = 1, and weights of sum 1"""
         at_end = numpy.flatnonzero(abs(self.corner[:, 0] + self.size[:, 0] - 1) < 1e-5)
-        lobatto = Element(lobatto_nodes(self.element.n - 1))
-        basis = self.element.values(lobatto.nodes)
+        of_mesh = lobatto(self.element.n - 1)
+        basis = self.element.values(of_mesh.nodes)
         values = [basis @ self.fields[name][cell, :, -1, 0] for cell in at_end]
-        weights = [lobatto.integrals * self.size[cell, 1] for cell in at_end]
+        weights = [of_mesh.integrals * self.size[cell, 1] for cell in at_end]
         weights = numpy.concatenate(weights)
         return numpy.concatenate(values), weights / weights.sum()
 
     def contact_node_heights(self):
         """y of these nodes"""
         at_end = numpy.flatnonzero(abs(self.corner[:, 0] + self.size[:, 0] - 1) < 1e-5)
-        nodes = lobatto_nodes(self.element.n - 1)
+        nodes = lobatto(self.element.n - 1).nodes
         return numpy.concatenate([self.corner[cell, 1] + nodes * self.size[cell, 1]
                                   for cell in at_end])
 

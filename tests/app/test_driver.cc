@@ -176,7 +176,10 @@ namespace
         for (std::string &word : words)
           pointers.push_back(word.data());
         pointers.push_back(nullptr);
-        std::exit(__real_main(words.size(), pointers.data()));
+        const int status = __real_main(words.size(), pointers.data());
+        std::cout.flush();
+        std::fflush(nullptr);
+        _exit(status); // without the destructors of libraries
       }
     int status = 0;
     waitpid(child, &status, 0);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """usage: check_scripts.py SOURCE_DIRECTORY
 
-What scripts/check_links, scripts/build and scripts/run report. The links of a
+What scripts/check_links, scripts/build, scripts/run and scripts/gallery report. The links of a
 small page, one by one, lead somewhere or not, as written beside each; the counts
 in the last line are those of the page. The other two run in a project whose
 cmake, make, mpirun and program are stand-ins that write down their arguments,
@@ -213,6 +213,33 @@ def check_foreign_clone(top):
         folder.chmod(0o755)
 
 
+def check_gallery(top):
+    """The pictures of doc/gallery.md are those that the script makes, of scenes that are there.
+    Stand-ins make the picture that they are told, or all that are shown of a run."""
+    project, page = Project(top), top / "doc/gallery.md"
+    page.parent.mkdir()
+    text = (source / "doc/gallery.md").read_text()
+    shown = sorted(set(re.findall(r"images/gallery/([^)]*)", text)))
+    shutil.copy(source / "scripts/gallery", top / "scripts")
+    (top / "prm").symlink_to(source / "prm")
+    for name, lines in {
+            "plot": 'while [ "$1" != --output ]; do shift; done; touch "$2"',
+            "paraview": 'name=${1##*/}; mkdir -p "$1/paraview"\nfor picture in ' +
+                        " ".join(shown) + '; do\ncase $picture in $name-*) '
+                        'touch "$1/paraview/${picture#$name-}" ;; esac; done',
+            "scene": 'for file; do :; done; test -f "$file"; mkdir -p "$3"'}.items():
+        project.stand_in(top / "scripts" / name)
+        (top / "scripts" / name).write_text(f"#!/bin/sh\nset -e\n{lines}\n")
+    for what, words, status in (
+            ("as it is", text, 0), ("one more", text + "![](images/gallery/x.png)", 1),
+            ("one less", re.sub(r"\S*images/gallery/" + shown[0] + r"\S*", "", text), 1)):
+        page.write_text(words)
+        result, _ = project.run("gallery", THERMOCONTACT=str(top / "scripts/scene"))
+        check(f"gallery, {what}", result.returncode == status and
+              (f"{len(shown)} pictures" if status == 0 else "differ") in
+              result.stdout + result.stderr, result.stderr[-300:])
+
+
 def check_help():
     for script in sorted((source / "scripts").iterdir()):
         if os.access(script, os.X_OK):
@@ -292,5 +319,6 @@ with tempfile.TemporaryDirectory() as scratch:
     check_run(Path(scratch) / "run of")
     check_foreign_clone(Path(scratch) / "foreign")
     check_installed(Path(scratch) / "installed")
+    check_gallery(Path(scratch) / "gallery of")
 check_help()
 sys.exit(1 if n_failed else 0)

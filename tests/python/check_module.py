@@ -210,7 +210,7 @@ def check_fit():
     compliance, slope = 1.5 / ratio - 1, 1.5 / ratio**2
     error = slope * deviation / math.sqrt(exact @ exact)
     chi_square = ((data - ratio * exact)**2).sum() / deviation**2
-    found = thermocontact.fit({"Contact/Compliance": 1},
+    found = thermocontact.fit({"Contact/Compliance": 0.6},
                               {"contact_force": (times, data, deviation)}, entries=scene)
     check("a fit", math.isclose(found.values["Contact/Compliance"], compliance,
                                 rel_tol=1e-5), found)

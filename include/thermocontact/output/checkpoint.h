@@ -19,6 +19,13 @@ namespace ThermoContact
     std::uint64_t begin    = 0;
     std::uint64_t size     = 0;
     std::uint32_t checksum = 0;
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &begin &size &checksum;
+    }
   };
 
 

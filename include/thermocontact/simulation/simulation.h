@@ -77,6 +77,8 @@ namespace ThermoContact
                const MPI_Comm             communicator,
                const AssembledSpace<dim> *shared = nullptr);
 
+    ~Simulation(); // compiled once
+
     /**
      * Runs to the end time, from the present state on.
      *

@@ -36,21 +36,9 @@ namespace ThermoContact
      */
     Body(const Scene               &scene,
          const MPI_Comm             communicator,
-         const AssembledSpace<dim> *shared = nullptr)
-      : scene(scene)
-      , data(scene)
-      , own_space(
-          shared != nullptr ?
-            nullptr :
-            std::make_unique<const AssembledSpace<dim>>(scene, communicator))
-      , space(shared != nullptr ? *shared : *own_space)
-      , discretization(space.discretization)
-      , equations(scene, discretization, space.matrices.get())
-      , loads(scene, discretization, data)
-      , energy(scene, discretization, equations, loads)
-      , driven_end(scene, discretization, equations, loads, energy)
-      , obstacle(scene, contact_end())
-    {}
+         const AssembledSpace<dim> *shared = nullptr);
+
+    ~Body(); // compiled once
 
     const Scene                                     &scene;
     ProblemData<dim>                                 data;
