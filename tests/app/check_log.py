@@ -48,7 +48,7 @@ def expected_lines(run):
     yield "final", "", [(last[key], SIX, 0) for key in keys]
     if s["predicted_in_contact"] is not None:
         yield "steady", "; differs in ", [(s["difference_" + key], TWO, 1e-12)
-                                           for key in keys]
+                                          for key in keys]
     parts = [last["energy"], last["dissipation"], last["numerical_dissipation"]]
     first, shown = run.contact["energy"][0], parts.copy()
     if "lateral_dissipation" in last:  # the part of the dissipation behind it
