@@ -283,7 +283,7 @@ namespace ThermoContact
     , assignments(assignments)
   {
     parameters.add_parameters(prm);
-    assign_entries(assignments, prm);
+    assign_entries(assignments, prm, parameters);
   }
 
 

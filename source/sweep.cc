@@ -37,7 +37,7 @@ namespace ThermoContact
       Parameters       used;
       ParameterHandler used_prm;
       used.add_parameters(used_prm);
-      assign_entries(read_assignments(file, file_name), used_prm);
+      assign_entries(read_assignments(file, file_name), used_prm, used);
       if (!used.study.is_active())
         throw InputError("--resume: " + quote(directory) +
                          " has a single run, not a study\n  remedy:  run "

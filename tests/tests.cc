@@ -56,7 +56,7 @@ read_parameters(const std::string              &name,
   for (const std::string &text : overrides)
     assignments.push_back(ThermoContact::parse_override(text));
   // together: the variables of one follow from others
-  ThermoContact::assign_entries(assignments, prm);
+  ThermoContact::assign_entries(assignments, prm, parameters);
   check_unused_entries(parameters, prm);
   check_scene(parameters);
   return parameters;

@@ -9,39 +9,20 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    /** $k$, whatever the gap and the pressure. */
-    class ConstantExchange : public HeatExchange
-    {
-    public:
-      explicit ConstantExchange(const double coefficient)
-        : constant(coefficient)
-      {}
+  HeatExchange::HeatExchange(const double coefficient)
+    : description_(text("k = ", coefficient))
+    , is_constant_(true)
+    , value([coefficient](const double, const double) { return coefficient; })
+  {}
 
-      std::string
-      description() const override
-      {
-        return text("k = ", constant);
-      }
 
-      bool
-      is_constant() const override
-      {
-        return true;
-      }
 
-    protected:
-      double
-      value(const double, const double) const override
-      {
-        return constant;
-      }
-
-    private:
-      const double constant;
-    };
-  } // namespace
+  HeatExchange::HeatExchange(const std::string &description,
+                             const std::function<double(double, double)> &value)
+    : description_(description)
+    , is_constant_(false)
+    , value(value)
+  {}
 
 
 
@@ -65,11 +46,4 @@ namespace ThermoContact
     return k;
   }
 
-
-
-  std::unique_ptr<const HeatExchange>
-  constant_exchange(const double coefficient)
-  {
-    return std::make_unique<ConstantExchange>(coefficient);
-  }
 } // namespace ThermoContact

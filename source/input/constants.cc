@@ -4,7 +4,6 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/input/constants.h>
 #include <thermocontact/input/expression.h>
-#include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/section_of_entries.h>
 #include <thermocontact/input/unknown_names.h>
@@ -38,19 +37,18 @@ namespace ThermoContact
     {
       const std::string name = constant_name(constant.path);
       if (name == name_of_constants || !can_name_constant(name))
-        throw InputError(
-          constant.place + ": " + constant.path + " = " +
-          quote(constant.value) + ": " +
-          (name == name_of_constants ?
-             "NAME stands for a name of yours" :
-             "'" + quote(name, 60) + "' cannot be the name of a constant") +
-          "\n  allowed: letters, digits and '_' that begin with "
-          "a letter, and are no function, variable or pi");
+        refuse(constant,
+               name == name_of_constants ?
+                 "NAME stands for a name of yours" :
+                 "'" + quote(name, 60) + "' cannot be the name of a constant",
+               "letters, digits and '_' that begin with a letter, and are no "
+               "function, variable or pi",
+               "");
     }
 
 
 
-    /** One that nobody names is most likely a misprint. */
+    /** One that the file has not, and that nobody names, is a misprint. */
     void
     check_use(const Assignment              &constant,
               const std::vector<Assignment> &assignments)
@@ -59,17 +57,18 @@ namespace ThermoContact
       std::vector<std::string> known;
       for (const Assignment &other : assignments)
         {
+          const std::vector<std::string> names = identifiers_in(other.value);
+          if ((other.path == constant.path &&
+               other.place != command_line_place) ||
+              std::find(names.begin(), names.end(), name) != names.end())
+            return;
           if (is_constant_path(other.path) && other.path != constant.path)
             known.push_back(constant_name(other.path));
-          const std::vector<std::string> names = identifiers_in(other.value);
-          if (std::find(names.begin(), names.end(), name) != names.end())
-            return;
         }
-      throw InputError(constant.place + ": " + constant.path + " = " +
-                       quote(constant.value) + ": no entry names " + name +
-                       did_you_mean(name, known) +
-                       "\n  remedy:  a constant that an expression or a number "
-                       "of the file names");
+      refuse(constant,
+             "no entry names " + name + did_you_mean(name, known),
+             "",
+             "a constant that an expression or a number of the file names");
     }
   } // namespace
 
@@ -106,46 +105,9 @@ namespace ThermoContact
         if (assignment.place == command_line_place)
           check_use(assignment, assignments);
       }
-    const std::map<std::string, double> values = evaluate_constants(texts);
-    std::string                         list;
-    for (const auto &[name, value] : values)
-      {
-        prm.set(name, texts[name]);
-        list += name + "=" + significant(value, all_digits) + ";";
-      }
-    const bool has_tables =
-      std::any_of(assignments.begin(),
-                  assignments.end(),
-                  [](const Assignment &assignment) {
-                    return !table_files(assignment.value).empty();
-                  });
-    if (has_tables || !values.empty())
-      prm.set(name_of_constants,
-              list + "/" + (has_tables ? folder_of_tables(assignments) : ""));
-    return values;
-  }
-
-
-
-  std::map<std::string, double>
-  constants_of(const std::string &values)
-  {
-    std::map<std::string, double> constants;
-    std::istringstream            list(values);
-    for (std::string item; std::getline(list, item, ';') && item[0] != '/';)
-      if (const auto sign = item.find('='); sign != std::string::npos)
-        constants[item.substr(0, sign)] =
-          parse_number(item.substr(sign + 1)).value_or(0.);
-    return constants;
-  }
-
-
-
-  std::string
-  folder_of(const std::string &values)
-  {
-    const auto end = values.find('/');
-    return end == std::string::npos ? "" : values.substr(end + 1);
+    for (const auto &[name, text] : texts)
+      prm.set(name, text);
+    return evaluate_constants(texts);
   }
 
 

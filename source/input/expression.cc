@@ -629,29 +629,27 @@ namespace ThermoContact
   Expression::check_values(const std::size_t position) const
   {
     std::vector<double> variables(variable_names.size(), 0.);
-    const unsigned int  first =
+    const auto          first =
       std::find_if(variable_names.begin(),
                    variable_names.end(),
-                   [](const std::string &name) { return !name.empty(); }) -
-      variable_names.begin();
-    const bool        has_variable = first < variables.size();
-    const std::string name         = has_variable ? variable_names[first] : "";
-    const bool        has_time = has_variable && first + 1 < variables.size() &&
-                          variable_names.back() == "t";
-    for (unsigned int i = 0; i <= 16; ++i)
+                   [](const std::string &name) { return !name.empty(); });
+    const bool varies = first != variable_names.end();
+    for (unsigned int i = 0; i <= (varies ? 16 : 0); ++i)
       {
-        if (has_variable)
-          variables[first] = i / 16.;
+        if (varies)
+          variables[first - variable_names.begin()] = i / 16.;
         if (!std::isfinite(evaluate(variables.data())))
           refuse(path_,
                  text_,
-                 !has_variable ? "not finite" :
-                                 "not finite at " + name + " = " +
-                                   significant(i / 16., few_digits) +
-                                   (has_time ? ", t = 0" : ""),
-                 !has_variable ?
-                   "expressions that are finite" :
-                   "expressions that are finite on 0 <= " + name + " <= 1",
+                 "not finite" +
+                   (varies ? " at " + *first + " = " +
+                               significant(i / 16., few_digits) :
+                             "") +
+                   (varies && *first != "t" && variable_names.back() == "t" ?
+                      ", t = 0" :
+                      ""),
+                 "expressions that are finite" +
+                   (varies ? " on 0 <= " + *first + " <= 1" : ""),
                  position);
       }
   }

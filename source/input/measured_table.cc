@@ -17,7 +17,6 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 
 namespace ThermoContact
 {
@@ -25,28 +24,18 @@ namespace ThermoContact
   {
     using dealii::Utilities::trim;
 
-    std::vector<std::string>
-    cells_of(const std::string &line)
-    {
-      std::vector<std::string> cells;
-      std::istringstream       stream(line);
-      for (std::string cell; std::getline(stream, cell, ',');)
-        cells.push_back(trim(cell));
-      return cells;
-    }
-
-
-
     /** In SI base units, or those that are made of them without a factor. */
-    double
+    std::optional<double>
     in_base_units(const double number, const std::string &unit)
     {
+      if (unit.empty())
+        return number;
       std::istringstream bases(
         "s m K N Pa 1 kg J W Hz m/s m/s^2 N/m N/m^3 W/m^2 W/m^3");
       for (std::string base; bases >> base;)
         if (const auto converted = convert_unit(number, unit, base))
-          return *converted;
-      throw std::invalid_argument(unit + " is no unit of a load");
+          return converted;
+      return std::nullopt;
     }
 
 
@@ -139,7 +128,8 @@ namespace ThermoContact
         line = trim(line);
         if (line.empty() || line[0] == '#')
           continue;
-        const std::vector<std::string> cells = cells_of(line);
+        const std::vector<std::string> cells =
+          dealii::Utilities::split_string_list(line, ',');
         if (header.empty())
           {
             std::vector<std::string> names;
@@ -174,17 +164,11 @@ namespace ThermoContact
           const auto number = parse_number(cells[i]);
           if (!number)
             fail("'" + quote(cells[i], 60) + "' is no number", n_lines);
-          try
-            {
-              return header[i].unit.empty() ?
-                       *number :
-                       in_base_units(*number, header[i].unit);
-            }
-          catch (const std::invalid_argument &error)
-            {
-              fail(error.what(), n_lines);
-            }
-          return 0.;
+          const auto converted = in_base_units(*number, header[i].unit);
+          if (!converted)
+            fail("'" + quote(header[i].unit, 60) + "' is no unit of a load",
+                 n_lines);
+          return *converted;
         };
         arguments.push_back(number_at(0));
         values.push_back(number_at(index));

@@ -103,14 +103,14 @@ namespace ThermoContact
     /** One or the other; in a span of time perhaps both, numbers decide. */
     template <typename Number>
     Number
-    choose(const Truth truth, const Number &a, const Number &b)
+    choose(const boost::tribool takes_a, const Number &a, const Number &b)
     {
       if constexpr (std::is_same_v<Number, IntervalJet>)
-        if (truth == Truth::undecided)
+        if (boost::indeterminate(takes_a))
           return {hull(a.value, b.value),
                   Interval::everything(),
                   Interval::everything()};
-      return truth == Truth::yes ? a : b;
+      return takes_a ? a : b;
     }
 
     /** The smaller or the larger one of two. */
@@ -118,10 +118,10 @@ namespace ThermoContact
     Number
     extremum(const Number &a, const Number &b, const bool is_larger)
     {
-      const Truth takes_b = is_larger ? is_less(value_of(a), value_of(b)) :
-                                        is_less(value_of(b), value_of(a));
+      const boost::tribool takes_b =
+        is_larger ? value_of(a) < value_of(b) : value_of(b) < value_of(a);
       if constexpr (std::is_same_v<Number, IntervalJet>)
-        if (takes_b == Truth::undecided)
+        if (boost::indeterminate(takes_b))
           {
             const auto of = [is_larger](const double x, const double y) {
               return is_larger ? std::max(x, y) : std::min(x, y);
@@ -131,15 +131,7 @@ namespace ThermoContact
                     hull(a.first, b.first),
                     Interval::everything()};
           }
-      return takes_b == Truth::yes ? b : a;
-    }
-
-    Truth
-    both(const Truth a, const Truth b)
-    {
-      return a == Truth::no || b == Truth::no   ? Truth::no :
-             a == Truth::yes && b == Truth::yes ? Truth::yes :
-                                                  Truth::undecided;
+      return takes_b ? b : a;
     }
 
 
@@ -171,7 +163,8 @@ namespace ThermoContact
         add(name, n_operands, Operation::is_function, form);
       }
 
-      /** @param is_so a Truth about the values of two operands */
+      /** @param is_so true, false or undecided, of the values of two operands
+       */
       template <typename Condition>
       void
       condition(const std::string &sign,
@@ -191,20 +184,25 @@ namespace ThermoContact
        *
        * @param derivatives the function, its first and its second derivative at
        *   a number or in an interval
+       * @return its form
        */
       template <typename Derivatives>
-      void
+      auto
       smooth(const std::string &name,
              double (*number)(double),
              const Derivatives &derivatives)
       {
-        const auto jet = [derivatives](const auto *x) {
-          const auto f = derivatives(x->value);
-          return chain(*x, f.value, f.first, f.second);
+        const auto form = [number, derivatives](const auto *x) {
+          if constexpr (std::is_same_v<decltype(x), const double *>)
+            return number(*x);
+          else
+            {
+              const auto f = derivatives(x->value);
+              return chain(*x, f.value, f.first, f.second);
+            }
         };
-        const auto value = [number](const double *x) { return number(*x); };
-        operations.push_back(
-          {name, 1, Operation::is_function, {value, jet, jet}});
+        function(name, 1, form);
+        return form;
       }
 
       /** A logarithm, whose base has the natural logarithm @p base. */
@@ -223,20 +221,18 @@ namespace ThermoContact
       void
       steps(const std::string &name, double (*number)(double))
       {
-        operations.push_back(
-          {name,
-           1,
-           Operation::is_function,
-           {[number](const double *x) { return number(*x); },
-            [number](const NumberJet *x) {
-              return NumberJet(number(x->value));
-            },
-            [number](const IntervalJet *x) {
+        function(name, 1, [number](const auto *x) {
+          using Number = std::decay_t<decltype(*x)>;
+          if constexpr (std::is_same_v<Number, IntervalJet>)
+            {
               const Interval value(number(x->value.low), number(x->value.high));
               const Interval slope =
                 value.width() == 0. ? Interval(0.) : Interval::everything();
               return IntervalJet(value, slope, slope);
-            }}});
+            }
+          else
+            return Number(number(value_of(*x)));
+        });
       }
     };
 
@@ -254,32 +250,30 @@ namespace ThermoContact
       OperationList list;
 
       const auto any = [](const auto &a, const auto &b) {
-        return !both(is_equal(a, 0.), is_equal(b, 0.));
+        return !(a == 0.) || !(b == 0.);
       };
       const auto all = [](const auto &a, const auto &b) {
-        return both(!is_equal(a, 0.), !is_equal(b, 0.));
+        return !(a == 0.) && !(b == 0.);
       };
       list.condition("||", 0, any);
       list.condition("|", 0, any);
       list.condition("&&", 1, all);
       list.condition("&", 1, all);
-      list.condition("<=", 2, [](const auto &a, const auto &b) {
-        return !is_less(b, a);
+      const auto less  = [](const auto &a, const auto &b) { return a < b; };
+      const auto equal = [](const auto &a, const auto &b) { return a == b; };
+      list.condition("<=", 2, [=](const auto &a, const auto &b) {
+        return !less(b, a);
       });
-      list.condition(">=", 2, [](const auto &a, const auto &b) {
-        return !is_less(a, b);
+      list.condition(">=", 2, [=](const auto &a, const auto &b) {
+        return !less(a, b);
       });
-      list.condition("==", 2, [](const auto &a, const auto &b) {
-        return is_equal(a, b);
+      list.condition("==", 2, equal);
+      list.condition("!=", 2, [=](const auto &a, const auto &b) {
+        return !equal(a, b);
       });
-      list.condition("!=", 2, [](const auto &a, const auto &b) {
-        return !is_equal(a, b);
-      });
-      list.condition("<", 2, [](const auto &a, const auto &b) {
-        return is_less(a, b);
-      });
-      list.condition(">", 2, [](const auto &a, const auto &b) {
-        return is_less(b, a);
+      list.condition("<", 2, less);
+      list.condition(">", 2, [=](const auto &a, const auto &b) {
+        return less(b, a);
       });
       const auto plus   = [](const auto *x) { return x[0] + x[1]; };
       const auto raised = [](const auto *x) { return power(x[0], x[1]); };
@@ -299,7 +293,7 @@ namespace ThermoContact
         return extremum(x[0], x[1], true);
       });
       list.function("if", 3, [](const auto *x) {
-        return choose(!is_equal(value_of(x[0]), 0.), x[1], x[2]);
+        return choose(!(value_of(x[0]) == 0.), x[1], x[2]);
       });
       list.function("abs", 1, [](const auto *x) {
         return extremum(*x, std::decay_t<decltype(*x)>(-*x), true);
@@ -309,30 +303,24 @@ namespace ThermoContact
       });
       list.function("sqrt", 1, [](const auto *x) { return root(*x); });
 
-      list.smooth("sin", std::sin, [](const auto &v) {
+      const auto sine   = list.smooth("sin", std::sin, [](const auto &v) {
         return Jet(sin(v), cos(v), -sin(v));
       });
-      list.smooth("cos", std::cos, [](const auto &v) {
+      const auto cosine = list.smooth("cos", std::cos, [](const auto &v) {
         return Jet(cos(v), -sin(v), -cos(v));
       });
       list.smooth("tan", std::tan, [](const auto &v) {
         const auto t = tan(v), slope = 1. + square(t);
         return Jet(t, slope, 2. * (t * slope));
       });
-      const auto sec = [](const double x) { return 1. / std::cos(x); };
-      list.smooth("sec", sec, [](const auto &v) {
-        const auto s = 1. / cos(v), t = s * sin(v);
-        return Jet(s, s * t, s * (square(s) + square(t)));
+      list.function("sec", 1, [=](const auto *x) {
+        return std::decay_t<decltype(*x)>(1.) / cosine(x);
       });
-      const auto csc = [](const double x) { return 1. / std::sin(x); };
-      list.smooth("csc", csc, [](const auto &v) {
-        const auto s = 1. / sin(v), t = s * cos(v);
-        return Jet(s, -s * t, s * (square(s) + square(t)));
+      list.function("csc", 1, [=](const auto *x) {
+        return std::decay_t<decltype(*x)>(1.) / sine(x);
       });
-      const auto cot = [](const double x) { return 1. / std::tan(x); };
-      list.smooth("cot", cot, [](const auto &v) {
-        const auto s = 1. / sin(v), t = s * cos(v);
-        return Jet(t, -square(s), 2. * (t * square(s)));
+      list.function("cot", 1, [=](const auto *x) {
+        return cosine(x) / sine(x);
       });
       list.smooth("asin", std::asin, [](const auto &v) {
         const auto d = 1. / sqrt(1. - square(v));

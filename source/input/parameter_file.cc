@@ -4,6 +4,7 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/input/constants.h>
 #include <thermocontact/input/declared_entries.h>
+#include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/si_scene.h>
@@ -19,13 +20,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    const std::string path_of_constants = "Constants/" + name_of_constants;
-  }
-
-
-
   void
   set_entry(const Assignment &assignment, ParameterHandler &prm)
   {
@@ -179,7 +173,9 @@ namespace ThermoContact
 
 
   void
-  assign_entries(const std::vector<Assignment> &given, ParameterHandler &prm)
+  assign_entries(const std::vector<Assignment> &given,
+                 ParameterHandler              &prm,
+                 Parameters                    &parameters)
   {
     std::vector<std::string> faults;
     const auto               collect = [&](const auto &action) {
@@ -192,9 +188,10 @@ namespace ThermoContact
           faults.push_back(complete_message(error.what(), given, prm));
         }
     };
-    std::map<std::string, double> constants;
-    collect([&]() { constants = assign_constants(given, prm); });
+    collect([&]() { parameters.constants = assign_constants(given, prm); });
     throw_faults(faults);
+    const std::map<std::string, double> &constants = parameters.constants;
+    parameters.folder                              = folder_of_tables(given);
     const std::vector<Assignment> assignments = with_numbers(given, constants);
     std::map<std::string, std::string> places;
     std::string unknown_section; // what stands in it is no fault of its own
@@ -226,7 +223,7 @@ namespace ThermoContact
       {
         ExpressionNames names;
         names.constants        = constants;
-        names.folder           = folder_of_tables(given);
+        names.folder           = parameters.folder;
         names.checks_values    = false;
         const unsigned int dim = *parse_number(prm.get("Dimension"));
         assign_if([&](const std::string &path) { return !is_dimension(path); },
@@ -323,8 +320,7 @@ namespace ThermoContact
   {
     std::map<std::string, std::string> values;
     for (const DeclaredEntry &entry : declared_entries(prm))
-      if (entry.path != path_of_constants) // it has those of the others
-        values.emplace(entry.path, entry.value);
+      values.emplace(entry.path, entry.value);
     return values;
   }
 
@@ -349,7 +345,8 @@ namespace ThermoContact
     std::string open_section;
     for (const DeclaredEntry &entry : entries)
       {
-        if (omit.count(entry.path) != 0 || entry.path == path_of_constants)
+        if (omit.count(entry.path) != 0 ||
+            entry.path == "Constants/" + name_of_constants)
           continue;
         const auto        slash = entry.path.find('/');
         const std::string section =

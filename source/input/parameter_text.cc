@@ -5,6 +5,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <boost/locale/utf.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -37,31 +39,12 @@ namespace ThermoContact
     Character
     character_at(const std::string &text, const std::size_t i)
     {
-      const auto byte = [&text](const std::size_t j) {
-        return j < text.size() ? static_cast<unsigned char>(text[j]) : 0u;
-      };
-      const unsigned first = byte(i);
-      if (first < 0x80)
-        return {1, first, true};
-      const std::size_t n_bytes    = first < 0xC2 ? 1 :
-                                     first < 0xE0 ? 2 :
-                                     first < 0xF0 ? 3 :
-                                     first < 0xF5 ? 4 :
-                                                    1;
-      unsigned          code_point = first & (0x7F >> n_bytes);
-      bool              is_valid   = n_bytes > 1;
-      for (std::size_t j = i + 1; j < i + n_bytes; ++j)
-        {
-          is_valid &= (byte(j) & 0xC0) == 0x80;
-          code_point = (code_point << 6) | (byte(j) & 0x3F);
-        }
-      // more bytes than needed, halves of UTF-16, beyond Unicode
-      constexpr std::array<unsigned, 5> smallest = {
-        {0, 0, 0x80, 0x800, 0x10000}};
-      is_valid &= code_point >= smallest[n_bytes] && code_point <= 0x10FFFF &&
-                  (code_point < 0xD800 || code_point > 0xDFFF);
-      return is_valid ? Character{n_bytes, code_point, true} :
-                        Character{1, first, false};
+      namespace utf    = boost::locale::utf;
+      auto       next  = text.begin() + i;
+      const auto point = utf::utf_traits<char>::decode(next, text.end());
+      if (point == utf::illegal || point == utf::incomplete)
+        return {1, static_cast<unsigned char>(text[i]), false};
+      return {static_cast<std::size_t>(next - text.begin()) - i, point, true};
     }
 
 
@@ -399,6 +382,20 @@ namespace ThermoContact
                                      return assignment.path == path;
                                    });
     return last == assignments.rend() ? nullptr : &*last;
+  }
+
+
+
+  void
+  refuse(const Assignment  &assignment,
+         const std::string &fault,
+         const std::string &allowed,
+         const std::string &remedy)
+  {
+    throw InputError(assignment.place + ": " + assignment.path + " = " +
+                     quote(assignment.value) + ": " + fault +
+                     (allowed.empty() ? "" : "\n  allowed: " + allowed) +
+                     (remedy.empty() ? "" : "\n  remedy:  " + remedy));
   }
 
 

@@ -325,10 +325,6 @@ namespace ThermoContact
       "expression in other constants, e.g. omega = 2.1, P = 2*pi/omega. Every "
       "expression and every number of the file may name it, e.g. Time/End time "
       "= 40*P.");
-    prm.add_action(name_of_constants, [this](const std::string &values) {
-      constants = constants_of(values);
-      folder    = folder_of(values);
-    });
     prm.leave_subsection();
     model.add_parameters(prm);
     boundary.add_parameters(prm);

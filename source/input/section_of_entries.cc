@@ -98,20 +98,15 @@ namespace ThermoContact
 
 
   SectionOfEntries::Entry
-  SectionOfEntries::number_or_word(
-    const std::string                         &name,
-    const NumberOrText                        &pattern,
-    const std::function<void(const double *)> &assign)
+  SectionOfEntries::unbound(const std::string                   &name,
+                            const std::string                   &default_value,
+                            const dealii::Patterns::PatternBase &pattern,
+                            const Action                        &assign)
   {
-    return {[this, name, &pattern, assign](const std::string &text) {
-      const std::string word = pattern.default_word();
-      prm.declare_entry(name, word, pattern, text);
-      prm.add_action(name, [word, assign](const std::string &given) {
-        if (given == word)
-          return assign(nullptr);
-        const double number = string_to_double(given);
-        assign(&number);
-      });
+    return {[=, &pattern](const std::string &text) {
+      prm.declare_entry(name, default_value, pattern, text);
+      if (assign)
+        prm.add_action(name, assign);
     }};
   }
 
@@ -122,8 +117,11 @@ namespace ThermoContact
                                std::optional<double> &value,
                                const NumberOrText    &pattern)
   {
-    return number_or_word(name, pattern, [&value](const double *number) {
-      value = number ? std::optional<double>(*number) : std::nullopt;
+    const std::string word = pattern.default_word();
+    return unbound(name, word, pattern, [&value, word](const auto &given) {
+      value.reset();
+      if (given != word)
+        value = string_to_double(given);
     });
   }
 
@@ -134,8 +132,10 @@ namespace ThermoContact
                                double             &value,
                                const NumberOrText &pattern)
   {
-    return number_or_word(name, pattern, [&value](const double *number) {
-      value = number ? *number : std::numeric_limits<double>::infinity();
+    const std::string word = pattern.default_word();
+    return unbound(name, word, pattern, [&value, word](const auto &given) {
+      value = given == word ? std::numeric_limits<double>::infinity() :
+                              string_to_double(given);
     });
   }
 
@@ -147,16 +147,12 @@ namespace ThermoContact
                                const Double                      &pattern,
                                const std::function<void(double)> &assign)
   {
-    return {
-      [this, name, default_value, &pattern, assign](const std::string &text) {
-        prm.declare_entry(name,
-                          significant(default_value, few_digits),
-                          pattern,
-                          text);
-        prm.add_action(name, [assign](const std::string &given) {
-          assign(string_to_double(given));
-        });
-      }};
+    return unbound(name,
+                   significant(default_value, few_digits),
+                   pattern,
+                   [assign](const auto &given) {
+                     assign(string_to_double(given));
+                   });
   }
 
 
@@ -167,18 +163,13 @@ namespace ThermoContact
                                std::string        &expression,
                                const NumberOrText &pattern)
   {
-    return {
-      [this, name, &number, &expression, &pattern](const std::string &text) {
-        prm.declare_entry(name,
-                          significant(number,
-                                      std::numeric_limits<double>::digits10),
-                          pattern,
-                          text);
-        prm.add_action(name, [&number, &expression](const std::string &given) {
-          const bool is_number = Double().match(given);
-          number               = is_number ? string_to_double(given) : 0.;
-          expression           = is_number ? "" : given;
-        });
-      }};
+    return unbound(name,
+                   significant(number, std::numeric_limits<double>::digits10),
+                   pattern,
+                   [&number, &expression](const auto &given) {
+                     const bool is_number = Double().match(given);
+                     number     = is_number ? string_to_double(given) : 0.;
+                     expression = is_number ? "" : given;
+                   });
   }
 } // namespace ThermoContact

@@ -18,10 +18,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
-#include <stdexcept>
 
 namespace ThermoContact
 {
@@ -82,19 +80,6 @@ namespace ThermoContact
 
 
 
-    [[noreturn]] void
-    refuse_value(const Assignment  &assignment,
-                 const std::string &fault,
-                 const std::string &allowed,
-                 const std::string &remedy)
-    {
-      throw InputError(assignment.place + ": " + assignment.path + " = " +
-                       quote(assignment.value) + ": " + fault +
-                       "\n  allowed: " + allowed + "\n  remedy:  " + remedy);
-    }
-
-
-
     /** The number of @p text in SI base units; none if it is an expression. */
     std::optional<double>
     si_number(const Assignment  &assignment,
@@ -104,25 +89,18 @@ namespace ThermoContact
       const auto split = split_unit(text);
       if (!split || split->unit.empty())
         return split ? std::optional<double>(split->number) : std::nullopt;
-      std::string fault = split->unit + " is no unit of " + kind;
-      try
-        {
-          if (const auto number =
-                convert_unit(split->number, split->unit, unit_of(kind)))
-            return number;
-        }
-      catch (const std::invalid_argument &error)
-        {
-          fault = error.what();
-        }
-      refuse_value(assignment,
-                   fault,
-                   "a number in " + unit_of(kind) +
-                     ", or with another unit of " + kind,
-                   kind == "temperature" ?
-                     "degC for degrees Celsius, K for kelvin" :
-                     "such a unit, or the number without one, in " +
-                       unit_of(kind));
+      if (const auto number =
+            convert_unit(split->number, split->unit, unit_of(kind)))
+        return number;
+      refuse(assignment,
+             is_unit(split->unit) ? split->unit + " is no unit of " + kind :
+                                    "'" + quote(split->unit, 60) +
+                                      "' is no unit that UDUNITS-2 knows",
+             "a number in " + unit_of(kind) + ", or with another unit of " +
+               kind,
+             kind == "temperature" ?
+               "degC for degrees Celsius, K for kelvin" :
+               "such a unit, or the number without one, in " + unit_of(kind));
     }
   } // namespace
 
@@ -167,35 +145,25 @@ namespace ThermoContact
   void
   refuse_units(const std::vector<Assignment> &assignments)
   {
-    // what is behind a number may be a name, whose '*' is missing
-    const auto is_unit = [](const std::string &text) {
-      try
-        {
-          return convert_unit(1., text, "1") || true;
-        }
-      catch (const std::invalid_argument &)
-        {
-          return false;
-        }
-    };
     for (const Assignment &assignment : assignments)
       {
         const auto split = split_unit(assignment.value);
         const auto entry = find_entry(assignment.path);
+        // what is behind a number may be a name, whose '*' is missing
         if (entry != nullptr && !entry->kind.empty() && split &&
             !split->unit.empty() && is_unit(split->unit))
-          refuse_value(assignment,
-                       "a unit, and the file has no section Rod, from which "
-                       "the scales of a scene in SI units follow",
-                       "a nondimensional number",
-                       "the number without a unit, '*' before a name, or "
-                       "section Rod");
+          refuse(assignment,
+                 "a unit, and the file has no section Rod, from which "
+                 "the scales of a scene in SI units follow",
+                 "a nondimensional number",
+                 "the number without a unit, '*' before a name, or "
+                 "section Rod");
         if (assignment.path == "Contact/Stiffness" &&
             assignment.value != "none")
-          refuse_value(assignment,
-                       "the file has no section Rod, and is nondimensional",
-                       "none",
-                       "Contact/Compliance, or section Rod");
+          refuse(assignment,
+                 "the file has no section Rod, and is nondimensional",
+                 "none",
+                 "Contact/Compliance, or section Rod");
       }
   }
 
@@ -218,10 +186,10 @@ namespace ThermoContact
     for (const Assignment &assignment : assignments)
       if (const DeclaredEntry *const entry = find_entry(assignment.path);
           entry != nullptr && entry->kind == kind_of_coefficients)
-        refuse_value(assignment,
-                     "section Rod decides it",
-                     "no such entry",
-                     "change the rod, or the scene that --units prints");
+        refuse(assignment,
+               "section Rod decides it",
+               "no such entry",
+               "change the rod, or the scene that --units prints");
   }
 
 
@@ -396,10 +364,10 @@ namespace ThermoContact
     const double exponent  = is_of_law ? law_exponent() : 1.;
     if (const auto split = split_unit(text);
         exponent != 1. && split && !split->unit.empty())
-      refuse_value(assignment,
-                   "a unit with a power of the exponent",
-                   "a number in N/m^m or m/Pa^(1/m), m Contact/Exponent",
-                   "the number without the unit");
+      refuse(assignment,
+             "a unit with a power of the exponent",
+             "a number in N/m^m or m/Pa^(1/m), m Contact/Exponent",
+             "the number without the unit");
     Conversion conversion;
     const auto found = conversions.find(kind);
     if (found != conversions.end() && assignment.path.rfind("Rod/", 0) != 0)
@@ -409,10 +377,10 @@ namespace ThermoContact
         *scales.length / std::pow(*scales.stress, 1. / exponent);
     if (const auto number = si_number(assignment, text, kind);
         number && *number < 0. && kind == "temperature")
-      refuse_value(assignment,
-                   "below absolute zero",
-                   "a number in K, or with another unit of temperature",
-                   "degC for degrees Celsius");
+      refuse(assignment,
+             "below absolute zero",
+             "a number in K, or with another unit of temperature",
+             "degC for degrees Celsius");
     else if (number)
       return significant((*number - conversion.offset) / conversion.factor,
                          all_digits);
@@ -566,31 +534,17 @@ namespace ThermoContact
 
 
 
-  namespace
-  {
-    std::map<std::string, std::string>
-    last_values(const std::vector<Assignment> &assignments)
-    {
-      std::map<std::string, std::string> values;
-      for (const Assignment &assignment : assignments)
-        values[assignment.path] = assignment.value;
-      return values;
-    }
-  } // namespace
-
-
-
   void
   add_units(const std::vector<Assignment> &assignments,
             std::vector<DeclaredEntry>    &entries)
   {
-    const auto values = last_values(assignments);
     for (DeclaredEntry &entry : entries)
-      if (const auto given = values.find(entry.path); given != values.end())
+      if (const Assignment *const given =
+            last_assignment(assignments, entry.path))
         {
-          if (given->second != entry.value)
+          if (given->value != entry.value)
             entry.remark = entry.value;
-          entry.value = given->second;
+          entry.value = given->value;
         }
       else
         entry.is_remark = !entry.kind.empty();
@@ -602,11 +556,11 @@ namespace ThermoContact
   remove_units(const std::vector<Assignment> &assignments,
                std::vector<DeclaredEntry>    &entries)
   {
-    const auto values = last_values(assignments);
     for (DeclaredEntry &entry : entries)
-      if (const auto given = values.find(entry.path);
-          given != values.end() && given->second != entry.value)
-        entry.remark = given->second;
+      if (const Assignment *const given =
+            last_assignment(assignments, entry.path);
+          given != nullptr && given->value != entry.value)
+        entry.remark = given->value;
     entries.erase(std::remove_if(entries.begin(),
                                  entries.end(),
                                  [](const DeclaredEntry &entry) {

@@ -2,7 +2,6 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
-#include <thermocontact/input/parameter_text.h>
 #include <thermocontact/input/unit_text.h>
 
 #include <deal.II/base/utilities.h>
@@ -13,7 +12,6 @@
 #include <charconv>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 #include <string_view>
 
 namespace ThermoContact
@@ -44,6 +42,15 @@ namespace ThermoContact
       const ut_error_message_handler                          messages;
       const std::unique_ptr<ut_system, void (*)(ut_system *)> system;
     };
+
+
+
+    const UnitSystem &
+    units()
+    {
+      static const UnitSystem system;
+      return system;
+    }
 
 
 
@@ -92,16 +99,22 @@ namespace ThermoContact
 
 
 
+  bool
+  is_unit(const std::string &text)
+  {
+    return !has_factor(text) && units().unit(text) != nullptr;
+  }
+
+
+
   std::optional<double>
   convert_unit(const double       number,
                const std::string &unit,
                const std::string &other)
   {
-    static const UnitSystem system;
-    const auto              from = system.unit(unit), to = system.unit(other);
-    if (!from || has_factor(unit))
-      throw std::invalid_argument("'" + quote(unit, 60) +
-                                  "' is no unit that UDUNITS-2 knows");
+    if (!is_unit(unit))
+      return std::nullopt;
+    const auto from = units().unit(unit), to = units().unit(other);
     // for UDUNITS-2 hertz can be converted to seconds
     const std::unique_ptr<ut_unit, void (*)(ut_unit *)> ratio(
       ut_divide(from.get(), to.get()), ut_free);

@@ -4,9 +4,10 @@
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/unknown_names.h>
 
+#include <deal.II/base/table.h>
+
 #include <algorithm>
 #include <cctype>
-#include <numeric>
 
 namespace ThermoContact
 {
@@ -49,27 +50,31 @@ namespace ThermoContact
 
 
     /**
-     * Number of single-letter insertions, deletions and substitutions that turn
-     * one name into the other (Levenshtein distance); upper and lower case are
-     * the same.
+     * Number of insertions, deletions, substitutions and exchanges of
+     * neighbours that turn one name into the other, each letter changed once;
+     * upper and lower case are the same.
      */
     unsigned int
     edit_distance(const std::string &a, const std::string &b)
     {
-      std::vector<unsigned int> row(b.size() + 1);
-      std::iota(row.begin(), row.end(), 0u);
-      for (unsigned int i = 0; i < a.size(); ++i)
-        {
-          unsigned int diagonal = row[0]++;
-          for (unsigned int j = 0; j < b.size(); ++j)
-            {
-              const unsigned int substituted =
-                diagonal + (std::tolower(a[i]) == std::tolower(b[j]) ? 0 : 1);
-              diagonal   = row[j + 1];
-              row[j + 1] = std::min({substituted, row[j] + 1, row[j + 1] + 1});
-            }
-        }
-      return row.back();
+      dealii::Table<2, unsigned int> distance(a.size() + 1, b.size() + 1);
+      const auto are_same = [&](const unsigned int i, const unsigned int j) {
+        return std::tolower(a[i - 1]) == std::tolower(b[j - 1]);
+      };
+      for (unsigned int i = 0; i <= a.size(); ++i)
+        for (unsigned int j = 0; j <= b.size(); ++j)
+          {
+            unsigned int &d = distance(i, j);
+            if (i == 0 || j == 0)
+              d = i + j;
+            else
+              d = std::min({distance(i - 1, j) + 1,
+                            distance(i, j - 1) + 1,
+                            distance(i - 1, j - 1) + (are_same(i, j) ? 0 : 1)});
+            if (i > 1 && j > 1 && are_same(i - 1, j) && are_same(i, j - 1))
+              d = std::min(d, distance(i - 2, j - 2) + 1);
+          }
+      return distance(a.size(), b.size());
     }
 
 

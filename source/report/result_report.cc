@@ -212,7 +212,7 @@ namespace ThermoContact
     log.line("  final     " +
              describe_steady_state(final_state(record), scene));
     if (const auto &rest = forecast.rest.states; !rest.empty())
-      log.line("  at rest   " +
+      log.line("  steady    " +
                compare_with_rest(rest[nearest_state(rest, final_state(record))],
                                  record,
                                  scene));

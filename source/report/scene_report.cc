@@ -359,7 +359,7 @@ namespace ThermoContact
     for (const auto &[name, value] : time_scales(scene))
       scales.push_back(name + ' ' + units.text("time", value));
     log.line("  scales    " + join_words(scales));
-    log.line("  at rest   " + describe_rest(forecast.rest, scene));
+    log.line("  steady    " + describe_rest(forecast.rest, scene));
     if (forecast.impact)
       log.line("  impact    " + describe_impact(*forecast.impact, units));
     if (forecast.critical_step)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/parameter_file.h>
-#include <thermocontact/scene/exchange_expression.h>
 #include <thermocontact/scene/refusal.h>
 #include <thermocontact/scene/scene.h>
 
@@ -83,6 +83,51 @@ namespace ThermoContact
 
 
 
+    /**
+     * The heat exchange that Boundary/Heat exchange says.
+     *
+     * @param largest_gap up to which an expression is checked
+     * @throw InputError if it cannot be read, or if it is negative or not
+     *   finite at a gap up to there or a pressure up to 1
+     */
+    std::unique_ptr<const HeatExchange>
+    resolve_exchange(const Parameters &parameters, const double largest_gap)
+    {
+      const auto expression =
+        read_expression(parameters,
+                        "Boundary/Heat exchange",
+                        parameters.boundary.exchange_expression);
+      if (!expression)
+        return std::make_unique<const HeatExchange>(
+          parameters.boundary.heat_exchange);
+      auto exchange = std::make_unique<const HeatExchange>(
+        "k = " + expression->text(),
+        [law = *expression](const double gap, const double pressure) {
+          const double variables[] = {gap, pressure};
+          return law.evaluate(variables);
+        });
+      try
+        {
+          constexpr unsigned int n = 1000;
+          for (unsigned int i = 0; i <= n; ++i)
+            {
+              const double part = static_cast<double>(i) / n;
+              exchange->coefficient(-part * largest_gap, 0.);
+              exchange->coefficient(0., part);
+            }
+        }
+      catch (const ComputationError &error)
+        {
+          throw InputError(error.what());
+        }
+      if (expression->is_constant())
+        return std::make_unique<const HeatExchange>(
+          exchange->coefficient(0., 0.));
+      return exchange;
+    }
+
+
+
     SceneHeat
     resolve_heat(const Parameters       &parameters,
                  const Expression *const gap_expression)
@@ -93,9 +138,7 @@ namespace ThermoContact
       const double rear_gap    = parameters.contact.rear_gap.value_or(gap);
       SceneHeat    heat;
       heat.exchange =
-        boundary.exchange_expression.empty() ?
-          constant_exchange(boundary.heat_exchange) :
-          exchange_by_expression(parameters, std::max({gap, rear_gap, 1.}));
+        resolve_exchange(parameters, std::max({gap, rear_gap, 1.}));
       heat.fixed_end_drive       = read_drive(parameters,
                                         "Boundary/Fixed end temperature",
                                         boundary.fixed_end_expression);

@@ -7,10 +7,10 @@
 namespace ThermoContact
 {
   SpatialScene::SpatialScene(const Scene &scene)
-    : dimension(scene.parameters.dimension)
-    , mesh(scene.parameters.mesh)
+    : mesh(scene.parameters.mesh)
     , fields(scene.fields)
     , material(scene.material)
+    , dimension(scene.parameters.dimension)
     , has_rollers(scene.has_rollers)
     , has_symmetry(scene.has_symmetry)
     , has_sliding_end(scene.has_sliding_end)
@@ -37,92 +37,36 @@ namespace ThermoContact
 
   namespace
   {
-    // All members of each record: a binding that leaves one out does not
-    // compile.
+    // All members of each record by letters: a binding that leaves one out does
+    // not compile.
 
     auto
     members(const MeshParameters &mesh)
     {
-      const auto &[cells,
-                   degree,
-                   refinements,
-                   grading,
-                   mass,
-                   geometry,
-                   width,
-                   cells_across,
-                   grading_across] = mesh;
-      return std::tie(cells,
-                      degree,
-                      refinements,
-                      grading,
-                      mass,
-                      geometry,
-                      width,
-                      cells_across,
-                      grading_across);
+      const auto &[a, b, c, d, e, f, g, h, i] = mesh;
+      return std::tie(a, b, c, d, e, f, g, h, i);
     }
-
-
 
     auto
     members(const SceneFields &fields)
     {
-      const auto &[temperature, displacement] = fields;
-      return std::tie(temperature, displacement);
+      const auto &[a, b] = fields;
+      return std::tie(a, b);
     }
-
-
 
     auto
     members(const Material &material)
     {
-      const auto &[inertia, viscosity, stress, heating, lambda, two_mu] =
-        material;
-      return std::tie(inertia, viscosity, stress, heating, lambda, two_mu);
+      const auto &[a, b, c, d, e, f] = material;
+      return std::tie(a, b, c, d, e, f);
     }
 
-
-
     auto
-    members(const SpatialScene &scene)
+    members(const SpatialScene &all)
     {
-      const auto &[dimension,
-                   mesh,
-                   fields,
-                   material,
-                   rollers,
-                   symmetry,
-                   sliding,
-                   pins,
-                   lumped,
-                   midpoint,
-                   massless,
-                   elastic,
-                   matrices,
-                   exchange,
-                   lateral,
-                   rear_gap,
-                   gap,
-                   expression] = scene;
-      return std::tuple_cat(members(mesh),
-                            members(fields),
-                            members(material),
-                            std::tie(dimension,
-                                     rollers,
-                                     symmetry,
-                                     sliding,
-                                     pins,
-                                     lumped,
-                                     midpoint,
-                                     massless,
-                                     elastic,
-                                     matrices,
-                                     exchange,
-                                     lateral,
-                                     rear_gap,
-                                     gap,
-                                     expression));
+      const auto &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r] = all;
+      const auto others = std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r);
+      return std::tuple_cat(members(a), members(b), members(c), others);
     }
   } // namespace
 

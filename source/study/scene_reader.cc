@@ -11,7 +11,7 @@ namespace ThermoContact
     , assignments_(assignments)
   {
     scene_.add_parameters(prm_);
-    assign_entries(assignments, prm_);
+    assign_entries(assignments, prm_, scene_);
     own_scene   = scene_;
     own_entries = declared_entries(prm_);
   }
@@ -34,7 +34,7 @@ namespace ThermoContact
         assignments_.push_back({place, path, value});
       }
     // as a whole: scales follow from entries, numbers from constants
-    assign_entries(assignments_, prm_);
+    assign_entries(assignments_, prm_, scene_);
   }
 
 

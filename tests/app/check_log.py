@@ -47,8 +47,8 @@ def expected_lines(run):
         keys = [key for key in keys if key != "contact_force"]
     yield "final", "", [(last[key], SIX, 0) for key in keys]
     if s["predicted_in_contact"] is not None:
-        yield "at rest", "; differs in ", [(s["difference_" + key], TWO, 1e-12)
-                                           for key in keys]
+        yield "steady", "; differs in ", [(s["difference_" + key], TWO, 1e-12)
+                                          for key in keys]
     parts = [last["energy"], last["dissipation"], last["numerical_dissipation"]]
     first, shown = run.contact["energy"][0], parts.copy()
     if "lateral_dissipation" in last:  # the part of the dissipation behind it

@@ -73,7 +73,7 @@ def result(directory):
     rest, and energy but for what rounding leaves of it."""
     log = (directory / "log.txt").read_text(encoding="utf-8")
     lines = [re.findall(rf"^  {title} .*?(?:; defect|$)", log, re.M)[-1:] for title in (
-        "contact", "final", "at rest", "energy")]
+        "contact", "final", "steady", "energy")]
     return [float(word) for line in lines for word in re.findall(
         r"-?\d+\.?\d*(?:e-?\d+)?(?!\d*\))", " ".join(line))]
 

@@ -112,7 +112,7 @@ main(int argc, char **argv)
   Parameters               parameters;
   parameters.add_parameters(prm);
   std::istringstream text(read_text(argv[1]));
-  assign_entries(read_assignments(text, argv[1]), prm);
+  assign_entries(read_assignments(text, argv[1]), prm, parameters);
   check_scene(parameters);
   if (parameters.dimension == 2)
     measure<2>(parameters);

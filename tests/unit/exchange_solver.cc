@@ -55,30 +55,11 @@ using dealii::FullMatrix;
 
 namespace
 {
-  class Exchange : public HeatExchange
+  struct Exchange : public HeatExchange
   {
-  public:
-    using Law = std::function<double(double, double)>;
-
-    explicit Exchange(const Law &law)
-      : law(law)
+    explicit Exchange(const std::function<double(double, double)> &value)
+      : HeatExchange("k", value)
     {}
-
-    std::string
-    description() const override
-    {
-      return "k";
-    }
-
-  protected:
-    double
-    value(const double gap, const double pressure) const override
-    {
-      return law(gap, pressure);
-    }
-
-  private:
-    const Law law;
   };
 
 

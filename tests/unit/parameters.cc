@@ -34,7 +34,9 @@ namespace
     std::istringstream input(text);
     try
       {
-        ThermoContact::assign_entries(read_assignments(input, "rod.prm"), prm);
+        ThermoContact::assign_entries(read_assignments(input, "rod.prm"),
+                                      prm,
+                                      parameters);
         check_unused_entries(parameters, prm);
         check_scene(parameters);
         deallog << "read; viscosity " << parameters.model.viscosity
@@ -88,7 +90,8 @@ namespace
       {{"here", "Model/Viscosity", "0.12345678901234567"},
        {"here", "Contact/Condition", "rigid"},
        {"here", "Title", "a = b"}},
-      prm);
+      prm,
+      parameters);
     std::stringstream written;
     write_entries(declared_entries(prm), {"Contact/Compliance"}, written);
 
@@ -96,7 +99,7 @@ namespace
     dealii::ParameterHandler prm_again;
     again.add_parameters(prm_again);
     const auto assignments = read_assignments(written, "used.prm");
-    ThermoContact::assign_entries(assignments, prm_again);
+    ThermoContact::assign_entries(assignments, prm_again, again);
     bool omitted = true;
     for (const Assignment &assignment : assignments)
       omitted &= assignment.path != "Contact/Compliance";

@@ -21,7 +21,7 @@ main_used_parameters()
   Parameters               parameters;
   dealii::ParameterHandler prm;
   parameters.add_parameters(prm);
-  ThermoContact::assign_entries({{"here", "Mesh/Cells", "7"}}, prm);
+  ThermoContact::assign_entries({{"here", "Mesh/Cells", "7"}}, prm, parameters);
   const auto before = entry_values(prm);
   write_used_parameters(".", {"Mesh/Width"}, prm, {}, communicator);
   const auto after = entry_values(prm);

@@ -3,7 +3,7 @@
 #ifndef thermocontact_contact_heat_exchange_h
 #define thermocontact_contact_heat_exchange_h
 
-#include <memory>
+#include <functional>
 #include <string>
 
 namespace ThermoContact
@@ -17,17 +17,27 @@ namespace ThermoContact
   class HeatExchange
   {
   public:
-    virtual ~HeatExchange() = default;
+    /** That of the paper: the same @p coefficient $k\ge0$ always. */
+    explicit HeatExchange(const double coefficient);
 
-    /** "k = " and what it is, for the screen. */
-    virtual std::string
-    description() const = 0;
+    /**
+     * @param description "k = " and what it is, for the screen
+     * @param value $k$ of gap and pressure, which are $\ge0$; unchecked
+     */
+    HeatExchange(const std::string                           &description,
+                 const std::function<double(double, double)> &value);
+
+    const std::string &
+    description() const
+    {
+      return description_;
+    }
 
     /** True if $k$ depends on nothing, so that the exchange is linear. */
-    virtual bool
+    bool
     is_constant() const
     {
-      return false;
+      return is_constant_;
     }
 
     /**
@@ -40,17 +50,11 @@ namespace ThermoContact
     double
     coefficient(const double penetration, const double pressure) const;
 
-  protected:
-    /** $k$ as the law has it, unchecked; @p gap, @p pressure $\ge0$. */
-    virtual double
-    value(const double gap, const double pressure) const = 0;
+  private:
+    const std::string                           description_;
+    const bool                                  is_constant_;
+    const std::function<double(double, double)> value;
   };
-
-
-
-  /** The exchange of the paper: the same @p coefficient $k\ge0$ always. */
-  std::unique_ptr<const HeatExchange>
-  constant_exchange(const double coefficient);
 } // namespace ThermoContact
 
 #endif

@@ -27,28 +27,17 @@ namespace ThermoContact
 
 
   /**
-   * Declares the constants of @p assignments that @p prm does not have,
-   * evaluates all of them, and hands their values to the Parameters that are
-   * bound to @p prm.
+   * Declares the constants of @p assignments that @p prm does not have, and
+   * evaluates all of them.
    *
    * @return their values
    * @throw InputError if a name cannot be that of a constant, if a value cannot
-   *   be read, or depends on itself, or if one that is not of a file is named
-   *   nowhere
+   *   be read, or depends on itself, or if one of the command line is neither
+   *   in the file nor named anywhere
    */
   std::map<std::string, double>
   assign_constants(const std::vector<Assignment> &assignments,
                    dealii::ParameterHandler      &prm);
-
-
-
-  /** What is handed to the Parameters, as values by their names. */
-  std::map<std::string, double>
-  constants_of(const std::string &values);
-
-  /** The folder of tables that is handed to them, too. */
-  std::string
-  folder_of(const std::string &values);
 
 
 

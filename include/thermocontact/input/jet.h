@@ -5,11 +5,12 @@
 
 #include <thermocontact/base/tolerances.h>
 
+#include <boost/logic/tribool.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace ThermoContact
 {
@@ -164,6 +165,29 @@ namespace ThermoContact
   square(const double a)
   {
     return a * a;
+  }
+
+
+
+  /** Relations that all numbers of intervals have, or none, or some. */
+  inline boost::tribool
+  operator<(const Interval &a, const Interval &b)
+  {
+    if (a.high < b.low)
+      return true;
+    if (a.low >= b.high)
+      return false;
+    return boost::indeterminate;
+  }
+
+  inline boost::tribool
+  operator==(const Interval &a, const Interval &b)
+  {
+    if (a.high < b.low || b.high < a.low)
+      return false;
+    if (a.low == b.high && a.high == b.low)
+      return true;
+    return boost::indeterminate;
   }
 
 
@@ -395,50 +419,6 @@ namespace ThermoContact
       a * chain(b, inverse, -inverse_2, 2. * (inverse * inverse_2));
     result.value = a.value / b.value;
     return result;
-  }
-
-
-
-  /** The answer to a question about intervals. */
-  enum class Truth
-  {
-    no,
-    yes,
-    undecided
-  };
-
-  inline Truth
-  is_less(const double a, const double b)
-  {
-    return a < b ? Truth::yes : Truth::no;
-  }
-
-  inline Truth
-  is_less(const Interval &a, const Interval &b)
-  {
-    return a.high < b.low  ? Truth::yes :
-           a.low >= b.high ? Truth::no :
-                             Truth::undecided;
-  }
-
-  inline Truth
-  is_equal(const double a, const double b)
-  {
-    return a == b ? Truth::yes : Truth::no;
-  }
-
-  inline Truth
-  is_equal(const Interval &a, const Interval &b)
-  {
-    return a.high < b.low || b.high < a.low   ? Truth::no :
-           a.low == b.high && a.high == b.low ? Truth::yes :
-                                                Truth::undecided;
-  }
-
-  inline Truth
-  operator!(const Truth a)
-  {
-    return a == Truth::undecided ? a : a == Truth::yes ? Truth::no : Truth::yes;
   }
 } // namespace ThermoContact
 

@@ -18,6 +18,8 @@ namespace ThermoContact
 {
   using dealii::ParameterHandler;
 
+  struct Parameters;
+
 
 
   /**
@@ -29,10 +31,10 @@ namespace ThermoContact
   set_entry(const Assignment &assignment, ParameterHandler &prm);
 
   /**
-   * Writes @p assignments, those of a whole file, into @p prm, whose entries are
-   * bound to a Parameters object. Of a file in SI units the scene without units
-   * is written.
+   * Writes @p assignments, those of a whole file, into @p prm. Of a file in SI
+   * units the scene without units is written.
    *
+   * @param parameters to which the entries of @p prm are bound
    * @throw InputError with place, path, value, what is allowed and the meaning
    *   of the entry if a section or a name is unknown (then with the nearest
    *   known one), a value or its unit does not fit, or a file sets an entry
@@ -40,7 +42,8 @@ namespace ThermoContact
    */
   void
   assign_entries(const std::vector<Assignment> &assignments,
-                 ParameterHandler              &prm);
+                 ParameterHandler              &prm,
+                 Parameters                    &parameters);
 
   /**
    * Completes a message that begins with the path of an entry, by the place of

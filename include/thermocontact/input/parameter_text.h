@@ -82,6 +82,18 @@ namespace ThermoContact
   last_assignment(const std::vector<Assignment> &assignments,
                   const std::string             &path);
 
+  /**
+   * Says what is wrong with a value.
+   *
+   * @param allowed, remedy left out if empty
+   * @throw InputError
+   */
+  [[noreturn]] void
+  refuse(const Assignment  &assignment,
+         const std::string &fault,
+         const std::string &allowed,
+         const std::string &remedy);
+
   /** @throw InputError with all of them, if there are any */
   void
   throw_faults(const std::vector<std::string> &faults);

@@ -124,16 +124,14 @@ namespace ThermoContact
                double             &value,
                const NumberOrText &pattern);
 
-    /** One without a variable. */
+    using Action = std::function<void(const std::string &)>;
+
+    /** One without a variable; @p assign is given its text. */
     Entry
     unbound(const std::string                   &name,
             const std::string                   &default_value,
-            const dealii::Patterns::PatternBase &pattern)
-    {
-      return {[this, name, default_value, &pattern](const std::string &text) {
-        prm.declare_entry(name, default_value, pattern, text);
-      }};
-    }
+            const dealii::Patterns::PatternBase &pattern,
+            const Action                        &assign = {});
 
     /** A number that has no variable of its own. */
     Entry
@@ -151,12 +149,6 @@ namespace ThermoContact
 
   private:
     dealii::ParameterHandler &prm;
-
-    /** @param assign called with the number, or a null pointer for the word */
-    Entry
-    number_or_word(const std::string                         &name,
-                   const NumberOrText                        &pattern,
-                   const std::function<void(const double *)> &assign);
   };
 } // namespace ThermoContact
 

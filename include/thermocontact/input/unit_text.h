@@ -27,13 +27,20 @@ namespace ThermoContact
   split_unit(const std::string &text);
 
   /**
+   * True for one that UDUNITS-2 knows.
+   *
+   * @param text as a user writes it, in UTF-8
+   * @throw ComputationError if the list of units of UDUNITS-2 is not there
+   */
+  bool
+  is_unit(const std::string &text);
+
+  /**
    * @p number in another unit, by UDUNITS-2: 0.08 for 80 mm in m, 353.15 for
    * 80 degC in K.
    *
-   * @param unit as a user writes it, in UTF-8
-   * @return nothing if one is no measure of what the other one is
-   * @throw std::invalid_argument if @p unit is none, in words; ComputationError
-   *   if the list of units of UDUNITS-2 is not there
+   * @return nothing if @p unit is none, or no measure of what @p other is
+   * @throw ComputationError as is_unit()
    */
   std::optional<double>
   convert_unit(const double       number,

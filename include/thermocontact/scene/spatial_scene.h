@@ -19,10 +19,10 @@ namespace ThermoContact
     /** Implicit: a scene goes where this is asked for. */
     SpatialScene(const Scene &scene);
 
-    unsigned int   dimension;
     MeshParameters mesh;
     SceneFields    fields;
     Material       material;
+    unsigned int   dimension;
     bool           has_rollers;
     bool           has_symmetry;
     bool           has_sliding_end;
