@@ -198,6 +198,8 @@ SCENES = [
      ("Contact/Gap=0.1+y", "Dimension=2", "Mesh/Cells=1")),
     ("Contact/Gap", PLANE, "Contact/Gap=0.1+radius", "Contact/Gap=0.1+y"),
     ("Contact/Gap", PLANE, "Contact/Gap=0.1/(y-1)", "Contact/Gap=0.1/(1.1-y)"),
+    # an infinite velocity in the middle of the end
+    ("Contact/Gap", PLANE, "Contact/Gap=1.1+sqrt(t)*(y-1)", "Contact/Gap=1.1+t*(y-1)"),
     ("Contact/Gap", ("Dimension=3", "Mesh/Width=1", "Mesh/Cells=1"),
      "Contact/Gap=0.1/(z-1)", "Contact/Gap=0.1/(1.1-z)"),
     ("Contact/Gap", PLANE + RIGID, "Contact/Gap=y-0.5", "Contact/Gap=abs(y-0.5)",

@@ -127,7 +127,8 @@ def body(entries):
             return None
         elastic = {"Model/Poisson ratio": "0.3", "Boundary/Lateral support": "rollers",
                    } if moves(scene) else {}
-        if scene.get("Contact/Condition") == "rigid" and scene["Model/Inertia"] != "0":
+        if scene.get("Contact/Condition") == "rigid" and scene["Model/Inertia"] != "0" and \
+                scene.get("Time/Scheme") != "energy conserving":
             elastic["Contact/Massless nodes"] = "off"  # as they are in a rod
         middle = ", 0.05" if entries["Dimension"] == "2" else ", 0.05, 0.05"
         return scene | entries | elastic | {"Output/Probes": f"0.5{middle}; 1{middle}"}, {}
