@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <numeric>
 
 namespace ThermoContact
 {
@@ -82,35 +84,143 @@ namespace ThermoContact
 
 
 
-    /** Newton's method with damping; true if it converged. */
-    bool
-    solve_smooth(ExchangeStage &end, Values &k)
+    /** Steps of Newton's method by the derivatives of a stage. */
+    struct ByDerivatives
     {
-      const unsigned int n   = end.n;
-      Values             law = end.law_at(k);
+      ExchangeStage &end;
+
+      Values
+      law_at(const Values &k)
+      {
+        return end.law_at(k);
+      }
+
+      Values
+      step(const Values &k, const Values &law)
+      {
+        FullMatrix<double> matrix = end.derivative();
+        matrix *= -1.;
+        dealii::Vector<double> rhs(end.n), result(end.n);
+        for (unsigned int i = 0; i < end.n; ++i)
+          {
+            matrix(i, i) += 1.;
+            rhs(i) = law[i] - k[i];
+          }
+        matrix.gauss_jordan();
+        matrix.vmult(result, rhs);
+        return Values(result.begin(), result.end());
+      }
+    };
+
+
+
+    double
+    dot(const Values &a, const Values &b)
+    {
+      return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+    }
+
+    void
+    add(Values &a, const double factor, const Values &b)
+    {
+      for (unsigned int i = 0; i < a.size(); ++i)
+        a[i] += factor * b[i];
+    }
+
+
+
+    /** The same by what the last steps have changed. */
+    class BySecants
+    {
+    public:
+      explicit BySecants(ExchangeOperator &stage)
+        : stage(stage)
+      {}
+
+      Values
+      law_at(const Values &k)
+      {
+        return stage.law_at(k);
+      }
+
+      /** Solves what the secants tell, and takes the law for the rest. */
+      Values
+      step(const Values &k, const Values &law)
+      {
+        Values excess(law);
+        add(excess, -1., k);
+        if (!last_law.empty())
+          {
+            Secant secant{excess, law};
+            add(secant.excess, -1., last_excess);
+            add(secant.law, -1., last_law);
+            secants.push_front(secant);
+            if (secants.size() > max_secants)
+              secants.pop_back();
+          }
+        last_excess = excess;
+        last_law    = law;
+
+        Values              result(excess);
+        std::vector<Secant> orthogonal;
+        for (Secant secant : secants)
+          {
+            const double whole = dot(secant.excess, secant.excess);
+            for (const Secant &other : orthogonal)
+              {
+                const double part = dot(secant.excess, other.excess);
+                add(secant.excess, -part, other.excess);
+                add(secant.law, -part, other.law);
+              }
+            const double left = dot(secant.excess, secant.excess);
+            if (!(left > Tolerances::rounding_of_data * whole))
+              continue;
+            for (Values *values : {&secant.excess, &secant.law})
+              for (double &value : *values)
+                value /= std::sqrt(left);
+            const double part = dot(secant.excess, excess);
+            add(excess, -part, secant.excess);
+            add(result, -part, secant.law);
+            orthogonal.push_back(secant);
+          }
+        return result;
+      }
+
+    private:
+      /** Changes of law - k, and of the law. */
+      struct Secant
+      {
+        Values excess, law;
+      };
+
+      static constexpr unsigned int max_secants = 5;
+
+      ExchangeOperator  &stage;
+      std::deque<Secant> secants; ///< the last one in front
+      Values             last_excess, last_law;
+    };
+
+
+
+    /** Newton's method with damping; true if it converged. */
+    template <typename Stage>
+    bool
+    solve_smooth(Stage &&stage, const double tolerance, Values &k)
+    {
+      Values law = stage.law_at(k);
       for (unsigned int iteration = 0; iteration < 30; ++iteration)
         {
           const double old_defect = defect(k, law);
-          if (old_defect <= Tolerances::rounding)
+          if (old_defect <= tolerance)
             return true;
-          FullMatrix<double> matrix = end.derivative();
-          matrix *= -1.;
-          dealii::Vector<double> rhs(n), step(n);
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              matrix(i, i) += 1.;
-              rhs(i) = law[i] - k[i];
-            }
-          matrix.gauss_jordan();
-          matrix.vmult(step, rhs);
-
-          Values trial(n), law_there;
-          double damping = 1., new_defect = old_defect;
+          const Values step = stage.step(k, law);
+          Values       trial(k.size()), law_there;
+          double       damping = 1., new_defect = old_defect;
           for (; damping > Tolerances::shortest_newton_step; damping *= 0.5)
             {
-              for (unsigned int i = 0; i < n; ++i)
-                trial[i] = std::max(0., k[i] + damping * step(i));
-              law_there  = end.law_at(trial);
+              for (unsigned int i = 0; i < k.size(); ++i)
+                trial[i] = std::max(0., k[i] + damping * step[i]);
+              law_there  = stage.law_at(trial);
               new_defect = defect(trial, law_there);
               if (new_defect < old_defect)
                 break;
@@ -121,7 +231,8 @@ namespace ThermoContact
           k   = trial;
           law = law_there;
         }
-      return defect(k, law) <= Tolerances::rounding_of_data;
+      return defect(k, law) <=
+             std::max(tolerance, Tolerances::rounding_of_data);
     }
 
 
@@ -141,7 +252,7 @@ namespace ThermoContact
           if (defect(k, last) <= Tolerances::rounding_of_sum)
             return true;
           Values trial(k);
-          if (solve_smooth(end, trial))
+          if (solve_smooth(ByDerivatives{end}, Tolerances::rounding, trial))
             {
               k = trial;
               return true;
@@ -167,12 +278,25 @@ namespace ThermoContact
     ExchangeStage stage(exchange, response, laws, end.pressure);
     if (stage.n == 1)
       end.coefficient[0] = solve_node(stage, end.coefficient, 0);
-    else if (!solve_smooth(stage, end.coefficient) &&
+    else if (!solve_smooth(ByDerivatives{stage},
+                           Tolerances::rounding,
+                           end.coefficient) &&
              !solve_by_sweeps(stage, end.coefficient))
       give_up(stage.n);
     stage.law_at(end.coefficient);
     end.pressure = stage.pressure;
     end.flux     = stage.flux;
     return stage.n_iterations;
+  }
+
+
+
+  void
+  solve_by_secants(ExchangeOperator    &stage,
+                   const double         tolerance,
+                   std::vector<double> &coefficient)
+  {
+    if (!solve_smooth(BySecants(stage), tolerance, coefficient))
+      give_up(coefficient.size());
   }
 } // namespace ThermoContact

@@ -50,11 +50,15 @@ namespace ThermoContact
 
 
   double
-  ExchangeStage::coefficient_of_law(const unsigned int i) const
+  coefficient_of_node(const HeatExchange &exchange,
+                      const NodeLaw      &law,
+                      const double        position,
+                      const double        pressure)
   {
-    return exchange.coefficient(is_closed(i) ? 0. :
-                                               laws[i].penetration(position[i]),
-                                laws[i].push(pressure[i]));
+    return exchange.coefficient(law.is_held || pressure != 0. ?
+                                  0. :
+                                  law.penetration(position),
+                                law.push(pressure));
   }
 
 
@@ -111,7 +115,8 @@ namespace ThermoContact
       {
         position[i] = laws[i].position(
           response.free[i] - x_per_displacement * (by_flux[i] + by_contact[i]));
-        result[i] = coefficient_of_law(i);
+        result[i] =
+          coefficient_of_node(exchange, laws[i], position[i], pressure[i]);
       }
     return result;
   }

@@ -11,10 +11,30 @@ namespace ThermoContact
 {
   namespace
   {
+    /** Of the law at -x; zero stays positive. */
     NodalPressure
     reversed(const NodalPressure &p)
     {
-      return {0. - p.pressure, p.slope}; // zero stays positive
+      return {0. - p.pressure, {p.tangent.compliance, 0. - p.tangent.offset}};
+    }
+
+
+
+    /** Of the law at x - @p shift. */
+    NodalPressure
+    shifted(const NodalPressure &p, const double shift)
+    {
+      return {p.pressure, {p.tangent.compliance, p.tangent.offset + shift}};
+    }
+
+
+
+    AffineLaw
+    tangent(const double stiffness, const double x, const double pressure)
+    {
+      return stiffness > 0. ?
+               AffineLaw{1. / stiffness, x - pressure / stiffness} :
+               AffineLaw();
     }
   } // namespace
 
@@ -32,8 +52,9 @@ namespace ThermoContact
   TwoSided::resolve(const double z, const double r) const
   {
     const NodalPressure by_front = front.resolve(z - front_shift, r);
-    return by_front.pressure != 0. ? by_front :
-                                     reversed(rear.resolve(-z - rear_shift, r));
+    return by_front.pressure != 0. ?
+             shifted(by_front, front_shift) :
+             reversed(shifted(rear.resolve(-z - rear_shift, r), rear_shift));
   }
 
 
@@ -114,8 +135,10 @@ namespace ThermoContact
   Damped::resolve(const double z, const double r) const
   {
     const double p = local_pressure(z, r);
-    const double k = stiffness(z - r * p);
-    return {p, k / (1. + r * k)};
+    const double v = z - r * p;
+    const double k = stiffness(v);
+    // where rounding alone is stiff the graph is vertical
+    return {p, k == 0. && p != 0. ? AffineLaw{0., v} : tangent(k, v, p)};
   }
 
 
@@ -137,7 +160,7 @@ namespace ThermoContact
     const double p    = pressure(z);
     const double other = z - r * p;
     if (other == z)
-      return {p, 0.};
+      return {p, {}};
     const auto [below, above] =
       bracketed_root(excess, std::min(other, z), std::max(other, z));
     const double p_below = pressure(below);
@@ -147,8 +170,8 @@ namespace ThermoContact
       law.pressure(below) - law.pressure(rear_start - change);
     const double stiffness =
       change != 0. ? std::max(0., (at_end - p_below) / change) : 0.;
-    return {steep > above - below ? (z - below) / r : p_below,
-            stiffness / (1. + r * stiffness)};
+    const double found = steep > above - below ? (z - below) / r : p_below;
+    return {found, tangent(stiffness, below, found)};
   }
 
 
@@ -228,9 +251,17 @@ namespace ThermoContact
 
 
 
-  double
-  NodeLaw::slope_of_pressure(const double pressure, const double r) const
+  AffineLaw
+  NodeLaw::tangent_of_pressure(const double pressure) const
   {
-    return 1. / (law->tangent(pressure) + r);
+    const double compliance = law->tangent(pressure);
+    if (std::isinf(compliance))
+      return {};
+    // zero to the last digit if the law is linear
+    const double curved = law->penetration(pressure) - compliance * pressure;
+    return {compliance,
+            is_held || pressure == 0. ?
+              curved :
+              obstacle(pressure > 0. ? 1 : -1) + curved};
   }
 } // namespace ThermoContact

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/tolerances.h>
+#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/contact/interface_problem.h>
 
 #include <algorithm>
@@ -82,7 +83,7 @@ namespace ThermoContact
       {
         const NodalPressure p = laws[i].resolve(nodes.z[i], receptance(i, i));
         nodes.pressure[i]     = p.pressure;
-        nodes.slope[i]        = p.slope;
+        nodes.slope[i]        = p.tangent.slope(receptance(i, i));
       }
     measure(receptance, free, nodes);
   }
@@ -100,7 +101,7 @@ namespace ThermoContact
         nodes.z[i] = free[i] - loss_by_others(receptance, nodes.pressure, i);
         const NodalPressure p = laws[i].resolve(nodes.z[i], receptance(i, i));
         nodes.pressure[i]     = p.pressure;
-        nodes.slope[i]        = p.slope;
+        nodes.slope[i]        = p.tangent.slope(receptance(i, i));
       }
     measure(receptance, free, nodes);
   }
@@ -195,7 +196,7 @@ namespace ThermoContact
       {
         const NodalPressure p = laws[0].resolve(free[0], receptance(0, 0));
         pressure[0]           = p.pressure;
-        present.slope.assign(1, p.slope);
+        present.slope.assign(1, p.tangent.slope(receptance(0, 0)));
         return 1;
       }
 
@@ -251,67 +252,135 @@ namespace ThermoContact
 
 
 
-  std::vector<int>
-  branches_of(const std::vector<double> &pressure)
+  namespace
   {
-    std::vector<int> branch;
-    for (const double p : pressure)
-      branch.push_back(p > 0. ? 1 : p < 0. ? -1 : 0);
-    return branch;
-  }
+    /** Nodes at some $z$, with pressures that are not those of their laws. */
+    struct NodesOfBody
+    {
+      std::vector<double> z, pressure;
+
+      // of their laws there
+      std::vector<AffineLaw> tangent;
+      std::vector<double>    defect;    ///< $r|P(z)-p|$
+      double                 norm = 0.; ///< of it, its square
+
+      void
+      meet(const std::vector<NodeLaw> &laws,
+           const std::vector<double>  &receptance)
+      {
+        tangent.resize(z.size());
+        defect.resize(z.size());
+        norm = 0.;
+        for (unsigned int i = 0; i < z.size(); ++i)
+          {
+            const NodalPressure p = laws[i].resolve(z[i], receptance[i]);
+            tangent[i]            = p.tangent;
+            defect[i] = receptance[i] * std::abs(p.pressure - pressure[i]);
+            norm += defect[i] * defect[i];
+          }
+      }
+    };
+
+
+
+    /** The nodes at a part of the way. */
+    NodesOfBody
+    between(const NodesOfBody &from, const NodesOfBody &to, const double part)
+    {
+      NodesOfBody nodes(to);
+      for (unsigned int i = 0; i < nodes.z.size(); ++i)
+        {
+          nodes.z[i] = from.z[i] + part * (to.z[i] - from.z[i]);
+          nodes.pressure[i] =
+            from.pressure[i] + part * (to.pressure[i] - from.pressure[i]);
+        }
+      return nodes;
+    }
+  } // namespace
 
 
 
   unsigned int
-  solve_by_branches(InterfaceOperator          &body,
+  solve_by_tangents(InterfaceOperator          &body,
                     const std::vector<NodeLaw> &laws,
                     const std::vector<double>  &receptance,
                     const double                rounding,
-                    std::vector<int>           &branch,
+                    std::vector<double>        &position,
                     std::vector<double>        &pressure)
   {
-    const unsigned int  n        = laws.size();
-    const unsigned int  max_sets = max_sets_of_many_changes + 200 + 2 * n;
-    unsigned int        n_sets   = 1;
-    bool                is_last  = false;
-    std::vector<double> position, z(n);
-    while (n_sets <= max_sets)
+    const unsigned int     n       = laws.size();
+    bool                   is_last = true; // if no node can change
+    std::vector<AffineLaw> tangents(n);
+    for (unsigned int i = 0; i < n; ++i)
       {
-        body.solve(branch, is_last, position, pressure);
+        const NodeLaw &law = laws[i];
+        if (law.law == nullptr || !law.law->is_active())
+          continue;
+        is_last = is_last && law.is_held;
+        if (law.is_held || pressure[i] != 0.)
+          tangents[i] = law.is_in_velocity ?
+                          law
+                            .resolve(position[i] + receptance[i] * pressure[i],
+                                     receptance[i])
+                            .tangent :
+                          law.tangent_of_pressure(pressure[i]);
+      }
+
+    const unsigned int max_sets = max_sets_of_many_changes + 200 + 2 * n;
+    NodesOfBody        present, next, trial;
+    next.z.resize(n);
+    next.pressure.resize(n);
+    for (unsigned int n_sets = 1; n_sets <= max_sets;)
+      {
+        body.solve(tangents, is_last, position, pressure);
         double largest = 0.;
         for (unsigned int i = 0; i < n; ++i)
           {
-            z[i]    = position[i] + receptance[i] * pressure[i];
-            largest = std::max(largest, std::abs(z[i]));
+            next.z[i]        = position[i] + receptance[i] * pressure[i];
+            next.pressure[i] = tangents[i].pressure(next.z[i], receptance[i]);
+            largest          = std::max(largest, std::abs(next.z[i]));
           }
-        bool has_changed = false;
+        next.meet(laws, receptance);
+        const auto is_settled = [&](const double defect) {
+          return defect <= rounding * largest;
+        };
+        if (std::all_of(next.defect.begin(), next.defect.end(), is_settled))
+          {
+            if (is_last)
+              {
+                for (unsigned int i = 0; i < n; ++i)
+                  if (!laws[i].is_held && next.tangent[i].is_open())
+                    pressure[i] = 0.;
+                return n_sets;
+              }
+            is_last = true;
+            continue;
+          }
+
+        const bool takes_one = n_sets >= max_sets_of_many_changes;
+        double     part      = 1.;
+        trial                = next;
+        while (n_sets > 1 && !takes_one &&
+               part > Tolerances::shortest_newton_step &&
+               !(trial.norm < (1. - 0.2 * part) * present.norm))
+          {
+            part *= 0.5;
+            trial = between(present, next, part);
+            trial.meet(laws, receptance);
+          }
+        const bool is_short =
+          part < 1. && part > Tolerances::shortest_newton_step;
+        present = is_short ? trial : next;
         for (unsigned int i = 0; i < n; ++i)
-          {
-            if (laws[i].is_held || laws[i].law == nullptr ||
-                (has_changed && n_sets > max_sets_of_many_changes))
-              continue;
-            const double p    = laws[i].resolve(z[i], receptance[i]).pressure;
-            const int    next = p > 0. ? 1 : p < 0. ? -1 : 0;
-            const int    left = next == 0 ? branch[i] : next;
-            if (next == branch[i] ||
-                std::abs(z[i] - laws[i].obstacle(left)) <= rounding * largest)
-              continue;
-            branch[i]   = next;
-            has_changed = true;
-          }
-        if (has_changed)
-          ++n_sets;
-        else if (is_last)
-          {
-            for (unsigned int i = 0; i < n; ++i)
-              if (!laws[i].is_held && branch[i] * pressure[i] <= 0.)
-                pressure[i] = 0.;
-            return n_sets;
-          }
-        else
-          is_last = true;
+          if (is_short || !is_settled(present.defect[i]))
+            {
+              tangents[i] = present.tangent[i];
+              if (takes_one)
+                break;
+            }
+        ++n_sets;
       }
-    throw ComputationError("the branches of " + std::to_string(n) +
+    throw ComputationError("the pressures of " + std::to_string(n) +
                            " contact nodes did not settle\n  remedy:  a larger "
                            "Contact/Compliance or a smaller Time/Step size");
   }

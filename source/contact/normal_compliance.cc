@@ -57,9 +57,8 @@ namespace ThermoContact
       NodalPressure
       resolve(const double z, const double r) const override
       {
-        return z > 0. ?
-                 NodalPressure{z / (compliance + r), 1. / (compliance + r)} :
-                 NodalPressure();
+        return z > 0. ? NodalPressure{z / (compliance + r), {compliance, 0.}} :
+                        NodalPressure();
       }
 
       double

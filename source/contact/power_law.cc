@@ -98,7 +98,10 @@ namespace ThermoContact
             x = next;
           }
         const double p = std::pow(x, exponent);
-        return {p, p > 0. ? 1. / (tangent(p) + r) : 0.};
+        if (!(p > 0.))
+          return {p, {}};
+        const double t = tangent(p);
+        return {p, {t, compliance * x - t * p}};
       }
 
     protected:

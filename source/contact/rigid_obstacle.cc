@@ -55,7 +55,7 @@ namespace ThermoContact
       NodalPressure
       resolve(const double z, const double r) const override
       {
-        return z > 0. ? NodalPressure{z / r, 1. / r} : NodalPressure();
+        return z > 0. ? NodalPressure{z / r, {0., 0.}} : NodalPressure();
       }
 
       double

@@ -618,15 +618,17 @@ namespace ThermoContact
     contact_cells.visit_matrices(
       field,
       spaces.cells(),
-      [&](const Cell &cell, const FullMatrix<double> &matrix) {
+      [&](const Cell                      &cell,
+          const std::vector<unsigned int> &nodes,
+          const FullMatrix<double>        &matrix) {
         const std::vector<unsigned int> positions =
           local_positions(field, cell);
         const double rounding =
           Tolerances::rounding_of_sum * matrix.linfty_norm();
-        for (unsigned int i = 0; i < n_nodes; ++i)
-          for (unsigned int j = 0; j < n_nodes; ++j)
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          for (unsigned int j = 0; j < nodes.size(); ++j)
             if (std::abs(matrix(i, j)) > rounding)
-              sums[{positions[i], positions[j]}] += matrix(i, j);
+              sums[{positions[nodes[i]], positions[nodes[j]]}] += matrix(i, j);
       });
     for (const auto &[place, value] : sums)
       fields[field].at_end.push_back(

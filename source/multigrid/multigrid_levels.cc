@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/multigrid/level_products.h>
 #include <thermocontact/multigrid/multigrid_levels.h>
 
@@ -193,10 +194,16 @@ namespace ThermoContact
       return;
     LevelVector<Number> exchange(fine.exchange);
     if (is_finest)
-      for (const auto &[node, entry] :
-           body.contact_end().entries(Field::temperature))
-        exchange.local_element(entry) = body.scene.heat.linear_coefficient() *
-                                        body.contact_end().nodes()[node].weight;
+      {
+        // row sums of K + kB, of which those of K are zero
+        Vector ones(body.discretization.make_vector(field)), sums(ones);
+        ones = 1.;
+        body.equations.conduction().vmult(sums, ones);
+        for (unsigned int i = 0; i < sums.locally_owned_size(); ++i)
+          if (sums.local_element(i) >
+              Tolerances::rounding_of_data * fine.stiffness.local_element(i))
+            exchange.local_element(i) = sums.local_element(i);
+      }
     fine.transfer.restrict_to(coarse.exchange, exchange);
   }
 

@@ -3,6 +3,7 @@
 #include <thermocontact/multigrid/stage_hierarchies.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ThermoContact
 {
@@ -15,7 +16,8 @@ namespace ThermoContact
 
   template <int dim>
   StageHierarchies<dim>::StageHierarchies(const Body<dim> &body)
-    : levels_(body)
+    : body(body)
+    , levels_(body)
   {}
 
 
@@ -53,27 +55,79 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** How much stiffer or softer a spring may be. */
+    constexpr double same_stiffness = 2.;
+
+
+
+    /** True if preconditioners do not tell them apart. */
+    bool
+    are_similar(const std::vector<double> &some,
+                const std::vector<double> &others)
+    {
+      if (some.size() != others.size())
+        return false;
+      for (unsigned int i = 0; i < some.size(); ++i)
+        if (some[i] != others[i] && (some[i] == 0. || others[i] == 0. ||
+                                     some[i] > same_stiffness * others[i] ||
+                                     others[i] > same_stiffness * some[i]))
+          return false;
+      return true;
+    }
+
+
+
+    template <int dim>
+    ContactRows
+    contact_rows(const Discretization<dim> &space,
+                 const std::vector<double> &springs)
+    {
+      ContactRows rows;
+      const bool  are_rigid =
+        std::any_of(springs.begin(), springs.end(), [](const double spring) {
+          return std::isinf(spring);
+        });
+      Vector &values = are_rigid ? rows.held : rows.springs;
+      values         = space.make_vector(Field::displacement);
+      for (const auto &[node, entry] :
+           space.contact_end().entries(Field::displacement))
+        values.local_element(entry) = !are_rigid ? springs[node] :
+                                      std::isinf(springs[node]) ? 1. :
+                                                                  0.;
+      return rows;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
-  StageHierarchies<dim>::set_contact(const std::vector<bool> &active_set,
-                                     const ContactRows       &rows)
+  StageHierarchies<dim>::set_contact(const std::vector<double> &springs)
   {
     Hierarchy &hierarchy = hierarchies.front();
-    if (!hierarchy.momentum || hierarchy.active_set == active_set)
+    if (!hierarchy.momentum || are_similar(springs, hierarchy.springs))
       return;
-    hierarchy.active_set.clear(); // if the following fails
-    if (std::find(active_set.begin(), active_set.end(), true) ==
-        active_set.end())
-      hierarchy.momentum->set_contact(nullptr);
-    else
+    hierarchy.springs.clear(); // if the following fails
+    if (std::none_of(springs.begin(), springs.end(), [](const double spring) {
+          return spring > 0.;
+        }))
       {
-        const bool is_last = hierarchy.last_contact == active_set;
-        hierarchy.momentum->set_contact(&rows, is_last);
-        hierarchy.last_contact = active_set;
-        if (!is_last)
-          ++n_made_;
+        hierarchy.momentum->set_contact(nullptr);
+        hierarchy.springs = springs;
+        return;
       }
-    hierarchy.active_set = active_set;
+    const bool is_last = are_similar(springs, hierarchy.last_contact);
+    if (!is_last)
+      {
+        hierarchy.last_contact = springs;
+        ++n_made_;
+      }
+    const ContactRows rows =
+      contact_rows(body.discretization, hierarchy.last_contact);
+    hierarchy.momentum->set_contact(&rows, is_last);
+    hierarchy.springs = hierarchy.last_contact;
   }
 
 

@@ -294,12 +294,10 @@ namespace ThermoContact
 
     /** LinearSolver::needs_factors. */
     std::string
-    reason_for_factors(const Parameters   &parameters,
-                       const SceneHeat    &heat,
-                       const Scheme       &scheme,
-                       const SceneContact &contact,
-                       const bool          is_fixed_point,
-                       const bool          has_prescribed_start)
+    reason_for_factors(const Parameters &parameters,
+                       const Scheme     &scheme,
+                       const bool        is_fixed_point,
+                       const bool        has_prescribed_start)
     {
       if (parameters.dimension == 1)
         return "Dimension = 1";
@@ -309,18 +307,6 @@ namespace ThermoContact
         return "Solver/Step solver = fixed point";
       if (has_prescribed_start)
         return "Time/Start = paper";
-      if (heat.has_lateral_exchange())
-        return "Boundary/Lateral heat exchange is not 0";
-      const std::string condition =
-        "Contact/Condition = " + parameters.contact.condition;
-      if (contact.law->damping() > 0.)
-        return text("Contact/Damping = ", contact.law->damping());
-      if (!contact.law->is_linear())
-        return condition;
-      if (contact.has_impacts())
-        return "Contact/Massless nodes = off and " + condition;
-      if (!heat.exchange->is_constant())
-        return "Boundary/Heat exchange depends on the contact";
       return "";
     }
 
@@ -422,9 +408,7 @@ namespace ThermoContact
                               fields,
                               contact,
                               reason_for_factors(parameters,
-                                                 heat,
                                                  scheme,
-                                                 contact,
                                                  is_fixed_point,
                                                  has_prescribed_start)))
   {}

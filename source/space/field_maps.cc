@@ -93,6 +93,10 @@ namespace ThermoContact
         std::make_unique<FunctionMap>([&products](Vector &y, const Vector &x) {
           products.thermal_stress(y, x);
         });
+      maps.lateral_exchange =
+        std::make_unique<FunctionMap>([&products](Vector &y, const Vector &x) {
+          products.lateral_exchange(y, x);
+        });
       return maps;
     }
 

@@ -19,13 +19,24 @@ namespace ThermoContact
 
 
   template <int dim>
+  bool
+  LateralExchange<dim>::acts_on(
+    const typename DoFHandler<dim>::face_iterator &face) const
+  {
+    constexpr types::boundary_id first_lateral = 2; // y = 0, its axis if any
+    return dim > 1 && coefficient_ > 0. && face->at_boundary() &&
+           face->boundary_id() >= first_lateral &&
+           !(has_axis_at_side && face->boundary_id() == first_lateral);
+  }
+
+
+
+  template <int dim>
   void
   LateralExchange<dim>::for_each_place(const Visit &visit) const
   {
     if (!(coefficient_ > 0.))
       return;
-    constexpr types::boundary_id first_lateral = 2; // y = 0, its axis if any
-
     const unsigned int n = discretization.degree() + 1;
     const UpdateFlags  flags =
       update_values | update_quadrature_points | update_JxW_values;
@@ -47,9 +58,7 @@ namespace ThermoContact
             continue;
           }
         for (const unsigned int f : cell->face_indices())
-          if (const auto &face = cell->face(f);
-              face->at_boundary() && face->boundary_id() >= first_lateral &&
-              !(has_axis_at_side && face->boundary_id() == first_lateral))
+          if (acts_on(cell->face(f)))
             {
               face_values.reinit(cell, f);
               visit(cell, face_values);

@@ -83,7 +83,7 @@ namespace ThermoContact
                          {{factors.mass, factors.mass}},
                          input.begin(),
                          values);
-    if (!factors.is_laplacian && contact_cells.contain(batch))
+    if (!factors.is_laplacian)
       contact_cells.add_heat_exchange(batch,
                                       factors.conduction,
                                       input.begin(),
@@ -246,6 +246,31 @@ namespace ThermoContact
           u.read_dof_values(x);
           momentum_on_cell({0., 1.}, u);
           u.distribute_local_to_global(y);
+        }
+    x.zero_out_ghost_values();
+    y.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  MatrixFreeOperator<dim>::lateral_exchange(Vector &y, const Vector &x) const
+  {
+    const MatrixFree<dim> &cells = spaces.cells();
+    Scalar                 theta(cells, spaces.index(Field::temperature));
+    y = 0.;
+    x.update_ghost_values();
+    for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
+      if (contact_cells.exchange_laterally(batch))
+        {
+          theta.reinit(batch);
+          theta.read_dof_values(x);
+          VectorizedArray<double> *values = theta.begin_dof_values();
+          std::copy(values, values + theta.dofs_per_cell, input.begin());
+          std::fill(values, values + theta.dofs_per_cell, 0.);
+          contact_cells.add_lateral_exchange(batch, 1., input.begin(), values);
+          theta.distribute_local_to_global(y);
         }
     x.zero_out_ghost_values();
     y.compress(VectorOperation::add);

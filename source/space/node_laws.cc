@@ -51,6 +51,39 @@ namespace ThermoContact
 
 
   template <int dim>
+  double
+  get_stage_laws(const Body<dim>        &body,
+                 const State            &known,
+                 const double            tau,
+                 const ContactMode       mode,
+                 const std::vector<int> &held_at,
+                 std::vector<NodeLaw>   &laws,
+                 std::vector<double>    &start)
+  {
+    const bool is_in_velocity = body.law().damping() > 0.;
+    get_node_laws(body, known, laws, start);
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      {
+        NodeLaw &law = laws[i];
+        if (!held_at.empty() && held_at[i] != law.side)
+          start[i] = law.change_side(start[i]);
+        law.is_held = mode == ContactMode::closed;
+        if (mode == ContactMode::open)
+          law.law = nullptr;
+        if (!is_in_velocity)
+          continue;
+        // as the obstacle sees it, which has moved to the end of the stage
+        law.is_in_velocity = true;
+        law.start          = start[i] + tau * law.local_rate();
+        law.tau            = tau;
+        start[i]           = 0. - law.local_rate();
+      }
+    return is_in_velocity ? 1. : tau;
+  }
+
+
+
+  template <int dim>
   void
   get_velocity_laws(const Body<dim>         &body,
                     const State             &state,
@@ -135,6 +168,13 @@ namespace ThermoContact
                                 const std::vector<double> &,   \
                                 std::vector<NodeLaw> &,        \
                                 std::vector<double> &);        \
+  template double get_stage_laws(const Body<dim> &,            \
+                                 const State &,                \
+                                 const double,                 \
+                                 const ContactMode,            \
+                                 const std::vector<int> &,     \
+                                 std::vector<NodeLaw> &,       \
+                                 std::vector<double> &);       \
   template void   get_velocity_laws(const Body<dim> &,         \
                                     const State &,             \
                                     const std::vector<bool> &, \

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
+#include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/direct_solver.h>
+#include <thermocontact/space/matrix_free_operator.h>
 #include <thermocontact/space/steady_profile.h>
 
 #include <deal.II/base/function.h>
 
+#include <deal.II/lac/diagonal_matrix.h>
+
 #include <deal.II/numerics/vector_tools_interpolate.h>
+
+#include <memory>
 
 namespace ThermoContact
 {
@@ -47,8 +54,20 @@ namespace ThermoContact
         , owned(discretization.owned_by_block()[Field::temperature])
         , stage_operator(stage_operator)
         , loads(loads)
-        , solver(matrix())
-      {}
+      {
+        if (scene.linear_solver.has_matrices())
+          factors = std::make_unique<DirectSolver>(matrix());
+        else if constexpr (dim > 1)
+          {
+            inverse_diagonal =
+              stage_operator.matrix_free()->heat_diagonal({0., 1.});
+            Vector ones(inverse_diagonal);
+            ones = 1.;
+            add_exchange(ones, inverse_diagonal);
+            for (double &entry : inverse_diagonal)
+              entry = 1. / entry;
+          }
+      }
 
       /** Adds the correction that the residual of @p profile asks for. */
       void
@@ -60,9 +79,31 @@ namespace ThermoContact
         if (!heat.exchange->is_constant())
           subtract_exchange(profile, residual);
         stage_operator.zero_constrained(Field::temperature, residual);
-        solver.solve(correction, residual);
+        if (factors)
+          factors->solve(correction, residual);
+        else
+          {
+            correction = 0.;
+            if (residual.linfty_norm() > 0.)
+              conjugate_gradients("the steady profile",
+                                  *this,
+                                  correction,
+                                  residual,
+                                  DiagonalMatrix<Vector>(inverse_diagonal),
+                                  Tolerances::rounding_of_solution,
+                                  100000);
+          }
         stage_operator.zero_constrained(Field::temperature, correction);
         profile += correction;
+      }
+
+      /** The product of the conjugate gradients. */
+      void
+      vmult(Vector &y, const Vector &x) const
+      {
+        stage_operator.conduction().vmult(y, x);
+        add_exchange(x, y);
+        stage_operator.zero_constrained(Field::temperature, y);
       }
 
     private:
@@ -71,9 +112,22 @@ namespace ThermoContact
       const IndexSet                        &owned;
       const ThermoviscoelasticOperator<dim> &stage_operator;
       const Loads<dim>                      &loads;
-      DirectSolver                           solver;
+      std::unique_ptr<DirectSolver>          factors;
+      Vector                                 inverse_diagonal; ///< or that
 
-      /** With the $k_s$ of the nodes where the matrices have no exchange. */
+      /** Adds the $k_s$ of the nodes where the matrices have no exchange. */
+      void
+      add_exchange(const Vector &x, Vector &y) const
+      {
+        if (heat.exchange->is_constant())
+          return;
+        for (const auto &[node, entry] : end.entries(Field::temperature))
+          y.local_element(entry) += heat.reference_coefficient *
+                                    end.nodes()[node].weight *
+                                    x.local_element(entry);
+      }
+
+      /** With that exchange. */
       SparseMatrix
       matrix() const
       {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/interface_problem.h>
+#include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/time/equilibrium.h>
 #include <thermocontact/time/iterative_solver.h>
+
+#include <deal.II/lac/diagonal_matrix.h>
 
 namespace ThermoContact
 {
@@ -133,16 +137,10 @@ namespace ThermoContact
             Vector                     &y,
             std::vector<double>        &pressure) override
       {
-        // in x/c laws are the same if they are rigid, or linear with c = 1
-        Assert(forces != nullptr &&
-                 (laws.empty() || factor == 1. || body.law().is_rigid()),
-               dealii::ExcInternalError());
+        Assert(forces != nullptr, dealii::ExcInternalError());
         provide();
         solver->restore({});
-        std::vector<double> start(position);
-        for (double &x : start)
-          x /= factor;
-        solver->solve_forces(*forces, laws, start, y, pressure);
+        solver->solve_forces(*forces, laws, position, factor, y, pressure);
         SolverCounters made = solver->counters();
         made.solves         = 0; // those of stages count
         counters += made;
@@ -152,6 +150,101 @@ namespace ThermoContact
       const Body<dim>                      &body;
       SolverCounters                       &counters;
       std::unique_ptr<IterativeSolver<dim>> solver;
+    };
+
+
+
+    /** $bM_u$ without matrices, by conjugate gradients. */
+    template <int dim>
+    class IterativeInertia : public Equilibrium<dim>
+    {
+    public:
+      explicit IterativeInertia(const Body<dim> &body)
+        : body(body)
+      {}
+
+      void
+      provide() override
+      {
+        if (is_provided())
+          return;
+        inverse_diagonal = body.equations.matrix_free()->momentum_diagonal(
+          {body.scene.material.inertia, 0.});
+        for (double &entry : inverse_diagonal)
+          entry = 1. / entry;
+      }
+
+      bool
+      is_provided() const override
+      {
+        return inverse_diagonal.size() > 0;
+      }
+
+      void
+      solve(const Vector *forces,
+            const std::vector<NodeLaw> & /*laws*/,
+            const std::vector<double> &position,
+            const double               factor,
+            Vector                    &y,
+            std::vector<double>       &pressure) override
+      {
+        provide();
+        Vector held(inverse_diagonal), rest(inverse_diagonal), free(rest);
+        held = 0.;
+        for (const auto &[node, entry] :
+             body.contact_end().entries(Field::displacement))
+          held.local_element(entry) = -position[node] / factor;
+        multiply(rest, held);
+        rest *= -1.;
+        if (forces != nullptr)
+          rest += *forces;
+        y    = held;
+        free = 0.;
+        Vector rhs(rest);
+        zero_given(rhs);
+        if (rhs.linfty_norm() > 0.)
+          conjugate_gradients("the velocities after an impact",
+                              *this,
+                              free,
+                              rhs,
+                              DiagonalMatrix<Vector>(inverse_diagonal),
+                              Tolerances::rounding_of_solution,
+                              10000);
+        y += free;
+        multiply(rhs, free);
+        rest -= rhs;
+        body.contact_end().get_values(Field::displacement, rest, pressure);
+        for (unsigned int i = 0; i < pressure.size(); ++i)
+          pressure[i] /= body.contact_end().nodes()[i].weight;
+      }
+
+      /** The product of the conjugate gradients. */
+      void
+      vmult(Vector &result, const Vector &x) const
+      {
+        multiply(result, x);
+        zero_given(result);
+      }
+
+    private:
+      const Body<dim> &body;
+      Vector           inverse_diagonal;
+
+      void
+      multiply(Vector &result, const Vector &x) const
+      {
+        body.equations.matrix_free()->momentum(
+          {body.scene.material.inertia, 0.}, result, x);
+        body.equations.zero_constrained(Field::displacement, result);
+      }
+
+      void
+      zero_given(Vector &vector) const
+      {
+        for (const auto &[node, entry] :
+             body.contact_end().entries(Field::displacement))
+          vector.local_element(entry) = 0.;
+      }
     };
   } // namespace
 
@@ -164,9 +257,12 @@ namespace ThermoContact
                    SolverCounters                         &counters)
   {
     if constexpr (dim > 1)
-      if (!body.scene.linear_solver.has_matrices() &&
-          matrix == Equilibrium<dim>::Matrix::stiffness)
-        return std::make_unique<IterativeEquilibrium<dim>>(body, counters);
+      if (!body.scene.linear_solver.has_matrices())
+        {
+          if (matrix == Equilibrium<dim>::Matrix::inertia)
+            return std::make_unique<IterativeInertia<dim>>(body);
+          return std::make_unique<IterativeEquilibrium<dim>>(body, counters);
+        }
     return std::make_unique<DirectEquilibrium<dim>>(body, matrix, counters);
   }
 

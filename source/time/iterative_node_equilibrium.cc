@@ -19,7 +19,7 @@ namespace ThermoContact
     : body(body)
     , factor(factor)
     , takes_heat(takes_heat && body.equations.is_coupled())
-    , branches(body.contact_end().n_all_nodes(), 0)
+    , tangents(body.contact_end().n_all_nodes())
     , values(body.discretization.make_vector(Field::displacement))
     , forces(values)
   {
@@ -39,9 +39,10 @@ namespace ThermoContact
   double
   IterativeNodeEquilibrium<dim>::spring(const unsigned int node) const
   {
-    return branches[node] != 0 && !body.law().is_rigid() ?
-             body.contact_end().nodes()[node].weight / body.law().tangent(0.) :
-             0.;
+    return tangents[node].is_open() || is_held(node) ?
+             0. :
+             body.contact_end().nodes()[node].weight /
+               tangents[node].compliance;
   }
 
 
@@ -98,7 +99,7 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<double>
-  IterativeNodeEquilibrium<dim>::solve_branches(
+  IterativeNodeEquilibrium<dim>::solve_linear(
     const std::vector<double> &load,
     const std::vector<double> &penetration)
   {
@@ -141,10 +142,10 @@ namespace ThermoContact
     const std::vector<unsigned int> &closing)
   {
     for (const unsigned int i : closing)
-      branches[i] = (*laws)[i].side;
+      tangents[i] = NodeLaw(body.law()).tangent_of_pressure(0.);
     std::vector<double> of_all(rate);
     of_all.resize(load.size(), 0.);
-    return solve_branches(load, of_all);
+    return solve_linear(load, of_all);
   }
 
 
@@ -162,28 +163,29 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeNodeEquilibrium<dim>::solve(const std::vector<int> &branch,
+  IterativeNodeEquilibrium<dim>::solve(const std::vector<AffineLaw> &laws,
                                        const bool,
                                        std::vector<double> &new_position,
                                        std::vector<double> &pressure)
   {
-    const unsigned int n = branch.size();
-    std::copy(branch.begin(), branch.end(), branches.begin());
+    const unsigned int n = laws.size();
+    std::copy(laws.begin(), laws.end(), tangents.begin());
     std::vector<double> penetration(load->size(), 0.);
     for (unsigned int i = 0; i < n; ++i)
-      if (branch[i] != 0)
-        penetration[i] = (*position)[i] - (*laws)[i].obstacle(branch[i]);
-    change                          = solve_branches(*load, penetration);
+      if (!laws[i].is_open())
+        penetration[i] = (*position)[i] - laws[i].offset;
+    change                          = solve_linear(*load, penetration);
     const std::vector<double> force = product(change);
     new_position.resize(n);
     pressure.resize(n);
     for (unsigned int i = 0; i < n; ++i)
       {
-        new_position[i] = is_held(i) ? (*laws)[i].obstacle(branch[i]) :
-                                       (*position)[i] + change[i];
-        pressure[i]     = branch[i] != 0 ? ((*load)[i] - force[i]) /
-                                         body.contact_end().nodes()[i].weight :
-                                           0.;
+        new_position[i] =
+          is_held(i) ? laws[i].offset : (*position)[i] + change[i];
+        pressure[i] =
+          laws[i].is_open() ?
+            0. :
+            ((*load)[i] - force[i]) / body.contact_end().nodes()[i].weight;
       }
   }
 
@@ -196,20 +198,13 @@ namespace ThermoContact
                                        const std::vector<double>  &position,
                                        std::vector<double>        &pressure)
   {
-    this->load                 = &load;
-    this->laws                 = &laws;
-    this->position             = &position;
-    std::vector<int>    branch = branches_of(pressure);
-    std::vector<double> receptance;
+    this->load     = &load;
+    this->position = &position;
+    std::vector<double> receptance, found(position);
     for (unsigned int i = 0; i < laws.size(); ++i)
-      {
-        receptance.push_back(body.contact_end().nodes()[i].weight /
-                             diagonal[i]);
-        if (laws[i].law == nullptr)
-          branch[i] = 0;
-      }
-    solve_by_branches(
-      *this, laws, receptance, 10. * tolerance(), branch, pressure);
+      receptance.push_back(body.contact_end().nodes()[i].weight / diagonal[i]);
+    solve_by_tangents(
+      *this, laws, receptance, 10. * tolerance(), found, pressure);
     return change;
   }
 

@@ -5,6 +5,7 @@
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
+#include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/iterative_solver.h>
 
 #include <algorithm>
@@ -45,7 +46,7 @@ namespace ThermoContact
       {
         retained.taus.push_back(hierarchy.tau);
         retained.has_response.push_back(false);
-        retained.active_sets.push_back(hierarchy.last_contact);
+        retained.contact_springs.push_back(hierarchy.last_contact);
       }
     return retained;
   }
@@ -58,7 +59,7 @@ namespace ThermoContact
   {
     stage.preconditioners().clear();
     for (unsigned int i = retained.taus.size(); i-- > 0;)
-      stage.restore(retained.taus[i], retained.active_sets[i]);
+      stage.restore(retained.taus[i], retained.contact_springs[i]);
     counters_ = retained.counters;
   }
 
@@ -77,11 +78,8 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeSolver<dim>::solve_linear(const double         tolerance,
-                                     std::vector<double> &pressure)
+  IterativeSolver<dim>::warn()
   {
-    count(stage.solve(tolerance));
-    stage.get_pressures(pressure);
     for (const std::string &warning : stage.take_warnings())
       warnings.push_back(warning);
   }
@@ -90,65 +88,54 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeSolver<dim>::solve_prepared(const State      &known,
-                                       const ContactMode mode,
-                                       StageRates       &rates)
-  {
-    rates.start(known);
-    std::vector<NodeLaw> laws(stage.contact_laws());
-    std::vector<int>     branch(laws.size(), 0);
-    if (body.law().is_active() && mode != ContactMode::open)
-      for (unsigned int i = 0; i < laws.size(); ++i)
-        {
-          laws[i].is_held = mode == ContactMode::closed;
-          const double p  = known.contact_pressure[i];
-          branch[i]       = !laws[i].is_held ? (p > 0.) - (p < 0.) :
-                            !rates.held_at.empty() && rates.held_at[i] < 0 ? -1 :
-                                                                             1;
-        }
-    stage.set_laws(laws);
-    if (body.law().is_active() && mode == ContactMode::unilateral)
-      {
-        rates.n_iterations = solve_contact(branch, rates.pressure);
-        return;
-      }
-    stage.set_branches(branch);
-    solve_linear(body.scene.linear_solver.tolerance, rates.pressure);
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeSolver<dim>::solve(const std::vector<int> &branch,
-                              const bool              is_last,
-                              std::vector<double>    &position,
-                              std::vector<double>    &pressure)
+  IterativeSolver<dim>::solve(const std::vector<AffineLaw> &laws,
+                              const bool                    is_last,
+                              std::vector<double>          &position,
+                              std::vector<double>          &pressure)
   {
     const double tolerance = body.scene.linear_solver.tolerance;
-    stage.set_branches(branch);
-    solve_linear(is_last ? tolerance :
-                           std::max(tolerance, Tolerances::loose_residual),
-                 pressure);
+    stage.set_laws(laws);
+    count(stage.solve(
+      is_last ? tolerance : std::max(tolerance, Tolerances::loose_residual)));
+    stage.get_pressures(pressure);
     stage.get_positions(position);
+    warn();
   }
 
 
 
   template <int dim>
   unsigned int
-  IterativeSolver<dim>::solve_contact(std::vector<int>    &branch,
-                                      std::vector<double> &pressure)
+  IterativeSolver<dim>::solve_contact(const std::vector<NodeLaw> &laws,
+                                      const std::vector<double>  &start,
+                                      const double                factor,
+                                      std::vector<double>        &pressure)
   {
-    const unsigned int n_sets =
-      solve_by_branches(*this,
-                        stage.contact_laws(),
-                        stage.receptances(),
-                        Tolerances::rounding_of_solution,
-                        branch,
-                        pressure);
-    counters_.active_set_iterations += n_sets;
-    return n_sets;
+    stage.set_interface(start, factor);
+    stage.get_positions(positions);
+    return solve_by_tangents(*this,
+                             laws,
+                             stage.receptances(),
+                             Tolerances::rounding_of_solution,
+                             positions,
+                             pressure);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  IterativeSolver<dim>::law_at(const std::vector<double> &coefficient)
+  {
+    stage.set_exchange(coefficient);
+    n_sets += solve_contact(laws, start, factor, end_pressures);
+    std::vector<double> result;
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      result.push_back(coefficient_of_node(*body.scene.heat.exchange,
+                                           laws[i],
+                                           laws[i].position(positions[i]),
+                                           end_pressures[i]));
+    return result;
   }
 
 
@@ -184,9 +171,9 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeSolver<dim>::keep_contact(const std::vector<bool> &is_closed,
-                                     const std::vector<double> & /*pressure*/,
-                                     State &difference)
+  IterativeSolver<dim>::keep_contact(const std::vector<bool>   &is_closed,
+                                     const std::vector<double> &pressure,
+                                     State                     &difference)
   {
     std::vector<double> displacement;
     body.contact_end().get_values(Field::displacement,
@@ -203,8 +190,17 @@ namespace ThermoContact
 
     const StopWatch    watch(counters_.solve_seconds);
     const unsigned int n_made = stage.preconditioners().n_made();
-    stage.prepare_displacement(displacement);
-    stage.set_branches(std::vector<int>(is_closed.begin(), is_closed.end()));
+    stage.prepare_pressures();
+    std::vector<AffineLaw> laws(displacement.size());
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      {
+        if (is_closed[i])
+          laws[i].compliance =
+            NodeLaw(body.law()).tangent_of_pressure(pressure[i]).compliance;
+        displacement[i] *= -1.;
+      }
+    stage.set_interface(displacement, stage.length());
+    stage.set_laws(laws);
     counters_.factorizations += stage.preconditioners().n_made() - n_made;
     count(stage.solve(Tolerances::estimate_residual,
                       IterativeStage<dim>::Measure::of_start));
@@ -235,15 +231,28 @@ namespace ThermoContact
       const StopWatch watch_of_hierarchy(counters_.factorization_seconds);
       stage.preconditioners().provide(tau);
     }
-    stage.prepare(known,
-                  tau,
-                  heat_load,
-                  momentum_load,
-                  mode == ContactMode::open ?
-                    std::vector<double>(known.contact_pressure.size(), 0.) :
-                    known.contact_pressure,
-                  has_heat);
-    solve_prepared(known, mode, rates);
+    rates.start(known);
+    if (mode != ContactMode::open)
+      rates.pressure = known.contact_pressure;
+    stage.prepare(
+      known, tau, heat_load, momentum_load, rates.pressure, has_heat);
+    factor = get_stage_laws(body, known, tau, mode, rates.held_at, laws, start);
+    n_sets = 0;
+    if (body.scene.heat.exchange->is_constant())
+      n_sets = solve_contact(laws, start, factor, rates.pressure);
+    else
+      {
+        end_pressures = rates.pressure;
+        solve_by_secants(*this,
+                         body.scene.linear_solver.tolerance,
+                         rates.exchange_coefficient);
+        rates.pressure = end_pressures;
+      }
+    if (body.law().is_active() && mode != ContactMode::open)
+      {
+        rates.n_iterations = n_sets;
+        counters_.active_set_iterations += n_sets;
+      }
     counters_.factorizations += stage.preconditioners().n_made() - n_made;
     ++counters_.solves;
     if (has_heat)
@@ -261,32 +270,26 @@ namespace ThermoContact
   IterativeSolver<dim>::solve_forces(const Vector               &forces,
                                      const std::vector<NodeLaw> &laws,
                                      const std::vector<double>  &position,
+                                     const double                factor,
                                      Vector                     &y,
                                      std::vector<double>        &pressure)
   {
     const StopWatch watch(counters_.solve_seconds);
     const State     at_rest = body.discretization.make_state();
     const Vector no_heat = body.discretization.make_vector(Field::temperature);
-    const unsigned int  n_made = stage.preconditioners().n_made();
-    const unsigned int  n      = at_rest.contact_pressure.size();
-    std::vector<double> expected =
-      laws.empty() ? std::vector<double>() : pressure;
-    expected.resize(n, 0.);
-    stage.prepare(at_rest, 1., no_heat, forces, expected, false);
-    if (laws.empty())
-      {
-        stage.set_branches(std::vector<int>(n, 0));
-        solve_linear(body.scene.linear_solver.tolerance, expected);
-      }
-    else
-      {
-        stage.set_laws(laws, position);
-        std::vector<int> branch = branches_of(expected);
-        for (unsigned int i = 0; i < n; ++i)
-          if (laws[i].law == nullptr)
-            branch[i] = 0;
-        solve_contact(branch, pressure);
-      }
+    const unsigned int   n_made  = stage.preconditioners().n_made();
+    const bool           is_free = laws.empty();
+    std::vector<double>  none(at_rest.contact_pressure.size(), 0.);
+    std::vector<double> &found = is_free ? none : pressure;
+    found.resize(none.size(), 0.);
+    stage.prepare(at_rest, 1., no_heat, forces, found, false);
+    const unsigned int n_sets =
+      solve_contact(is_free ? std::vector<NodeLaw>(none.size()) : laws,
+                    is_free ? none : position,
+                    factor,
+                    found);
+    if (!is_free)
+      counters_.active_set_iterations += n_sets;
     counters_.factorizations += stage.preconditioners().n_made() - n_made;
     ++counters_.solves;
     y.copy_locally_owned_data_from(stage.unknowns(Field::displacement));

@@ -4,7 +4,6 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/iterative_stage.h>
 
 #include <deal.II/base/mpi.h>
@@ -39,7 +38,7 @@ namespace ThermoContact
     inverse_weights = rhs;
     correction      = rhs;
     scaled_residual = rhs;
-    is_active.assign(body.contact_end().n_nodes(), false);
+    springs.assign(body.contact_end().n_nodes(), 0.);
     if (body.scene.contact.has_massless_nodes &&
         body.scene.material.has_inertia())
       {
@@ -73,6 +72,11 @@ namespace ThermoContact
             equations.subtract_heating(x_u, y_theta);
             y_theta *= -tau;
           }
+        if (!conductance.empty())
+          for (const auto &[node, entry] :
+               body.contact_end().entries(Field::temperature))
+            y_theta.local_element(entry) +=
+              conductance[node] * x_theta.local_element(entry);
         equations.zero_constrained(Field::temperature, y_theta);
       }
     else
@@ -111,11 +115,8 @@ namespace ThermoContact
                                const bool                 with_heat)
   {
     hierarchies.provide(stage_length);
-    tau      = stage_length;
-    has_heat = with_heat && body.scene.fields.has_temperature;
-    get_node_laws(body, known, laws, start);
-    known_penetration = start;
-    branch.assign(laws.size(), 0);
+    tau              = stage_length;
+    has_heat         = with_heat && body.scene.fields.has_temperature;
     Vector &heat     = rhs.block(Field::temperature);
     Vector &momentum = rhs.block(Field::displacement);
     body.equations.stage_rhs(
@@ -134,23 +135,61 @@ namespace ThermoContact
       }
     set_weights(known, pressure);
     largest_residual = 0.;
+    conductance.clear();
+    if (has_heat)
+      {
+        body.contact_end().get_values(Field::temperature,
+                                      known.temperature,
+                                      excess_temperature);
+        for (double &value : excess_temperature)
+          value -= body.scene.heat.obstacle_temperature;
+      }
   }
 
 
 
   template <int dim>
   void
-  IterativeStage<dim>::prepare_displacement(
-    const std::vector<double> &displacement)
+  IterativeStage<dim>::set_exchange(const std::vector<double> &coefficient)
+  {
+    conductance.resize(coefficient.size(), 0.);
+    std::vector<double> change(conductance);
+    for (unsigned int i = 0; i < coefficient.size(); ++i)
+      {
+        conductance[i] =
+          tau * body.contact_end().nodes()[i].weight * coefficient[i];
+        change[i] -= conductance[i];
+      }
+    for (const auto &[node, entry] :
+         body.contact_end().entries(Field::temperature))
+      rhs.block(Field::temperature).local_element(entry) +=
+        change[node] * excess_temperature[node];
+    has_residual = false;
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::prepare_pressures()
   {
     rhs              = 0.;
     solution         = 0.;
     has_residual     = false;
     largest_residual = 0.;
-    laws.assign(displacement.size(), NodeLaw(body.law()));
-    start.assign(displacement.size(), 0.);
-    for (unsigned int i = 0; i < displacement.size(); ++i)
-      start[i] -= displacement[i];
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::set_interface(const std::vector<double> &start,
+                                     const double               factor)
+  {
+    this->start  = start;
+    this->factor = factor;
+    laws.assign(start.size(), AffineLaw());
+    springs.assign(start.size(), 0.);
   }
 
 
@@ -159,14 +198,16 @@ namespace ThermoContact
   std::vector<double>
   IterativeStage<dim>::receptances() const
   {
-    std::vector<double> receptance;
+    std::vector<double> receptance(springs.size(), 1.);
+    if (!body.scene.fields.has_displacement)
+      return receptance; // nothing pushes
     body.contact_end().get_values(
       Field::displacement,
       hierarchies.current().diagonals[Field::displacement],
       receptance);
     for (unsigned int i = 0; i < receptance.size(); ++i)
       receptance[i] =
-        tau * tau * body.contact_end().nodes()[i].weight / receptance[i];
+        factor * tau * body.contact_end().nodes()[i].weight / receptance[i];
     return receptance;
   }
 
@@ -174,62 +215,47 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeStage<dim>::set_rows(const std::vector<bool> &is_active)
+  IterativeStage<dim>::set_laws(const std::vector<AffineLaw> &new_laws)
   {
-    const ContactEnd<dim> &end = body.contact_end();
-    this->is_active            = is_active;
-    contact                    = ContactRows();
-    if (std::find(is_active.begin(), is_active.end(), true) != is_active.end())
-      {
-        Vector &rows = body.law().is_rigid() ? contact.held : contact.springs;
-        rows         = body.discretization.make_vector(Field::displacement);
-        const double tangent = body.law().tangent(0.);
-        for (const auto &[node, entry] : end.entries(Field::displacement))
-          if (is_active[node])
-            rows.local_element(entry) =
-              body.law().is_rigid() ?
-                1. :
-                tau * tau * end.nodes()[node].weight / tangent;
-      }
-    hierarchies.set_contact(is_active, contact);
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeStage<dim>::set_branches(const std::vector<int> &branch)
-  {
-    this->branch = branch;
-    std::vector<bool> is_active;
-    for (unsigned int i = 0; i < branch.size(); ++i)
-      {
-        is_active.push_back(branch[i] != 0);
-        known_penetration[i] =
-          start[i] - (branch[i] != 0 ? laws[i].obstacle(branch[i]) : 0.);
-      }
-    set_rows(is_active);
-    if (contact.held.size() == 0)
-      return;
-    has_residual = false;
-    Vector &v    = solution.block(Field::displacement);
+    laws = new_laws;
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      springs[i] = laws[i].compliance == 0. ?
+                     std::numeric_limits<double>::infinity() :
+                     factor * tau * body.contact_end().nodes()[i].weight /
+                       laws[i].compliance;
+    hierarchies.set_contact(springs);
+    Vector &v = solution.block(Field::displacement);
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
-      if (branch[node] != 0)
-        v.local_element(entry) = -known_penetration[node] / tau;
+      if (is_held(node))
+        {
+          has_residual           = false;
+          v.local_element(entry) = touching_velocity(node);
+        }
+  }
+
+
+
+  template <int dim>
+  bool
+  IterativeStage<dim>::has_contact() const
+  {
+    return !std::all_of(laws.begin(), laws.end(), [](const AffineLaw &law) {
+      return law.is_open();
+    });
   }
 
 
 
   template <int dim>
   void
-  IterativeStage<dim>::restore(const double             stage_length,
-                               const std::vector<bool> &last_contact)
+  IterativeStage<dim>::restore(const double               stage_length,
+                               const std::vector<double> &last_contact)
   {
     hierarchies.provide(stage_length);
     tau = stage_length;
     if (!last_contact.empty())
-      set_rows(last_contact);
+      hierarchies.set_contact(last_contact);
   }
 
 
@@ -246,21 +272,16 @@ namespace ThermoContact
     double        rounding = 0.;
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
-      if (is_active[node])
+      if (is_held(node))
+        r.local_element(entry) = 0.;
+      else if (springs[node] != 0.)
         {
-          if (body.law().is_rigid())
-            {
-              r.local_element(entry) = 0.;
-              continue;
-            }
           // what the spring does beside the body
-          const double spring = contact.springs.local_element(entry);
-          const double before = known_penetration[node] / tau;
-          r.local_element(entry) -= spring * (v.local_element(entry) + before);
-          const double size =
-            std::max(std::abs(before), std::abs(v.local_element(entry)));
-          rounding +=
-            Utilities::fixed_power<2>(w.local_element(entry) * spring * size);
+          r.local_element(entry) -= spring_force(node, v.local_element(entry));
+          const double size = std::max(std::abs(touching_velocity(node)),
+                                       std::abs(v.local_element(entry)));
+          rounding += Utilities::fixed_power<2>(w.local_element(entry) *
+                                                springs[node] * size);
         }
     scaled_residual.scale(weights);
     return 4. * std::numeric_limits<double>::epsilon() *
@@ -320,15 +341,14 @@ namespace ThermoContact
   IterativeStage<dim>::get_pressures(std::vector<double> &pressure)
   {
     const ContactEnd<dim> &end = body.contact_end();
-    if (std::find(is_active.begin(), is_active.end(), true) == is_active.end())
+    if (!has_contact())
       {
-        pressure.assign(is_active.size(), 0.);
+        pressure.assign(laws.size(), 0.);
         return;
       }
     compute_residual();
     const Vector &residual = this->residual.block(Field::displacement);
     const Vector &v        = solution.block(Field::displacement);
-    const Vector &springs  = contact.springs;
     const Vector &diagonal =
       hierarchies.current().diagonals[Field::displacement];
     Vector &forces = scaled_residual.block(Field::displacement);
@@ -337,18 +357,15 @@ namespace ThermoContact
         // Both agree where the stage is solved: the one that errors of the
         // solution change less, which for springs softer than the body is
         // theirs
-        const bool is_soft =
-          springs.size() > 0 &&
-          springs.local_element(entry) < diagonal.local_element(entry);
         forces.local_element(entry) =
-          is_soft ? springs.local_element(entry) *
-                      (v.local_element(entry) + known_penetration[node] / tau) :
-                    residual.local_element(entry);
+          springs[node] < diagonal.local_element(entry) ?
+            spring_force(node, v.local_element(entry)) :
+            residual.local_element(entry);
       }
     end.get_values(Field::displacement, forces, pressure);
     for (unsigned int i = 0; i < pressure.size(); ++i)
       pressure[i] =
-        is_active[i] ? pressure[i] / (tau * end.nodes()[i].weight) : 0.;
+        laws[i].is_open() ? 0. : pressure[i] / (tau * end.nodes()[i].weight);
   }
 
 
@@ -361,9 +378,8 @@ namespace ThermoContact
                                   solution.block(Field::displacement),
                                   position);
     for (unsigned int i = 0; i < position.size(); ++i)
-      position[i] = branch[i] != 0 && body.law().is_rigid() ?
-                      laws[i].obstacle(branch[i]) :
-                      start[i] + tau * position[i];
+      position[i] =
+        is_held(i) ? laws[i].offset : start[i] + factor * position[i];
   }
 
 
@@ -569,15 +585,11 @@ namespace ThermoContact
       const Vector &x_u = x.block(Field::displacement);
       for (const auto &[node, entry] :
            stage.body.contact_end().entries(Field::displacement))
-        if (stage.is_active[node])
-          {
-            if (stage.contact.held.size() > 0)
-              y_u.local_element(entry) = x_u.local_element(entry);
-            else
-              y_u.local_element(entry) +=
-                stage.contact.springs.local_element(entry) *
-                x_u.local_element(entry);
-          }
+        if (stage.is_held(node))
+          y_u.local_element(entry) = x_u.local_element(entry);
+        else
+          y_u.local_element(entry) +=
+            stage.springs[node] * x_u.local_element(entry);
       y.scale(stage.weights);
     }
 
@@ -623,7 +635,7 @@ namespace ThermoContact
           // held rows keep their residual, which is zero
           for (const auto &[node, entry] :
                stage.body.contact_end().entries(Field::displacement))
-            if (stage.is_active[node] && stage.contact.held.size() > 0)
+            if (stage.is_held(node))
               rhs.local_element(entry) = 0.;
         }
       hierarchy.momentum->vmult(z.block(Field::displacement), rhs);

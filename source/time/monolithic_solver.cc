@@ -362,30 +362,18 @@ namespace ThermoContact
                                        const ContactMode mode,
                                        const StageRates &rates)
   {
-    const double tau = factorizations.front().matrix.tau();
-    get_node_laws(body, known, laws, start);
+    const double factor = get_stage_laws(body,
+                                         known,
+                                         factorizations.front().matrix.tau(),
+                                         mode,
+                                         rates.held_at,
+                                         laws,
+                                         start);
+    // from the obstacle on: in contact the first term is small or zero, and the
+    // sum keeps the digits of the second in short stages
     body.contact_end().get_values(Field::displacement, rates.velocity, free);
     for (unsigned int i = 0; i < laws.size(); ++i)
-      {
-        NodeLaw &law = laws[i];
-        if (!rates.held_at.empty() && rates.held_at[i] != law.side)
-          start[i] = law.change_side(start[i]);
-        law.is_held = mode == ContactMode::closed;
-        if (mode == ContactMode::open)
-          law.law = nullptr;
-        if (body.law().damping() == 0.)
-          {
-            // from the obstacle on: in contact the first term is small or zero,
-            // and the sum keeps the digits of the second in short stages
-            free[i] = start[i] + tau * free[i];
-            continue;
-          }
-        // as the obstacle sees it, which has moved to the end of the stage
-        law.is_in_velocity = true;
-        law.start          = start[i] + tau * law.local_rate();
-        law.tau            = tau;
-        free[i] -= law.local_rate();
-      }
+      free[i] = start[i] + factor * free[i];
   }
 
 
@@ -406,8 +394,9 @@ namespace ThermoContact
     std::vector<double>       slope(is_closed.size(), 0.);
     for (unsigned int i = 0; i < slope.size(); ++i)
       if (is_closed[i])
-        slope[i] =
-          NodeLaw(body.law()).slope_of_pressure(pressure[i], receptance(i, i));
+        slope[i] = NodeLaw(body.law())
+                     .tangent_of_pressure(pressure[i])
+                     .slope(receptance(i, i));
     const std::vector<double> change =
       change_of_pressure(receptance, slope, displacement);
 
@@ -501,8 +490,9 @@ namespace ThermoContact
     std::vector<double>       slope(n, 0.), misfit;
     for (unsigned int i = 0; i < n; ++i)
       if (laws[i].is_held || rates.pressure[i] != 0.)
-        slope[i] =
-          laws[i].slope_of_pressure(rates.pressure[i], receptance(i, i));
+        slope[i] = laws[i]
+                     .tangent_of_pressure(rates.pressure[i])
+                     .slope(receptance(i, i));
 
     for (unsigned int k = 0; k < max_refinements; ++k)
       {

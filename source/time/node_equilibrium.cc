@@ -132,7 +132,8 @@ namespace ThermoContact
     const std::vector<double> free   = product(flexibility, load);
     std::vector<double>       slopes = problem.slopes();
     for (const unsigned int i : closing)
-      slopes[i] = NodeLaw(law).slope_of_pressure(0., between_pressures(i, i));
+      slopes[i] =
+        NodeLaw(law).tangent_of_pressure(0.).slope(between_pressures(i, i));
     return change_by(
       free, change_of_pressure(between_pressures, slopes, moved(rate, free)));
   }

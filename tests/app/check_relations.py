@@ -127,7 +127,8 @@ def body(entries):
             return None
         elastic = {"Model/Poisson ratio": "0.3", "Boundary/Lateral support": "rollers",
                    } if moves(scene) else {}
-        if scene.get("Contact/Condition") == "rigid" and scene["Model/Inertia"] != "0":
+        if scene.get("Contact/Condition") == "rigid" and scene["Model/Inertia"] != "0" and \
+                scene.get("Time/Scheme") != "energy conserving":
             elastic["Contact/Massless nodes"] = "off"  # as they are in a rod
         middle = ", 0.05" if entries["Dimension"] == "2" else ", 0.05, 0.05"
         return scene | entries | elastic | {"Output/Probes": f"0.5{middle}; 1{middle}"}, {}
@@ -135,9 +136,7 @@ def body(entries):
 
 
 def iterative(scene):
-    if scene["Dimension"] == "1" or "Boundary/Lateral heat exchange" in scene or \
-            scene.get("Contact/Condition") in ("power law", "rigid") or \
-            "Contact/Damping" in scene or "pressure" in scene.get("Boundary/Heat exchange", ""):
+    if scene["Dimension"] == "1":
         return None
     return scene | {"Solver/Linear solver": "iterative",
                     "Solver/Linear tolerance": "1e-10"}, {}

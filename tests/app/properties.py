@@ -347,6 +347,8 @@ def check_snapshots(run):
     for time, mesh in run.snapshots():
         x = mesh.points[:, 0].reshape(-1, e.n).astype(float)
         h = (x[:, -1] - x[:, 0])[:, None]
+        ratio = s.number("Mesh/Grading", 1)**(-1 / (len(h) - 1))  # of neighbours, all the same
+        yield differences((h[1:] / h[:-1])[:, 0], numpy.full(len(h) - 1, ratio), SINGLE)
         fields = {name: values.reshape(len(mesh.points), -1)[:, 0].reshape(-1, e.n).astype(
             float) for name, values in mesh.point_data.items()}
 

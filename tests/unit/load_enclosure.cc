@@ -323,7 +323,8 @@ namespace
               {
                 const double t = std::min(low + j * width / 20., low + width);
                 const TimeDerivatives at = f.derivatives(t);
-                if (!contains(all.value, at.value) ||
+                if (!contains(all.value, f.value(t)) ||
+                    !contains(all.value, at.value) ||
                     !contains(all.first, at.first) ||
                     !contains(all.second, at.second))
                   {

@@ -59,6 +59,37 @@ namespace ThermoContact
   private:
     const HeatExchange &exchange;
   };
+
+
+
+  /**
+   * The stage of a body so large that the responses of its nodes are not known,
+   * for given coefficients.
+   */
+  class ExchangeOperator
+  {
+  public:
+    virtual ~ExchangeOperator() = default;
+
+    /** As ExchangeStage::law_at(). */
+    virtual std::vector<double>
+    law_at(const std::vector<double> &coefficient) = 0;
+  };
+
+
+
+  /**
+   * ExchangeSolver for such a body: Newton's method with the secants of the
+   * last steps in place of derivatives (Anderson 1965), halved alike.
+   *
+   * @param tolerance of the coefficients, relative
+   * @param coefficient in: nearby; out: those of the last law_at()
+   * @throw ComputationError if no solution is found
+   */
+  void
+  solve_by_secants(ExchangeOperator    &stage,
+                   const double         tolerance,
+                   std::vector<double> &coefficient);
 } // namespace ThermoContact
 
 #endif

@@ -35,6 +35,15 @@ namespace ThermoContact
 
 
 
+  /** $k$ of a node here, with this pressure; no gap if it is in contact. */
+  double
+  coefficient_of_node(const HeatExchange &exchange,
+                      const NodeLaw      &law,
+                      const double        position,
+                      const double        pressure);
+
+
+
   /**
    * The contact nodes at the end of a stage for given coefficients $k_i$: what
    * is linear or contact in doc/contact-in-time.md (C5.2), and what the law of
@@ -91,9 +100,6 @@ namespace ThermoContact
     {
       return laws[i].is_held || pressure[i] != 0.;
     }
-
-    double
-    coefficient_of_law(const unsigned int i) const;
   };
 } // namespace ThermoContact
 

@@ -14,11 +14,45 @@ namespace ThermoContact
 
 
 
-  /** The pressure of a node and how it grows with the load $z$. */
+  /**
+   * A law that is a straight line, $x=x_0+\kappa p$: vertical at a rigid
+   * obstacle, where $\kappa=0$, and $p=0$ if $\kappa$ is infinite. The tangent
+   * of another law, or all that a node has of one.
+   */
+  struct AffineLaw
+  {
+    double compliance =
+      std::numeric_limits<double>::infinity(); ///< $\kappa\ge0$
+    double offset = 0.;                        ///< $x_0$
+
+    bool
+    is_open() const
+    {
+      return std::isinf(compliance);
+    }
+
+    /** $P(z;r)$ of InterfaceLaw. */
+    double
+    pressure(const double z, const double r) const
+    {
+      return is_open() ? 0. : (z - offset) / (compliance + r);
+    }
+
+    /** $P'(z)$, with $0\le rP'\le1$. */
+    double
+    slope(const double r) const
+    {
+      return 1. / (compliance + r);
+    }
+  };
+
+
+
+  /** The pressure of a node, and the tangent of its law there. */
   struct NodalPressure
   {
-    double pressure = 0.;
-    double slope    = 0.; ///< $P'(z)$, with $0\le rP'\le1$
+    double    pressure = 0.;
+    AffineLaw tangent;
   };
 
 
@@ -317,11 +351,11 @@ namespace ThermoContact
     position_of_pressure(const double pressure) const;
 
     /**
-     * Slope of resolve() of an elastic law in contact under this pressure; 0
+     * Tangent of the law in contact under this pressure, without damping; open
      * where contact begins without stiffness.
      */
-    double
-    slope_of_pressure(const double pressure, const double r) const;
+    AffineLaw
+    tangent_of_pressure(const double pressure) const;
   };
 } // namespace ThermoContact
 

@@ -113,8 +113,7 @@ namespace ThermoContact
 
   /**
    * A body so large that W is not known column by column: linear systems for
-   * given branches of the laws, which are those of an obstacle with a constant
-   * compliance.
+   * nodes whose laws are straight lines.
    */
   class InterfaceOperator
   {
@@ -122,45 +121,44 @@ namespace ThermoContact
     virtual ~InterfaceOperator() = default;
 
     /**
-     * @param branch of each node: 0 open, 1 at the obstacle in front, -1 behind
+     * @param laws of each node; all are vertical or none is
      * @param is_last solve to the tolerance, not loosely
      * @param position,pressure out: of the nodes
      */
     virtual void
-    solve(const std::vector<int> &branch,
-          const bool              is_last,
-          std::vector<double>    &position,
-          std::vector<double>    &pressure) = 0;
+    solve(const std::vector<AffineLaw> &laws,
+          const bool                    is_last,
+          std::vector<double>          &position,
+          std::vector<double>          &pressure) = 0;
   };
 
 
 
   /**
-   * InterfaceProblem for such a body: Newton's method, whose step is the linear
-   * system of the branches on which $z=x+rp$ is; a node within rounding of
-   * a branch point stays where it is. After many steps one node at a time
-   * changes (Murty 1974), which cannot cycle.
+   * InterfaceProblem for such a body: Newton's method, in whose step every law
+   * is its tangent at $z=x+rp$, doc/contact-in-time.md (C2.9). Steps are
+   * halved while the pressures $P(z)$ do not come closer to those of the body;
+   * a node whose tangent is its law to rounding keeps it. After many steps one
+   * node at a time changes (Murty 1974), which cannot cycle where laws are
+   * piecewise linear.
    *
    * @param receptance $r$ of the nodes, an estimate: it does not change the
    *   solution
    * @param rounding of $z$, as a part of the largest
-   * @param branch in: of a nearby problem; nodes that are held have their own.
-   *   out: of the solution
-   * @param pressure out; no obstacle pulls but for nodes that are held
-   * @return number of different sets of branches
+   * @param position in: of laws in velocity, from which the search starts; out:
+   *   the solution
+   * @param pressure in: of a nearby problem; out: the solution. No obstacle
+   *   pulls but for nodes that are held
+   * @return number of linear systems with different laws
    * @throw ComputationError if they do not settle
    */
   unsigned int
-  solve_by_branches(InterfaceOperator          &body,
+  solve_by_tangents(InterfaceOperator          &body,
                     const std::vector<NodeLaw> &laws,
                     const std::vector<double>  &receptance,
                     const double                rounding,
-                    std::vector<int>           &branch,
+                    std::vector<double>        &position,
                     std::vector<double>        &pressure);
-
-  /** 1, 0 or -1: the sign of each pressure. */
-  std::vector<int>
-  branches_of(const std::vector<double> &pressure);
 } // namespace ThermoContact
 
 #endif

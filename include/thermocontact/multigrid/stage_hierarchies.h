@@ -37,20 +37,24 @@ namespace ThermoContact
       std::unique_ptr<StageMultigrid<dim, float>> momentum;
       std::array<Vector, 2>                       diagonals; ///< of the blocks
 
-      /** Contact nodes that the momentum block has springs or holds at. */
-      std::vector<bool> active_set;
+      /** Springs of the contact nodes that the momentum block has. */
+      std::vector<double> springs;
 
-      /** The last of these sets that had nodes, whose factors are kept. */
-      std::vector<bool> last_contact;
+      /** The last that were not all zero, whose factors are kept. */
+      std::vector<double> last_contact;
     };
 
     /** Makes those of a stage length current. */
     void
     provide(const double tau);
 
-    /** Gives the current momentum block the contact rows of a set of nodes. */
+    /**
+     * Gives the current momentum block springs at the contact nodes, added to
+     * its diagonal; infinite ones hold a node. Of the same nodes it keeps those
+     * that it has while none is half or twice as stiff.
+     */
     void
-    set_contact(const std::vector<bool> &active_set, const ContactRows &rows);
+    set_contact(const std::vector<double> &springs);
 
     /**
      * What has been made so far: preconditioners of stage lengths and, for sets
@@ -82,6 +86,7 @@ namespace ThermoContact
     }
 
   private:
+    const Body<dim>                  &body;
     const MultigridLevels<dim, float> levels_;
     std::list<Hierarchy>              hierarchies;
     unsigned int                      n_made_ = 0;

@@ -16,10 +16,11 @@
 namespace ThermoContact
 {
   /**
-   * What differs in the cells at the contact end, for products without
-   * matrices: the heat exchange, and contact nodes without mass (C1.1). Small
-   * dense matrices of each cell; values of a cell are in lexicographic order,
-   * component by component, as in FEEvaluation.
+   * What differs in the cells at the contact end and at lateral faces, for
+   * products without matrices: the heat exchange through these faces, and
+   * contact nodes without mass (C1.1). Small dense matrices of each cell;
+   * values of a cell are in lexicographic order, component by component, as in
+   * FEEvaluation.
    */
   template <int dim>
   class ContactCells
@@ -33,15 +34,36 @@ namespace ThermoContact
     bool
     contain(const unsigned int batch) const
     {
-      return !cells_of_batch[batch].empty();
+      return is_at_end[batch];
     }
 
-    /** Adds @p factor times $kB$ to @p y. */
+    /** True if it has lateral faces that exchange heat. */
+    bool
+    exchange_laterally(const unsigned int batch) const
+    {
+      return !lateral_exchange[batch].empty();
+    }
+
+    /** Adds @p factor times $L$ to @p y. */
+    void
+    add_lateral_exchange(const unsigned int             batch,
+                         const double                   factor,
+                         const VectorizedArray<double> *x,
+                         VectorizedArray<double>       *y) const
+    {
+      add(lateral_exchange[batch], factor, x, y);
+    }
+
+    /** Adds @p factor times $kB+L$ to @p y. */
     void
     add_heat_exchange(const unsigned int             batch,
                       const double                   factor,
                       const VectorizedArray<double> *x,
-                      VectorizedArray<double>       *y) const;
+                      VectorizedArray<double>       *y) const
+    {
+      add(heat_exchange[batch], factor, x, y);
+      add_lateral_exchange(batch, factor, x, y);
+    }
 
     /**
      * What is left of the axial mass that quadrature gives the cells of a
@@ -60,11 +82,14 @@ namespace ThermoContact
     add_axial_mass(const unsigned int             batch,
                    const double                   factor,
                    const VectorizedArray<double> *x,
-                   VectorizedArray<double>       *y) const;
+                   VectorizedArray<double>       *y) const
+    {
+      add(axial_mass[batch], factor, x, y);
+    }
 
     /**
-     * Calls @p visit(cell, matrix) for the matrices of a field: those of heat
-     * exchange, or of the axial mass.
+     * Calls @p visit(cell, nodes, matrix) for the matrices of a field: those of
+     * heat exchange, or of the axial mass, between some nodes of a cell.
      *
      * @param cells of the same mesh
      */
@@ -74,41 +99,41 @@ namespace ThermoContact
                    const MatrixFree<dim> &cells,
                    const Visit           &visit) const
     {
-      const std::vector<FullMatrix<double>> &matrices =
-        field == Field::temperature ? heat_exchange : axial_mass;
-      if (!matrices.empty())
-        for (unsigned int batch = 0; batch < cells_of_batch.size(); ++batch)
-          for (const Cell &cell : cells_of_batch[batch])
-            visit(cells.get_cell_iterator(batch, cell.lane),
-                  matrices[cell.matrix]);
+      const auto visit_all = [&](const Matrices &matrices) {
+        for (unsigned int batch = 0; batch < matrices.size(); ++batch)
+          for (const CellMatrix &of_cell : matrices[batch])
+            visit(cells.get_cell_iterator(batch, of_cell.lane),
+                  of_cell.nodes,
+                  of_cell.matrix);
+      };
+      if (field == Field::displacement)
+        visit_all(axial_mass);
+      else
+        {
+          visit_all(heat_exchange);
+          visit_all(lateral_exchange);
+        }
     }
 
   private:
-    const unsigned int n_nodes; ///< of a cell
-
-    /** A cell at the end: its place in a batch, and that of its matrices. */
-    struct Cell
+    /** A matrix between some nodes of a cell. */
+    struct CellMatrix
     {
-      unsigned int lane;
-      unsigned int matrix;
+      unsigned int              lane; ///< the cell's place in its batch
+      std::vector<unsigned int> nodes;
+      FullMatrix<double>        matrix;
     };
 
-    std::vector<std::vector<Cell>> cells_of_batch;
+    using Matrices = std::vector<std::vector<CellMatrix>>; ///< of all batches
 
-    std::vector<FullMatrix<double>> heat_exchange;
-    std::vector<FullMatrix<double>> axial_mass;
-
-    /** Those of the cells at the end, in the order of their batches. */
-    void
-    compute_matrices(
-      const Scene                                                       &scene,
-      const Discretization<dim>                                         &space,
-      const std::vector<typename DoFHandler<dim>::active_cell_iterator> &cells);
+    std::vector<bool> is_at_end; ///< batches
+    Matrices          heat_exchange;
+    Matrices          lateral_exchange;
+    Matrices          axial_mass;
 
     void
-    add(const FullMatrix<double>      &matrix,
+    add(const std::vector<CellMatrix> &matrices,
         const double                   factor,
-        const unsigned int             lane,
         const VectorizedArray<double> *x,
         VectorizedArray<double>       *y) const;
   };

@@ -38,6 +38,10 @@ namespace ThermoContact
       return coefficient_;
     }
 
+    /** True if it acts on a face of the mesh. */
+    bool
+    acts_on(const typename DoFHandler<dim>::face_iterator &face) const;
+
     /** A cell, and the points on it, or on one of its faces. */
     using Visit = std::function<
       void(const typename DoFHandler<dim>::active_cell_iterator &cell,

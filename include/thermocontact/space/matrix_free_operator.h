@@ -29,12 +29,12 @@ namespace ThermoContact
     MatrixFreeOperator(const Scene               &scene,
                        const Discretization<dim> &discretization);
 
-    /** Factors of $M$ and $K+kB$. */
+    /** Factors of $M$ and $K+kB+L$. */
     struct HeatFactors
     {
       double mass;
       double conduction;
-      bool   is_laplacian = false; ///< of the mesh, instead of $K+kB$
+      bool   is_laplacian = false; ///< of the mesh, instead of that
     };
 
     /**
@@ -66,6 +66,10 @@ namespace ThermoContact
     Vector
     contact_stiffness_diagonal() const;
 
+    /** @p y $=Lx$, the heat exchange of lateral faces. */
+    void
+    lateral_exchange(Vector &y, const Vector &x) const;
+
     /** @p heat $=Du$. */
     void
     divergence(Vector &heat, const Vector &u) const;
@@ -74,7 +78,7 @@ namespace ThermoContact
     void
     thermal_stress(Vector &momentum, const Vector &theta) const;
 
-    /** What differs in the cells at the contact end. */
+    /** What differs in the cells at the contact end and at lateral faces. */
     const ContactCells<dim> &
     cells_at_end() const
     {

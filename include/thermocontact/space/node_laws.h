@@ -35,6 +35,26 @@ namespace ThermoContact
                 std::vector<double>       &position);
 
   /**
+   * The same at the end of a stage of length @p tau that begins at @p known: x
+   * is a position or, of laws with damping, a velocity relative to the local
+   * obstacle, (C2.7).
+   *
+   * @param mode open: the nodes meet nothing; closed: they are held
+   * @param held_at StageRates::held_at
+   * @param start out: x if the velocity of the node is zero
+   * @return what x grows by per velocity of the node
+   */
+  template <int dim>
+  double
+  get_stage_laws(const Body<dim>        &body,
+                 const State            &known,
+                 const double            tau,
+                 const ContactMode       mode,
+                 const std::vector<int> &held_at,
+                 std::vector<NodeLaw>   &laws,
+                 std::vector<double>    &start);
+
+  /**
    * The same for laws whose x is the velocity at one instant, of nodes on rigid
    * obstacles: those of @p is_closed cannot move into their local obstacle, and
    * the others meet nothing.

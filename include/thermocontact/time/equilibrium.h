@@ -26,7 +26,7 @@ namespace ThermoContact
   public:
     enum class Matrix
     {
-      inertia,  ///< $bM_u$; of bodies that have matrices
+      inertia,  ///< $bM_u$; laws are rigid and hold their nodes
       stiffness ///< $(\zeta+1)S$, of a body without inertia
     };
 

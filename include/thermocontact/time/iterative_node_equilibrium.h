@@ -14,9 +14,9 @@
 namespace ThermoContact
 {
   /**
-   * For bodies without matrices and as many nodes as there may be: branches of
+   * For bodies without matrices and as many nodes as there may be: tangents of
    * the laws and conjugate gradients, with products of the cells at the end
-   * alone. Laws are rigid or linear.
+   * alone.
    */
   template <int dim>
   class IterativeNodeEquilibrium : public NodeEquilibrium<dim>,
@@ -51,23 +51,22 @@ namespace ThermoContact
     const Body<dim>                     &body;
     const double                         factor;
     const bool                           takes_heat;
-    std::vector<int>                     branches;
+    std::vector<AffineLaw>               tangents;  ///< of all nodes
     std::vector<double>                  diagonal;  ///< of K
     std::unique_ptr<const HeatMass<dim>> heat_mass; ///< if it takes heat
     mutable Vector                       values;
     mutable Vector                       forces;
 
     // of the problem that is solved
-    const std::vector<double>  *load     = nullptr;
-    const std::vector<NodeLaw> *laws     = nullptr;
-    const std::vector<double>  *position = nullptr;
-    std::vector<double>         change;
+    const std::vector<double> *load     = nullptr;
+    const std::vector<double> *position = nullptr;
+    std::vector<double>        change;
 
     void
-    solve(const std::vector<int> &branch,
-          const bool              is_last,
-          std::vector<double>    &new_position,
-          std::vector<double>    &pressure) override;
+    solve(const std::vector<AffineLaw> &laws,
+          const bool                    is_last,
+          std::vector<double>          &new_position,
+          std::vector<double>          &pressure) override;
 
     /** Relative residual of the conjugate gradients. */
     double
@@ -80,7 +79,7 @@ namespace ThermoContact
     bool
     is_held(const unsigned int node) const
     {
-      return branches[node] != 0 && body.law().is_rigid();
+      return tangents[node].compliance == 0.;
     }
 
     /** Of the obstacle, per displacement of the node. */
@@ -88,13 +87,13 @@ namespace ThermoContact
     spring(const unsigned int node) const;
 
     /**
-     * The linear problem of the present branches.
+     * The linear problem of the present tangents.
      *
-     * @param penetration of all nodes into the obstacles of their branches
+     * @param penetration of all nodes beyond their offsets
      */
     std::vector<double>
-    solve_branches(const std::vector<double> &load,
-                   const std::vector<double> &penetration);
+    solve_linear(const std::vector<double> &load,
+                 const std::vector<double> &penetration);
 
     /** The temperature of add_heating(). */
     Vector

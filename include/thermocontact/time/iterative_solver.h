@@ -3,6 +3,7 @@
 #ifndef thermocontact_time_iterative_solver_h
 #define thermocontact_time_iterative_solver_h
 
+#include <thermocontact/contact/exchange_solver.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/iterative_stage.h>
 #include <thermocontact/time/stage_solver.h>
@@ -13,13 +14,15 @@ namespace ThermoContact
 {
   /**
    * A stage of a large body: both fields at once and contact by
-   * solve_by_branches(), without a matrix and without a response for each node.
+   * solve_by_tangents(), without a matrix and without a response for each node.
    *
-   * For a set of nodes in contact the stage is linear, and IterativeStage
-   * solves it, loosely until the set repeats itself.
+   * With tangents in place of laws the stage is linear, and IterativeStage
+   * solves it, loosely until they repeat themselves.
    */
   template <int dim>
-  class IterativeSolver : public StageSolver, private InterfaceOperator
+  class IterativeSolver : public StageSolver,
+                          private InterfaceOperator,
+                          private ExchangeOperator
   {
   public:
     /** @param body borrowed; it has no matrices */
@@ -40,8 +43,7 @@ namespace ThermoContact
     }
 
     /**
-     * $(\zeta+1)Sy+Np=r$ of a body without inertia, as
-     * Equilibrium::solve() with $c=1$.
+     * $(\zeta+1)Sy+Np=r$ of a body without inertia, as Equilibrium::solve().
      *
      * @param laws,position empty: no contact
      */
@@ -49,6 +51,7 @@ namespace ThermoContact
     solve_forces(const Vector               &forces,
                  const std::vector<NodeLaw> &laws,
                  const std::vector<double>  &position,
+                 const double                factor,
                  Vector                     &y,
                  std::vector<double>        &pressure);
 
@@ -68,12 +71,18 @@ namespace ThermoContact
     restore(const RetainedFactorizations &retained) override;
 
   private:
-    const Body<dim>    &body;
-    IterativeStage<dim> stage;
+    const Body<dim>     &body;
+    IterativeStage<dim>  stage;
+    std::vector<NodeLaw> laws;          ///< of a stage
+    std::vector<double>  start;         ///< its x without velocity
+    double               factor = 0.;   ///< of IterativeStage::set_interface()
+    std::vector<double>  positions;     ///< x at its end
+    std::vector<double>  end_pressures; ///< of the exchange that is tried last
+    unsigned int         n_sets = 0;    ///< of tangents for it
 
-    /** Solves for the present set to a relative residual. */
+    /** Of residuals that rounding holds above the tolerance. */
     void
-    solve_linear(const double tolerance, std::vector<double> &pressure);
+    warn();
 
     /** (D8.5) of the stage that was solved last. */
     double
@@ -81,25 +90,26 @@ namespace ThermoContact
                     const double               tau,
                     const std::vector<double> &pressure) const;
 
-    /** The stage that was prepared, from the pressures of @p known on. */
-    void
-    solve_prepared(const State      &known,
-                   const ContactMode mode,
-                   StageRates       &rates);
-
     /**
-     * The contact of what is prepared, from these branches on.
+     * What is prepared, with contact, from these pressures on.
      *
-     * @return number of sets of branches
+     * @param start,factor of IterativeStage::set_interface()
+     * @return number of sets of tangents
      */
     unsigned int
-    solve_contact(std::vector<int> &branch, std::vector<double> &pressure);
+    solve_contact(const std::vector<NodeLaw> &laws,
+                  const std::vector<double>  &start,
+                  const double                factor,
+                  std::vector<double>        &pressure);
 
     void
-    solve(const std::vector<int> &branch,
-          const bool              is_last,
-          std::vector<double>    &position,
-          std::vector<double>    &pressure) override;
+    solve(const std::vector<AffineLaw> &laws,
+          const bool                    is_last,
+          std::vector<double>          &position,
+          std::vector<double>          &pressure) override;
+
+    std::vector<double>
+    law_at(const std::vector<double> &coefficient) override;
 
     void
     count(const unsigned int n_iterations);

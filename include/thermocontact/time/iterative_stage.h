@@ -9,6 +9,7 @@
 #include <thermocontact/time/flexible_gmres.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,12 +17,12 @@
 namespace ThermoContact
 {
   /**
-   * The linear system of a stage of a large body for a given set of nodes in
-   * contact, doc/discretisation.md (D8.1), (D8.2), (D8.3), (D8.4), (C2.9). An
-   * elastic obstacle adds springs to the diagonal of (D2.2), a rigid one
-   * prescribes the velocity that ends at it. GMRES, preconditioned from the
-   * right by one V-cycle for each field, the temperature first, solves it from
-   * the present solution on.
+   * The linear system of a stage of a large body whose contact nodes meet
+   * straight lines, doc/discretisation.md (D8.1), (D8.2), (D8.3), (D8.4),
+   * (C2.10). Those with a compliance add springs to the diagonal of (D2.2), a
+   * rigid one prescribes the velocity that ends at it. GMRES, preconditioned
+   * from the right by one V-cycle for each field, the temperature first, solves
+   * it from the present solution on.
    */
   template <int dim>
   class IterativeStage
@@ -59,44 +60,36 @@ namespace ThermoContact
             const bool                 with_heat);
 
     /**
-     * Instead of a new stage the displacement $\tau v$ and what goes with it,
-     * by pressures at the active nodes alone: at a rigid obstacle it is given
-     * there, at an elastic one pressures resist what it lacks, (C3.2). Of the
-     * length of the present stage.
-     *
-     * @param displacement at the contact nodes
+     * Instead of a new stage what pressures at the contact nodes alone do.
+     * Of the length of the present stage.
      */
     void
-    prepare_displacement(const std::vector<double> &displacement);
+    prepare_pressures();
 
-    /** Takes the place of what contact nodes meet, and of where they start. */
+    /**
+     * Heat leaves through the contact nodes with these $k_i$ beside that of the
+     * matrices, (C5.2). None does until it is called.
+     */
     void
-    set_laws(const std::vector<NodeLaw> &new_laws,
-             const std::vector<double>  &new_start)
-    {
-      laws  = new_laws;
-      start = new_start;
-    }
+    set_exchange(const std::vector<double> &coefficient);
 
+    /**
+     * What the laws of the contact nodes are relations of:
+     * $x=x_{start}+f\,v$. All are open until set_laws().
+     */
     void
-    set_laws(const std::vector<NodeLaw> &new_laws)
-    {
-      laws = new_laws;
-    }
+    set_interface(const std::vector<double> &start, const double factor);
 
-    const std::vector<NodeLaw> &
-    contact_laws() const
-    {
-      return laws;
-    }
-
-    /** Receptances of the contact nodes alone, by the diagonal of (D2.2). */
+    /**
+     * Receptances of the contact nodes alone, loss of x per unit pressure, by
+     * the diagonal of (D2.2).
+     */
     std::vector<double>
     receptances() const;
 
-    /** Puts springs and held nodes of the branches in place. */
+    /** Puts springs and held nodes in place. */
     void
-    set_branches(const std::vector<int> &branch);
+    set_laws(const std::vector<AffineLaw> &new_laws);
 
     /** What residuals are compared to: terms of the stage, or the first one. */
     enum class Measure
@@ -111,7 +104,7 @@ namespace ThermoContact
      * @param last_contact of StageHierarchies::Hierarchy
      */
     void
-    restore(const double stage_length, const std::vector<bool> &last_contact);
+    restore(const double stage_length, const std::vector<double> &last_contact);
 
     /**
      * Solves for the present set.
@@ -125,11 +118,11 @@ namespace ThermoContact
     unsigned int
     solve(const double tolerance, const Measure measure = Measure::of_terms);
 
-    /** Pressures of the solution at the active nodes, else 0; (C2.9). */
+    /** Pressures of the solution, 0 at open nodes; (C2.10). */
     void
     get_pressures(std::vector<double> &pressure);
 
-    /** Positions of the contact nodes at the end of the stage. */
+    /** x of the contact nodes at the end of the stage. */
     void
     get_positions(std::vector<double> &position) const;
 
@@ -168,22 +161,22 @@ namespace ThermoContact
     const Body<dim>      &body;
     StageHierarchies<dim> hierarchies;
 
-    double               tau      = 0.;
-    bool                 has_heat = true; ///< its temperature is unknown
-    std::vector<NodeLaw> laws;
-    std::vector<double>  start;             ///< positions at the beginning
-    std::vector<int>     branch;            ///< at the end
-    std::vector<double>  known_penetration; ///< of its obstacle, (C6.5)
-    std::vector<bool>    is_active;
-    ContactRows          contact;
-    BlockVector          rhs;                  ///< without contact
-    BlockVector          solution;             ///< $(\tau\theta',v)$
-    BlockVector          residual;             ///< without contact
-    bool                 has_residual = false; ///< it is that of the solution
-    BlockVector          weights;              ///< of the residuals
-    BlockVector          inverse_weights;
-    BlockVector          correction;
-    BlockVector          scaled_residual;
+    double                 tau      = 0.;
+    bool                   has_heat = true;      ///< its temperature is unknown
+    double                 factor   = 0.;        ///< f of set_interface()
+    std::vector<double>    start;                ///< x with $v=0$
+    std::vector<AffineLaw> laws;                 ///< of the contact nodes
+    std::vector<double>    springs;              ///< of rows of (D2.2)
+    std::vector<double>    conductance;          ///< $\tau wk$; empty: none
+    std::vector<double>    excess_temperature;   ///< of nodes at the beginning
+    BlockVector            rhs;                  ///< without contact
+    BlockVector            solution;             ///< $(\tau\theta',v)$
+    BlockVector            residual;             ///< without contact
+    bool                   has_residual = false; ///< it is that of the solution
+    BlockVector            weights;              ///< of the residuals
+    BlockVector            inverse_weights;
+    BlockVector            correction;
+    BlockVector            scaled_residual;
 
     FlexibleGmres krylov;
 
@@ -199,6 +192,30 @@ namespace ThermoContact
     is_massless(const unsigned int row) const
     {
       return !massless_rows.empty() && massless_rows[row];
+    }
+
+    /** The obstacle of a node is rigid, its velocity prescribed. */
+    bool
+    is_held(const unsigned int node) const
+    {
+      return std::isinf(springs[node]);
+    }
+
+    bool
+    has_contact() const;
+
+    /** The velocity at which the pressure of a node is 0. */
+    double
+    touching_velocity(const unsigned int node) const
+    {
+      return (laws[node].offset - start[node]) / factor;
+    }
+
+    /** The force of a row at this velocity, $\tau w p$ of (C2.10). */
+    double
+    spring_force(const unsigned int node, const double v) const
+    {
+      return springs[node] * (v - touching_velocity(node));
     }
 
     /**
@@ -221,10 +238,6 @@ namespace ThermoContact
     /** Norms of a vector of momentum rows over the roots of the diagonal. */
     Sizes
     momentum_sizes(const Vector &rows) const;
-
-    /** Springs and held nodes, and preconditioners that heed them. */
-    void
-    set_rows(const std::vector<bool> &is_active);
 
     /** @p y = the matrix of the stage without contact times @p x. */
     void

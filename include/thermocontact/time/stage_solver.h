@@ -106,8 +106,8 @@ namespace ThermoContact
     /** Whether the response to pressures is known for them. */
     std::vector<bool> has_response;
 
-    /** The set of contact nodes that is factorised, too; empty: none. */
-    std::vector<std::vector<bool>> active_sets;
+    /** The springs of contact nodes that are factorised, too; empty: none. */
+    std::vector<std::vector<double>> contact_springs;
 
     /**
      * Whether a stage had sparse factors since the blocks of its rod grew, or
@@ -119,7 +119,8 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &counters &taus &has_response &active_sets &has_refused_blocks;
+      archive &counters &taus &has_response &contact_springs
+        &has_refused_blocks;
     }
   };
 
