@@ -79,12 +79,13 @@ namespace ThermoContact
                                 n_components(field));
     for (unsigned int node = 0; node < n_nodes; ++node)
       {
-        const typename LevelGrid<dim>::Index index = grid.index(node);
+        const typename LevelGrid<dim>::Index index    = grid.index(node);
         bool                                 has_cell = true;
         for (unsigned int d = 0; d < dim; ++d)
           has_cell = has_cell && index[d] + 1 < grid.positions(d).size();
         if (has_cell)
-          add_cell(scene, discretization.geometry(), grid, index, QGauss<dim>(2));
+          add_cell(
+            scene, discretization.geometry(), grid, index, QGauss<dim>(2));
       }
   }
 
@@ -170,9 +171,9 @@ namespace ThermoContact
                                   LevelVector<Number>       &y,
                                   const LevelVector<Number> &x) const
   {
-    y                      = Number();
-    const Number *const in = x.begin();
-    Number *const      out = y.begin();
+    y                       = Number();
+    const Number *const in  = x.begin();
+    Number *const       out = y.begin();
     visit_entries(field,
                   mass_factor,
                   stiffness_factor,

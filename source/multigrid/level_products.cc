@@ -582,9 +582,9 @@ namespace ThermoContact
   std::vector<NodalValue<dim>>
   LevelProducts<dim, Number>::nodal_values(const Field::Block field) const
   {
-    const DoFHandler<dim>    &handler = spaces.dof_handler(field);
-    const FiniteElement<dim> &fe      = handler.get_fe();
-    std::vector<NodalValue<dim>> result(handler.n_locally_owned_dofs());
+    const DoFHandler<dim>               &handler = spaces.dof_handler(field);
+    const FiniteElement<dim>            &fe      = handler.get_fe();
+    std::vector<NodalValue<dim>>         result(handler.n_locally_owned_dofs());
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     for (const auto &cell : handler.active_cell_iterators())
       if (cell->is_locally_owned())

@@ -12,7 +12,7 @@ namespace ThermoContact
 {
   template <int dim, typename Number>
   void
-  LevelTransfer<dim, Number>::reinit(const LevelGrid<dim> &coarse,
+  LevelTransfer<dim, Number>::reinit(const LevelGrid<dim>               &coarse,
                                      const std::vector<NodalValue<dim>> &fine,
                                      const unsigned int n_components,
                                      const MPI_Comm     communicator)
@@ -36,8 +36,8 @@ namespace ThermoContact
             const unsigned int cell =
               std::upper_bound(x.begin() + 1, x.end() - 1, value.node[d]) -
               x.begin() - 1;
-            const double place = (value.node[d] - x[cell]) /
-                                 (x[cell + 1] - x[cell]);
+            const double place =
+              (value.node[d] - x[cell]) / (x[cell + 1] - x[cell]);
             const double nearest = std::round(place);
             entry.place[d] =
               std::abs(place - nearest) < Tolerances::rounding_of_data ?
@@ -61,8 +61,8 @@ namespace ThermoContact
     Number       *to   = fine.begin();
     for (unsigned int i = 0; i < entries.size(); ++i)
       for (unsigned int corner = 0; corner < n_corners; ++corner)
-        to[i] += weight(entries[i], corner) *
-                 from[entries[i].first + corners[corner]];
+        to[i] +=
+          weight(entries[i], corner) * from[entries[i].first + corners[corner]];
   }
 
 

@@ -73,8 +73,10 @@ namespace ThermoContact
                                                        grids[0]);
     for (const LevelGrid<dim> &grid : grids)
       {
-        auto matrix = std::make_unique<const LevelMatrix<dim, Number>>(
-          body.scene, space, grid);
+        auto matrix =
+          std::make_unique<const LevelMatrix<dim, Number>>(body.scene,
+                                                           space,
+                                                           grid);
         levels.emplace_back();
         for (const Field::Block field : all_fields)
           if (space.has_field(field))
@@ -130,16 +132,17 @@ namespace ThermoContact
   {
     make_vectors(matrix, field, of_field);
     for (const bool is_mass : {true, false})
-      matrix.visit_entries(field,
-                           is_mass,
-                           !is_mass,
-                           [&](const unsigned int row,
-                               const unsigned int column,
-                               const Number       value) {
-                             if (row == column)
-                               (is_mass ? of_field.mass : of_field.stiffness)
-                                 .local_element(row) = value;
-                           });
+      matrix.visit_entries(
+        field,
+        is_mass,
+        !is_mass,
+        [&](const unsigned int row,
+            const unsigned int column,
+            const Number       value) {
+          if (row == column)
+            (is_mass ? of_field.mass : of_field.stiffness).local_element(row) =
+              value;
+        });
   }
 
 

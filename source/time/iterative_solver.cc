@@ -27,8 +27,9 @@ namespace ThermoContact
   types::global_dof_index
   IterativeSolver<dim>::n_factorized_unknowns() const
   {
-    const MultigridLevels<dim, float> &levels = stage.preconditioners().levels();
-    types::global_dof_index            largest = 0;
+    const MultigridLevels<dim, float> &levels =
+      stage.preconditioners().levels();
+    types::global_dof_index largest = 0;
     for (const Field::Block field : all_fields)
       largest = std::max(largest, levels.field(0, field).right.size());
     return largest;

@@ -61,7 +61,8 @@ namespace ThermoContact
     const unsigned int                     n_nodes;
     std::array<unsigned int, n_neighbours> offsets; ///< of their numbers
 
-    /** For the neighbours of all nodes: of a component; of each field, blocks. */
+    /** For the neighbours of all nodes: of a component; of each field, blocks.
+     */
     std::vector<Number>                mass;
     std::array<std::vector<Number>, 2> stiffness;
 

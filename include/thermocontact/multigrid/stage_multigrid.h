@@ -15,7 +15,8 @@ namespace ThermoContact
 {
   /**
    * One V-cycle: Chebyshev smoothers with the diagonal, of more steps for
-   * materials that hardly change their volume, and factors of the coarsest level.
+   * materials that hardly change their volume, and factors of the coarsest
+   * level.
    * Symmetric to the rounding of @p Number. Systems are solved over a scale, so that float
    * has room for them.
    */
@@ -58,10 +59,10 @@ namespace ThermoContact
 
     using Factors = LAPACKFullMatrix<double>;
 
-    std::unique_ptr<const Factors>  factors_without_contact;
-    std::unique_ptr<const Factors>  factors_with_contact; ///< last rows
-    bool                            has_contact = false;
-    mutable dealii::Vector<double>  coarse_values;
+    std::unique_ptr<const Factors> factors_without_contact;
+    std::unique_ptr<const Factors> factors_with_contact; ///< last rows
+    bool                           has_contact = false;
+    mutable dealii::Vector<double> coarse_values;
 
     /** Springs and held nodes of a level and of those that are coarser. */
     void
