@@ -95,8 +95,8 @@ def sign(scene):
 
 def mirror(scene):
     if not moves(scene) or "Contact/Rear gap" not in scene and scene.get(
-            "Contact/Condition") != "none" or "t" in scene.get("Contact/Gap", ""):
-        return None  # an obstacle behind the end rests
+            "Contact/Condition") != "none" or re.search("[ty]", scene.get("Contact/Gap", "")):
+        return None  # an obstacle behind the end rests and is flat
     gaps = {} if "Contact/Rear gap" not in scene else {
         "Contact/Gap": scene["Contact/Rear gap"], "Contact/Rear gap": scene["Contact/Gap"]}
     return scene | times(-1, scene, MECHANICAL) | negated_coupling(scene) | gaps, \

@@ -34,6 +34,8 @@ def draw(seed):
         draw_motion(r, s, heat)
     if dim == 1 and r.random() < 0.3:
         s["Output/Space-time interval"] = "0.25"
+    if dim > 1 and seed % 2 == 0 and s.get("Contact/Condition", "none") != "none":
+        s["Contact/Rear gap"] = "0.01"
     if dim == 1 and seed % 5 == 0:  # few: probes in the middle are no points of snapshots then
         s["Mesh/Grading"] = "4"
     return s
@@ -73,7 +75,7 @@ def draw_motion(r, s, heat):
         if s["Contact/Condition"] == "power law":
             s["Contact/Exponent"] = "1.5"
         if r.random() < 0.3:
-            s["Contact/Rear gap"] = "0.05"
+            s["Contact/Rear gap"] = "0.01"
     if r.random() < 0.3:
         s["Sources/End traction"] = r.choice(["0.3*sin(3*t)", "0.2-0.5*t"])
     if r.random() < 0.2:
