@@ -47,13 +47,25 @@ def entries_of(text):
 
 
 def with_entries(text, entries):
-    """The file with values, each in a section of its own at the end."""
-    lines = []
+    """The file with values, each in a section of its own at the end, and not before:
+    an entry that is set twice is refused."""
+    lines, section, is_left_out, is_open = [], "", False, False
+    for line in text.splitlines():
+        goes_on = is_left_out and is_open
+        if match := re.match(r" *subsection (.*)", line):
+            section = match[1].strip() + "/"
+        elif line.strip() == "end":
+            section = ""
+        match = re.match(r" *set (.*?) *=", line)
+        is_left_out = goes_on or bool(match) and section + match[1] in entries
+        is_open = line.rstrip().endswith("\\")
+        if not is_left_out:
+            lines.append(line)
     for path, value in entries.items():
         section, _, name = path.rpartition("/")
         lines += [f"subsection {section}", f"  set {name} = {value}", "end"] if section else [
             f"set {name} = {value}"]
-    return text.rstrip("\n") + "\n" + "\n".join(lines) + "\n"
+    return "\n".join(lines) + "\n"
 
 
 def listed(name):
