@@ -30,14 +30,17 @@ namespace ThermoContact
   {
     rhs.reinit(2);
     for (const Field::Block field : all_fields)
-      rhs.block(field) = body.discretization.make_vector(field);
+      rhs.block(field).reinit(body.discretization.make_vector(field));
     rhs.collect_sizes();
-    solution        = rhs;
-    residual        = rhs;
-    weights         = rhs;
-    inverse_weights = rhs;
-    correction      = rhs;
-    scaled_residual = rhs;
+    // not assigned: an empty block, of a field that there is not, would keep
+    // the communicator of one rank, and its sums be those of the first block
+    for (BlockVector *vector : {&solution,
+                                &residual,
+                                &weights,
+                                &inverse_weights,
+                                &correction,
+                                &scaled_residual})
+      vector->reinit(rhs);
     springs.assign(body.contact_end().n_nodes(), 0.);
     if (body.scene.contact.has_massless_nodes &&
         body.scene.material.has_inertia())
@@ -224,14 +227,14 @@ namespace ThermoContact
                      factor * tau * body.contact_end().nodes()[i].weight /
                        laws[i].compliance;
     hierarchies.set_contact(springs);
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      if (is_held(i))
+        has_residual = false; // on all ranks, whoever has the node
     Vector &v = solution.block(Field::displacement);
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
       if (is_held(node))
-        {
-          has_residual           = false;
-          v.local_element(entry) = touching_velocity(node);
-        }
+        v.local_element(entry) = touching_velocity(node);
   }
 
 

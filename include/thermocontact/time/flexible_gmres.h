@@ -107,9 +107,10 @@ namespace ThermoContact
                        const BlockVector    &b,
                        BlockVector          &x)
   {
-    residual  = b;
-    direction = b;
-    x         = 0.;
+    residual.reinit(b, true);
+    residual = b;
+    direction.reinit(b, true);
+    x = 0.;
     Result result{0, residual.l2_norm()};
     while (result.residual > tolerance && result.n_iterations < max_iterations)
       {
