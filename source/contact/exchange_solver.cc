@@ -29,7 +29,7 @@ namespace ThermoContact
       throw ComputationError(
         "the heat exchange coefficients of " + std::to_string(n) +
         " contact nodes were not found\n  remedy:  a smaller Time/Step size, "
-        "or a Boundary/Heat exchange without jumps");
+        "or a Boundary/Heat exchange without jumps that is less steep");
     }
 
 
@@ -226,8 +226,13 @@ namespace ThermoContact
                 break;
             }
           if (!(new_defect < old_defect))
-            // the rounding of a steep law
-            return old_defect <= Tolerances::rounding_of_data;
+            {
+              // the rounding of a steep law
+              if (!(old_defect <= Tolerances::rounding_of_data))
+                return false;
+              stage.law_at(k);
+              return true;
+            }
           k   = trial;
           law = law_there;
         }

@@ -349,7 +349,10 @@ namespace ThermoContact
             if (is_last)
               {
                 for (unsigned int i = 0; i < n; ++i)
-                  if (!laws[i].is_held && next.tangent[i].is_open())
+                  if (!laws[i].is_held &&
+                      !(pressure[i] *
+                          next.tangent[i].pressure(next.z[i], receptance[i]) >
+                        0.))
                     pressure[i] = 0.;
                 return n_sets;
               }

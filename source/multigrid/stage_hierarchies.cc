@@ -37,9 +37,8 @@ namespace ThermoContact
       }
     while (hierarchies.size() >= max_hierarchies)
       hierarchies.pop_back();
-    hierarchies.push_front({tau, nullptr, nullptr, {}, {}, {}});
-    Hierarchy         &hierarchy = hierarchies.front();
-    const unsigned int finest    = levels_.n_levels() - 1;
+    Hierarchy          hierarchy{tau, nullptr, nullptr, {}, {}, {}};
+    const unsigned int finest = levels_.n_levels() - 1;
     for (const Field::Block field : all_fields)
       if (levels_.has_field(field))
         {
@@ -50,6 +49,7 @@ namespace ThermoContact
           hierarchy.diagonals[field] =
             StageBlock<dim, float>(levels_, finest, field, tau).diagonal();
         }
+    hierarchies.push_front(std::move(hierarchy));
     ++n_made_;
   }
 
@@ -85,17 +85,22 @@ namespace ThermoContact
                  const std::vector<double> &springs)
     {
       ContactRows rows;
-      const bool  are_rigid =
-        std::any_of(springs.begin(), springs.end(), [](const double spring) {
-          return std::isinf(spring);
-        });
-      Vector &values = are_rigid ? rows.held : rows.springs;
-      values         = space.make_vector(Field::displacement);
+      const auto  is_held = [](const double spring) {
+        return std::isinf(spring);
+      };
+      const auto resists = [](const double spring) {
+        return spring > 0. && !std::isinf(spring);
+      };
+      if (std::any_of(springs.begin(), springs.end(), is_held))
+        rows.held = space.make_vector(Field::displacement);
+      if (std::any_of(springs.begin(), springs.end(), resists))
+        rows.springs = space.make_vector(Field::displacement);
       for (const auto &[node, entry] :
            space.contact_end().entries(Field::displacement))
-        values.local_element(entry) = !are_rigid ? springs[node] :
-                                      std::isinf(springs[node]) ? 1. :
-                                                                  0.;
+        if (is_held(springs[node]))
+          rows.held.local_element(entry) = 1.;
+        else if (resists(springs[node]))
+          rows.springs.local_element(entry) = springs[node];
       return rows;
     }
   } // namespace
@@ -119,15 +124,14 @@ namespace ThermoContact
         return;
       }
     const bool is_last = are_similar(springs, hierarchy.last_contact);
+    const std::vector<double> chosen =
+      is_last ? hierarchy.last_contact : springs;
+    hierarchy.last_contact.clear();
     if (!is_last)
-      {
-        hierarchy.last_contact = springs;
-        ++n_made_;
-      }
-    const ContactRows rows =
-      contact_rows(body.discretization, hierarchy.last_contact);
+      ++n_made_;
+    const ContactRows rows = contact_rows(body.discretization, chosen);
     hierarchy.momentum->set_contact(&rows, is_last);
-    hierarchy.springs = hierarchy.last_contact;
+    hierarchy.springs = hierarchy.last_contact = chosen;
   }
 
 

@@ -118,8 +118,9 @@ namespace ThermoContact
                                const bool                 with_heat)
   {
     hierarchies.provide(stage_length);
-    tau              = stage_length;
-    has_heat         = with_heat && body.scene.fields.has_temperature;
+    tau      = stage_length;
+    has_heat = with_heat && body.scene.fields.has_temperature;
+    conductance.clear();
     Vector &heat     = rhs.block(Field::temperature);
     Vector &momentum = rhs.block(Field::displacement);
     body.equations.stage_rhs(
@@ -138,7 +139,6 @@ namespace ThermoContact
       }
     set_weights(known, pressure);
     largest_residual = 0.;
-    conductance.clear();
     if (has_heat)
       {
         body.contact_end().get_values(Field::temperature,

@@ -121,7 +121,7 @@ namespace ThermoContact
     virtual ~InterfaceOperator() = default;
 
     /**
-     * @param laws of each node; all are vertical or none is
+     * @param laws of each node
      * @param is_last solve to the tolerance, not loosely
      * @param position,pressure out: of the nodes
      */

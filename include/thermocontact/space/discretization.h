@@ -289,7 +289,7 @@ namespace ThermoContact
 
     /**
      * @param n_halvings how many of the refinements make the cells of the scene
-     *   from larger ones, which multigrid comes back to
+     *   from larger ones
      */
     void
     make_grid(const MeshParameters &mesh, const unsigned int n_halvings);

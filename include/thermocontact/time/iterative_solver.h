@@ -17,7 +17,7 @@ namespace ThermoContact
    * solve_by_tangents(), without a matrix and without a response for each node.
    *
    * With tangents in place of laws the stage is linear, and IterativeStage
-   * solves it, loosely until they repeat themselves.
+   * solves it, loosely until the laws are met.
    */
   template <int dim>
   class IterativeSolver : public StageSolver,

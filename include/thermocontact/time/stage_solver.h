@@ -109,10 +109,7 @@ namespace ThermoContact
     /** The springs of contact nodes that are factorised, too; empty: none. */
     std::vector<std::vector<double>> contact_springs;
 
-    /**
-     * Whether a stage had sparse factors since the blocks of its rod grew, or
-     * the multigrid of its body did not converge.
-     */
+    /** Whether a stage had sparse factors since the blocks of its rod grew. */
     bool has_refused_blocks = false;
 
     template <class Archive>
