@@ -18,7 +18,7 @@ namespace ThermoContact
     /** Shortened steps in a row after which the nodes take a sweep. */
     constexpr unsigned int max_short_steps = 3;
 
-    /** Sets of branches that Newton's method may take at once. */
+    /** Sets of tangents that Newton's method may take at once. */
     constexpr unsigned int max_sets_of_many_changes = 20;
 
     /** Of each node, and of all. */

@@ -114,7 +114,7 @@ namespace ThermoContact
 
     // ---- iterations
 
-    /** Krylov: while the branches of contact still change. */
+    /** Krylov: while the tangents of contact still change. */
     inline constexpr double loose_residual = 1e-5;
 
     /** Krylov: of what corrects an estimate of errors. */
