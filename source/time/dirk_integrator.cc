@@ -3,7 +3,9 @@
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/dirk_integrator.h>
-#include <thermocontact/time/make_stage_solver.h>
+#include <thermocontact/time/fixed_point_solver.h>
+#include <thermocontact/time/iterative_solver.h>
+#include <thermocontact/time/monolithic_solver.h>
 #include <thermocontact/time/schemes.h>
 
 #include <algorithm>
@@ -36,6 +38,24 @@ namespace ThermoContact
       }
     return schemes;
   }
+
+
+
+  namespace
+  {
+    /** The solver that the scene asks for. */
+    template <int dim>
+    std::unique_ptr<StageSolver>
+    make_stage_solver(const Body<dim> &body)
+    {
+      if (body.scene.is_fixed_point)
+        return std::make_unique<FixedPointSolver<dim>>(body);
+      if constexpr (dim > 1)
+        if (!body.scene.linear_solver.has_matrices())
+          return std::make_unique<IterativeSolver<dim>>(body);
+      return std::make_unique<MonolithicSolver<dim>>(body);
+    }
+  } // namespace
 
 
 

@@ -3,7 +3,6 @@
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/energy_conserving_integrator.h>
-#include <thermocontact/time/make_stage_solver.h>
 #include <thermocontact/time/schemes.h>
 
 #include <algorithm>
@@ -70,7 +69,7 @@ namespace ThermoContact
   template <int dim>
   EnergyConservingIntegrator<dim>::EnergyConservingIntegrator(Body<dim> &body)
     : body(body)
-    , solver(make_open_stage_solver(body))
+    , solver(body)
     , driven(body.driven_end.is_active() ?
                std::make_unique<DrivenStep<dim>>(body) :
                nullptr)
@@ -144,7 +143,7 @@ namespace ThermoContact
     const double tau = 0.5 * time_step.size;
     if (!driven)
       {
-        solver->solve_without_contact(
+        solver.solve_without_contact(
           state, tau, heat_load, momentum_load, rates);
         return;
       }
@@ -155,7 +154,7 @@ namespace ThermoContact
                   {half, weight, {time_step.last_loads}});
     State known(state);
     driven->constrain(0, heat_load, momentum_load, known);
-    solver->solve_without_contact(
+    solver.solve_without_contact(
       known, tau, driven->heat_load(), driven->momentum_load(), rates);
   }
 
@@ -291,12 +290,12 @@ namespace ThermoContact
           std::max(displacement_scale,
                    std::abs(at_end) + std::abs(old_free_position[i]));
       }
-    FullMatrix<double> difference(solver->response());
+    FullMatrix<double> difference(solver.response());
     difference.add(-1., receptance);
     rates.pressure     = state.contact_pressure;
     rates.n_iterations = contact->step_pressure(
       laws, start, free_end, difference, displacement_scale, rates.pressure);
-    solver->apply_pressure(rates);
+    solver.apply_pressure(rates);
     const std::vector<double> loss = product(difference, rates.pressure);
     for (unsigned int i = 0; i < n; ++i)
       free_position[i] -= 2. * loss[i];
@@ -370,9 +369,9 @@ namespace ThermoContact
     if (has_mean_pressure)
       laws[0].mean_from = start[0];
     rates.pressure[0] =
-      laws[0].resolve(end_position[0], 2. * solver->response()(0, 0)).pressure;
+      laws[0].resolve(end_position[0], 2. * solver.response()(0, 0)).pressure;
     rates.n_iterations = 1;
-    solver->apply_pressure(rates);
+    solver.apply_pressure(rates);
   }
 
 

@@ -5,6 +5,7 @@
 
 #include <thermocontact/contact/conserving_contact.h>
 #include <thermocontact/time/driven_step.h>
+#include <thermocontact/time/monolithic_solver.h>
 #include <thermocontact/time/node_equilibrium.h>
 #include <thermocontact/time/time_integrator.h>
 
@@ -42,22 +43,21 @@ namespace ThermoContact
     StageSolver &
     stage_solver() override
     {
-      return *solver;
+      return solver;
     }
 
     const StageSolver &
     stage_solver() const override
     {
-      return *solver;
+      return solver;
     }
 
   private:
-    Body<dim>                             &body;
-    const std::unique_ptr<OpenStageSolver> solver;
+    Body<dim>            &body;
+    MonolithicSolver<dim> solver;
 
     /** Of a fixed end that is heated; else null. */
     const std::unique_ptr<DrivenStep<dim>> driven;
-
 
     StageRates         rates;
     State              midpoint;
