@@ -53,8 +53,10 @@ class Scene:
             s.get("Boundary/Fixed end displacement", "0") != "0" or "t" in self.drive or \
             "t" in s.get("Contact/Gap", "0") or "t" in s.get(
                 "Boundary/Obstacle temperature", "0")
-        self.works = self.is_driven or self.a and s["Model/Thermoelastic heating"] == \
-            "false" or "pressure" in s.get("Boundary/Heat exchange", "0")
+        k = s.get("Boundary/Heat exchange", "0")
+        self.has_states = "pressure" in k or "gap" in k
+        self.works = self.is_driven or self.has_states or self.a and s[
+            "Model/Thermoelastic heating"] == "false"
 
     def at_end(self, entry, times, **columns):
         """An expression at the contact end; columns: other variables of it."""
@@ -690,7 +692,7 @@ def check_forecast(run):
                 p - max(0, u - s.number("Contact/Gap")) / scene.epsilon + max(
                     0, -u - scene.rear_gap) / scene.epsilon) > 1e-9)):
         yield f"predicted_contact_force {p}"
-    if theta is not None and "pressure" not in s["Boundary/Heat exchange"] and not s.number(
+    if theta is not None and not scene.has_states and not s.number(
             "Boundary/Lateral heat exchange"):
         k = s.number("Boundary/Heat exchange")
         inner, outer = float(scene.drive), s.number("Boundary/Obstacle temperature")
@@ -716,15 +718,17 @@ def check_states(run):
     """Each is at rest with its own heat exchange; the one that the end has come to."""
     m, scene, s = run.summary, scene_of(run), run.settings
     k, states = s.get("Boundary/Heat exchange", "0"), m.get("states_of_rest")
-    if ("pressure" in k) != (states is not None) or states == [] and scene.is_rod and \
+    if scene.has_states != (states is not None) or states == [] and scene.is_rod and \
             not scene.is_driven:
         yield "states_of_rest"
     for state in states or []:
         theta, p = state["temperature_end"], state["contact_force"]
-        inner = scene.drive
         if not scene.is_driven and not s.number("Boundary/Lateral heat exchange"):
-            rate = eval(k, {"pressure": abs(p or 0.)})
-            yield differences([theta], [float(inner) / (rate + 1)], 1e-7)
+            u, inner = state["displacement_end"] or 0., float(scene.drive)
+            outer = s.number("Boundary/Obstacle temperature")
+            rate = eval(k, {"pressure": abs(p or 0.), "gap": max(0., min(
+                s.number("Contact/Gap") - u, scene.rear_gap + u))})
+            yield differences([theta], [(inner + rate * outer) / (rate + 1)], 1e-7)
     if states is not None:
         reached = m["reached_state_of_rest"]
         near = [i for i, state in enumerate(states, 1) if abs(

@@ -36,6 +36,12 @@ def draw(seed):
         s["Output/Space-time interval"] = "0.25"
     if dim > 1 and seed % 2 == 0 and s.get("Contact/Condition", "none") != "none":
         s["Contact/Rear gap"] = "0.01"
+    if dim == 1 and "Contact/Rear gap" in s:
+        if "Model/Coupling" in s:
+            s |= {"Model/Coupling": "0.001", "Boundary/Heat exchange": "3/(1+20*gap)",
+                  "Boundary/Obstacle temperature": "4"}
+        if seed % 4 in (0, 3) and s["Model/Inertia"] != "0":
+            s["Initial values/Velocity"] = "-x"
     if dim == 1 and seed % 5 == 0:  # few: probes in the middle are no points of snapshots then
         s["Mesh/Grading"] = "4"
     return s
