@@ -91,6 +91,6 @@ def draw_motion(r, s, heat):
     if not heat and s["Model/Inertia"] != "0" and s.get("Time/Scheme", "").startswith(
             "sdirk") and s["Contact/Condition"] in ("normal compliance", "rigid") and not {
                 "Contact/Damping", "Boundary/Fixed end displacement"} & set(s):
-        s["Time/Scheme"] = "energy conserving"
+        s |= {"Time/Scheme": "energy conserving", "Initial values/Velocity": "x"}
     if s["Dimension"] != "1" and s.get("Contact/Gap") == "0.1" and "Contact/Rear gap" not in s:
         s["Contact/Gap"] = "0.05+0.5*(y-0.03)^2"
