@@ -70,9 +70,7 @@ namespace ThermoContact
   EnergyConservingIntegrator<dim>::EnergyConservingIntegrator(Body<dim> &body)
     : body(body)
     , solver(body)
-    , driven(body.driven_end.is_active() ?
-               std::make_unique<DrivenStep<dim>>(body) :
-               nullptr)
+    , driven(body)
     , midpoint(body.discretization.make_state())
     , heat_load(body.discretization.make_vector(Field::temperature))
     , momentum_load(body.discretization.make_vector(Field::displacement))
@@ -141,7 +139,7 @@ namespace ThermoContact
     const TimeStep &time_step)
   {
     const double tau = 0.5 * time_step.size;
-    if (!driven)
+    if (!driven.is_active())
       {
         solver.solve_without_contact(
           state, tau, heat_load, momentum_load, rates);
@@ -149,23 +147,10 @@ namespace ThermoContact
       }
     static const std::vector<std::vector<double>> half   = {{0.5}};
     static const std::vector<double>              weight = {1.};
-    driven->start(state,
-                  time_step.size,
-                  {half, weight, {time_step.last_loads}});
-    State known(state);
-    driven->constrain(0, heat_load, momentum_load, known);
-    solver.solve_without_contact(
-      known, tau, driven->heat_load(), driven->momentum_load(), rates);
-  }
-
-
-
-  template <int dim>
-  double
-  EnergyConservingIntegrator<dim>::work_at_end() const
-  {
-    return body.driven_end.power(
-      midpoint, rates.temperature_rate, acceleration, heat_load, momentum_load);
+    driven.start(state, time_step.size, {half, weight, {time_step.last_loads}});
+    State      known(state);
+    const auto loads = driven.constrain(0, {heat_load, momentum_load}, known);
+    solver.solve_without_contact(known, tau, loads.heat, loads.momentum, rates);
   }
 
 
@@ -173,7 +158,6 @@ namespace ThermoContact
   template <int dim>
   void
   EnergyConservingIntegrator<dim>::step(const State    &state,
-                                        const double    old_energy,
                                         const TimeStep &time_step,
                                         const ContactMode,
                                         StepResult &result)
@@ -188,8 +172,7 @@ namespace ThermoContact
     else if (contact)
       apply_contact(state, time_step);
 
-    if (driven)
-      driven->complete(0, rates, acceleration);
+    driven.complete(0, rates, acceleration);
     set_equal(midpoint.velocity, rates.velocity);
     set_sum(midpoint.temperature,
             state.temperature,
@@ -215,13 +198,14 @@ namespace ThermoContact
     result.lateral_dissipation =
       size * body.energy.lateral_dissipation_rate(midpoint);
     result.work = body.energy.has_work() ? work(size, result.state) : 0.;
-    if (driven)
-      result.work += size * work_at_end();
+    result.work += size * driven.power(midpoint,
+                                       rates.temperature_rate,
+                                       acceleration,
+                                       {heat_load, momentum_load});
     result.impulse   = size * body.contact_end().mean(rates.pressure);
     result.algebraic = 0.;
     result.energy    = body.energy.energy(result.state);
-    result.numerical_dissipation =
-      old_energy - result.energy.sum() + result.work - result.dissipation;
+    result.close_balance();
   }
 
 

@@ -87,10 +87,9 @@ namespace ThermoContact
     apply_pressure(StageRates &rates) const;
 
   private:
-    const Body<dim>     &body;
-    const HeatExchange  &exchange;
-    const ExchangeSolver exchange_solver;
-    InterfaceProblem     problem;
+    const Body<dim>    &body;
+    const HeatExchange &exchange;
+    InterfaceProblem    problem;
 
     /** Rates per unit pressure, or heat flux, with the sign reversed. */
     struct UnitResponse
