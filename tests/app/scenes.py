@@ -55,6 +55,8 @@ def draw_heat(r, s):
         s["Boundary/Obstacle temperature"] = r.choice(["0", "4", "1.23456789012+2*t"])
     if r.random() < 0.3:
         s |= {"Boundary/Lateral heat exchange": "2", "Boundary/Ambient temperature": "-3"}
+        if "t" in s["Boundary/Fixed end temperature"] and "Time/Scheme" in s:
+            s["Time/Scheme"] = "backward euler"
     if r.random() < 0.2:
         s["Sources/Heat source"] = "20*x*t"
     if r.random() < 0.2:
