@@ -652,6 +652,9 @@ namespace ThermoContact
         result.impulse += end.mean(impulses);
       }
     put_on_obstacle(body, state);
+    if (!body.scene.material.has_inertia())
+      set_velocity_of_viscous_body(
+        std::vector<bool>(state.contact_pressure.size(), true), state);
     set_exchange_of_law(body, state);
     book(work, result);
   }

@@ -85,7 +85,7 @@ namespace ThermoContact
      * that the velocity jumps to the nearest one, in the norm of the kinetic
      * energy, with which all of them stay there (C4.1), those too that moved
      * away: contact changes at all nodes together. Nodes without mass need no
-     * impulse.
+     * impulse; a body without inertia has the velocity and pressures of (D5.2).
      *
      * @param result state and energy become those behind it; impulse, work of
      *   an obstacle that moves and numerical dissipation are added to
