@@ -610,7 +610,6 @@ namespace ThermoContact
       return false;
     State &state    = result.state;
     double work     = rise != 0. ? heat_fixed_end(rise, state) : 0.;
-    state.load_time = at.new_time;
     state.jump_time = state.time;
     if (moves && scene.material.is_static())
       work += move_static_body(solver, state);

@@ -64,7 +64,8 @@ namespace ThermoContact
      *   a pressure in (D5.2), where all nodes stay where they are; not used for
      *   (C4.4), which finds its contact
      * @param at the end of the step, with the times of the old and new loads
-     * @param result in: a step that is accepted; out: with the state behind the
+     * @param result in: a step that is accepted, whose state has the new loads
+     *   already; out: with the state behind the
      *   discontinuity, at the same time, and its energy; work and numerical
      *   dissipation are added to, and all else, closed_nodes too, is still that
      *   of the step
