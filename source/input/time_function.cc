@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -45,18 +44,6 @@ namespace ThermoContact
   TimeFunction::enclosure(const Interval &span) const
   {
     return evaluate(IntervalJet(span, 1., 0.));
-  }
-
-
-
-  bool
-  TimeFunction::starts_with_unbounded_rate(const double end_time) const
-  {
-    constexpr double smallest = std::numeric_limits<double>::epsilon();
-    const double     near = std::abs(derivatives(smallest * end_time).first);
-    const double     far =
-      std::abs(derivatives(std::sqrt(smallest) * end_time).first);
-    return !(near <= 2. * far) && near > 0.;
   }
 
 

@@ -166,6 +166,7 @@ namespace ThermoContact
                                                     "");
           if (!enclosed.is_resolved)
             {
+              history.is_complete = false;
               if (time.has_error_control())
                 warnings.push_back(text(
                   load.expression().path(),

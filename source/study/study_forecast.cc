@@ -37,6 +37,7 @@ namespace ThermoContact
       double                 bytes_of_reference = 0.;
       bool                   has_bodies         = false;
       double                 steps              = 0.;
+      unsigned int           n_unsearched       = 0; ///< for breaks of loads
       unsigned int           n_refused          = 0;
       std::string            refused; ///< the first ones, and why
     };
@@ -53,15 +54,14 @@ namespace ThermoContact
 
 
 
-    /** What the scene of a run costs; throws if the run cannot be run. */
-    ExpectedCost
-    expected_cost(const Scene &scene)
+    /** Throws if the run of the scene cannot be run. */
+    LoadHistory
+    loads_of(const Scene &scene)
     {
       const unsigned int dim = scene.parameters.dimension;
-      return expected_cost(scene,
-                           dim == 1 ? loads_of<1>(scene) :
-                           dim == 2 ? loads_of<2>(scene) :
-                                      loads_of<3>(scene));
+      return dim == 1 ? loads_of<1>(scene) :
+             dim == 2 ? loads_of<2>(scene) :
+                        loads_of<3>(scene);
     }
 
 
@@ -77,6 +77,7 @@ namespace ThermoContact
         forecast.has_bodies |= reader.scene().dimension > 1;
         return Scene(reader.scene());
       };
+      LoadHistory loads; // of the last run that was searched
       for (const unsigned int run : runs)
         try
           {
@@ -84,7 +85,11 @@ namespace ThermoContact
             if (!table.has(run))
               forecast.runs.push_back(
                 {plan.description(run), expected_memory(scene, 1)});
-            forecast.steps += expected_cost(scene).steps;
+            if (loads.is_complete)
+              loads = loads_of(scene);
+            else // a search takes long, and finds nothing
+              ++forecast.n_unsearched;
+            forecast.steps += expected_cost(scene, loads).steps;
           }
         catch (const InputError &error)
           {
@@ -195,7 +200,7 @@ namespace ThermoContact
       try
         {
           plan.read_scene(plan.overrides(run), reader);
-          expected_cost(Scene(reader.scene()));
+          loads_of(Scene(reader.scene()));
           return;
         }
       catch (const InputError &error)
@@ -230,6 +235,10 @@ namespace ThermoContact
         log.line(lines);
     if (runs.size() < n_runs)
       log.line(text("  checked   the first ", runs.size(), " runs"));
+    if (forecast.n_unsearched > 0)
+      log.line(text("  searched  for breaks of loads in all but the last ",
+                    forecast.n_unsearched,
+                    " runs: they change too fast to be seen before a run"));
     if (forecast.n_refused > 0)
       throw InputError(text("Study/Vary: ",
                             forecast.n_refused,

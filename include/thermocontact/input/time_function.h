@@ -56,11 +56,6 @@ namespace ThermoContact
     IntervalJet
     enclosure(const Interval &span) const;
 
-    /** Whether the first derivative has no limit at the start, as of sqrt(t):
-     * whether it grows towards zero on scales far below $T$. */
-    bool
-    starts_with_unbounded_rate(const double end_time) const;
-
     /** The largest absolute value at many times of $[0,T]$. */
     double
     largest_value(const double end_time) const;
