@@ -134,7 +134,7 @@ namespace ThermoContact
       if (parts.back().kind == Part::table && !names.units.empty())
         {
           const MeasuredTable &table = *tables[parts.back().operands[1]];
-          check_unit(table, table.unit_of_values(), names.units.back());
+          check_unit(table, table.unit_of_values, names.units.back());
         }
     }
 
@@ -529,7 +529,7 @@ namespace ThermoContact
     {
       if (!unit.empty() && !convert_unit(1., unit, needed))
         throw InputError(path + " = " + quote(text) + ": " +
-                         quote(table.file_name()) +
+                         quote(table.file_name) +
                          ": the header has the unit " + unit +
                          "\n  allowed: a unit that measures what " + needed +
                          " does\n  remedy:  another column, or its unit");
@@ -584,7 +584,7 @@ namespace ThermoContact
       if (const Part &part = parts[argument];
           part.kind == Part::variable && !names.units.empty())
         check_unit(*tables.back(),
-                   tables.back()->unit_of_arguments(),
+                   tables.back()->unit_of_arguments,
                    names.units[part.operands[0]]);
       return add({Part::table,
                   0.,
@@ -693,7 +693,7 @@ namespace ThermoContact
       if (part.kind == Part::table &&
           !tables_[part.operands[1]]->range().contains(
             evaluate_part(part.operands[0], variables)))
-        files.push_back(tables_[part.operands[1]]->file_name());
+        files.push_back(tables_[part.operands[1]]->file_name);
     return files;
   }
 

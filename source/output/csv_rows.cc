@@ -6,8 +6,6 @@
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/space/point_values.h>
 
-#include <deal.II/base/utilities.h>
-
 #include <limits>
 
 namespace ThermoContact
@@ -83,18 +81,6 @@ namespace ThermoContact
                                return row.values[k];
                              });
     return columns;
-  }
-
-
-
-  std::vector<std::array<double, 3>>
-  probe_positions(const Parameters &parameters)
-  {
-    if (dealii::Utilities::trim(parameters.output.probes).empty())
-      return {};
-    return parse_probe_positions(parameters.output.probes,
-                                 parameters.dimension,
-                                 parameters.mesh.width);
   }
 
 

@@ -3,6 +3,7 @@
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/input/probe_positions.h>
 #include <thermocontact/output/output.h>
 
 #include <filesystem>

@@ -326,8 +326,10 @@ namespace ThermoContact
                         quote(motion.text()),
                         "0"};
       const double        start = motion.value(0.);
+      const Interval all = motion.enclosure({0., time.end_time}).value;
       if (std::abs(start) >
-          Tolerances::rounding_of_data * motion.largest_value(time.end_time))
+          Tolerances::rounding_of_data *
+            (all.is_finite() ? all.magnitude() : 0.))
         refuse(end.path,
                end.value,
                text("zero at t = 0, where it is ", start),
@@ -580,9 +582,7 @@ namespace ThermoContact
     check_mass_matrix(scene);
     check_contact(scene);
     check_mesh(scene);
-    parse_probe_positions(parameters.output.probes,
-                          parameters.dimension,
-                          parameters.mesh.width);
+    probe_positions(parameters);
     check_step_sizes(scene);
     check_start(scene);
     check_exchange(scene);

@@ -205,14 +205,7 @@ namespace ThermoContact
   {
     std::string text = head;
     for (const auto &[run, words] : rows)
-      {
-        for (const std::string &word : words)
-          {
-            append_field(text, word);
-            text += ',';
-          }
-        text.back() = '\n';
-      }
+      text += csv_row(words);
     n_read = text.size();
     return write_atomically(file_name, text);
   }

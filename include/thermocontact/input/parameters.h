@@ -235,7 +235,7 @@ namespace ThermoContact
     std::string directory;
     double      fields_interval  = 0.1;
     double      contact_interval = 0.;
-    std::string probes; ///< read by parse_probe_positions()
+    std::string probes; ///< read by probe_positions()
     double      space_time_interval = 0.;
     double      period              = 0.;    ///< of poincare.csv
     bool        land_on_times       = false; ///< steps end on output times

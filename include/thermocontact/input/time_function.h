@@ -8,6 +8,7 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <cmath>
 
 namespace ThermoContact
 {
@@ -46,19 +47,28 @@ namespace ThermoContact
     }
 
     double
-    value(const double time) const;
+    value(const double time) const
+    {
+      return evaluate(time);
+    }
 
     /** With the derivatives in time; one that is not finite is 0. */
     TimeDerivatives
-    derivatives(const double time) const;
+    derivatives(const double time) const
+    {
+      TimeDerivatives result = evaluate(NumberJet(time, 1., 0.));
+      for (double *const derivative : {&result.first, &result.second})
+        if (!std::isfinite(*derivative))
+          *derivative = 0.;
+      return result;
+    }
 
     /** What it does at all times of @p span. */
     IntervalJet
-    enclosure(const Interval &span) const;
-
-    /** The largest absolute value at many times of $[0,T]$. */
-    double
-    largest_value(const double end_time) const;
+    enclosure(const Interval &span) const
+    {
+      return evaluate(IntervalJet(span, 1., 0.));
+    }
 
   private:
     Expression            expression_;
@@ -67,7 +77,12 @@ namespace ThermoContact
     /** Evaluates at the place and @p time. */
     template <typename Number>
     Number
-    evaluate(const Number &time) const;
+    evaluate(const Number &time) const
+    {
+      const std::array<Number, 4> variables = {
+        {Number(place[0]), Number(place[1]), Number(place[2]), time}};
+      return expression_.evaluate(variables.data());
+    }
   };
 } // namespace ThermoContact
 

@@ -8,7 +8,6 @@
 #include <thermocontact/simulation/measurements.h>
 #include <thermocontact/time/step_controller.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -51,11 +50,7 @@ namespace ThermoContact
   CsvColumns<ProbeRow>
   probe_columns(const unsigned int n_places);
 
-  /** The coordinates of each place of Output/Probes; none: there are none. */
-  std::vector<std::array<double, 3>>
-  probe_positions(const Parameters &parameters);
-
-  /** They as comment lines. */
+  /** The places of Output/Probes as comment lines. */
   std::string
   probe_comments(const Parameters &parameters);
 } // namespace ThermoContact
