@@ -15,7 +15,6 @@
 #include <cctype>
 #include <charconv>
 #include <cstring>
-#include <functional>
 
 namespace ThermoContact
 {
@@ -529,9 +528,9 @@ namespace ThermoContact
     {
       if (!unit.empty() && !convert_unit(1., unit, needed))
         throw InputError(path + " = " + quote(text) + ": " +
-                         quote(table.file_name) +
-                         ": the header has the unit " + unit +
-                         "\n  allowed: a unit that measures what " + needed +
+                         quote(table.file_name) + ": the header has the unit " +
+                         unit + "\n  allowed: a unit that measures what " +
+                         needed +
                          " does\n  remedy:  another column, or its unit");
     }
 
@@ -727,59 +726,6 @@ namespace ThermoContact
             names.push_back(text.substr(begin, i - begin));
         }
     return names;
-  }
-
-
-
-  bool
-  can_name_constant(const std::string &name)
-  {
-    std::vector<std::string> taken = Expression::function_names();
-    for (const char *const variable :
-         {"x", "y", "z", "t", "gap", "pressure", "theta_A", "pi", "_pi", "_e"})
-      taken.emplace_back(variable);
-    return identifiers_in(name) == std::vector<std::string>{name} &&
-           name.find('.') == std::string::npos &&
-           std::find(taken.begin(), taken.end(), name) == taken.end();
-  }
-
-
-
-  std::map<std::string, double>
-  evaluate_constants(const std::map<std::string, std::string> &texts)
-  {
-    std::map<std::string, double>                  known;
-    std::vector<std::string>                       open; // being evaluated
-    const std::function<void(const std::string &)> evaluate =
-      [&](const std::string &name) {
-        if (known.count(name) > 0)
-          return;
-        const std::string path = "Constants/" + name, &text = texts.at(name);
-        const auto        first = std::find(open.begin(), open.end(), name);
-        if (first != open.end())
-          {
-            std::string circle;
-            for (auto other = first; other != open.end(); ++other)
-              circle += *other + " -> ";
-            refuse(path,
-                   text,
-                   "it depends on itself: " + circle + name,
-                   "numbers, or expressions in other constants");
-          }
-        open.push_back(name);
-        for (const std::string &other : identifiers_in(text))
-          if (texts.count(other) > 0)
-            evaluate(other);
-        known[name] =
-          Expression(path, text, {{}, known}).evaluate<double>(nullptr);
-        open.pop_back();
-      };
-    // numbers first, so that a misprint of their names is answered with them
-    for (const bool is_number : {true, false})
-      for (const auto &[name, text] : texts)
-        if (parse_number(text).has_value() == is_number)
-          evaluate(name);
-    return known;
   }
 
 

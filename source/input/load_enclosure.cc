@@ -215,8 +215,7 @@ namespace ThermoContact
         const auto slope = [&](const double t) {
           return load.derivatives(t).first;
         };
-        for (const double t :
-             {span.low, span.middle(), span.high})
+        for (const double t : {span.low, span.middle(), span.high})
           if (!std::isfinite(value(t)))
             throw Unresolved{t, true};
         const bool is_jump =

@@ -349,9 +349,8 @@ namespace ThermoContact
             open_section = section;
           }
         output << (section.empty() ? "" : "  ")
-               << (entry.is_remark ? "# set " : "set ")
-               << name_of(entry.path) << " = "
-               << entry.value
+               << (entry.is_remark ? "# set " : "set ") << name_of(entry.path)
+               << " = " << entry.value
                << (entry.remark.empty() ? "" : " # " + entry.remark) << '\n';
       }
     if (!open_section.empty())

@@ -2,7 +2,6 @@
 
 #include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/parameter_reference.h>
-
 #include <thermocontact/input/unknown_names.h>
 
 #include <deal.II/base/utilities.h>

@@ -30,8 +30,8 @@ namespace ThermoContact
            const std::string &position,
            const std::string &fault)
     {
-      const unsigned int dim    = parameters.dimension;
-      std::string        limits = dim == 1 ? "x" : dim == 2 ? "x, y" : "x, y, z";
+      const unsigned int dim = parameters.dimension;
+      std::string limits     = dim == 1 ? "x" : dim == 2 ? "x, y" : "x, y, z";
       limits += " with 0 <= x <= 1";
       if (dim > 1)
         limits += (dim == 2 ? ", 0 <= y <= " : ", 0 <= y, z <= ") +

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/probe_positions.h>
-#include <thermocontact/scene/refusal.h>
 #include <thermocontact/scene/scene_checks.h>
 
 #include <cmath>
@@ -14,6 +14,23 @@ namespace ThermoContact
 {
   namespace
   {
+    /**
+     * Throws for an entry whose value a pattern accepts but the program does
+     * not.
+     */
+    template <typename Value>
+    [[noreturn]] void
+    refuse(const std::string &path,
+           const Value       &value,
+           const std::string &allowed,
+           const std::string &remedy)
+    {
+      throw InputError(text(
+        path, " = ", value, "\n  allowed: ", allowed, "\n  remedy:  ", remedy));
+    }
+
+
+
     /** A value of an entry that many scenes cannot have. */
     struct Refusal
     {
@@ -323,19 +340,18 @@ namespace ThermoContact
         return;
       const TimeFunction &motion = *scene.fixed_end_motion;
       const Refusal       end{"Boundary/Fixed end displacement",
-                        quote(motion.text()),
+                        quote(motion.expression.text()),
                         "0"};
       const double        start = motion.value(0.);
-      const Interval all = motion.enclosure({0., time.end_time}).value;
-      if (std::abs(start) >
-          Tolerances::rounding_of_data *
-            (all.is_finite() ? all.magnitude() : 0.))
+      const Interval      all   = motion.enclosure({0., time.end_time}).value;
+      if (std::abs(start) > Tolerances::rounding_of_data *
+                              (all.is_finite() ? all.magnitude() : 0.))
         refuse(end.path,
                end.value,
                text("zero at t = 0, where it is ", start),
                "subtract that: displacements are relative to where the end is "
                "at the start");
-      check_rate(end, motion.expression(), 0.);
+      check_rate(end, motion.expression, 0.);
       end.since(!scene.scheme.needs_resting_end.empty(),
                 name_of_scheme(scene),
                 take_default_scheme(scene.scheme.needs_resting_end));

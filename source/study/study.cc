@@ -35,11 +35,11 @@ namespace ThermoContact
       void
       update()
       {
-        const unsigned int n_runs  = table.plan().n_runs();
+        const unsigned int n_runs  = table.plan.n_runs();
         const unsigned int n_known = table.size();
         for (const unsigned int run : table.read_on())
           if (const std::string failure = table.failure(run); !failure.empty())
-            log.line("  " + table.plan().description(run) + ": " + failure);
+            log.line("  " + table.plan.description(run) + ": " + failure);
         if (table.size() == n_known)
           return;
         const double seconds = std::chrono::duration<double>(
@@ -95,7 +95,7 @@ namespace ThermoContact
     std::string
     missing_rows(const StudyTable &table)
     {
-      const unsigned int n_lost = table.plan().n_runs() - table.size();
+      const unsigned int n_lost = table.plan.n_runs() - table.size();
       return n_lost == 0 ? "" :
                            text("study.csv: the rows of ",
                                 n_lost,
@@ -117,7 +117,7 @@ namespace ThermoContact
     const MPI_Comm     communicator = MPI_COMM_WORLD;
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
-    const StudyPlan   &plan    = table.plan();
+    const StudyPlan   &plan    = table.plan;
     const SignalWatch  signals;
     StudyRunner        runner(plan, signals);
 

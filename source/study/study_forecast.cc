@@ -69,8 +69,8 @@ namespace ThermoContact
     StudyForecast
     read_scenes(const StudyTable &table, const std::vector<unsigned int> &runs)
     {
-      const StudyPlan &plan = table.plan();
-      SceneReader      reader(plan.scene_assignments());
+      const StudyPlan &plan = table.plan;
+      SceneReader      reader(plan.assignments);
       StudyForecast    forecast;
       const auto       read = [&](const Overrides &overrides) {
         plan.read_scene(overrides, reader);
@@ -169,7 +169,7 @@ namespace ThermoContact
     has_bodies(const StudyPlan &plan)
     {
       const auto &varied = plan.varied();
-      return SceneReader(plan.scene_assignments()).scene().dimension > 1 ||
+      return SceneReader(plan.assignments).scene().dimension > 1 ||
              std::find(varied.begin(), varied.end(), "Dimension") !=
                varied.end() ||
              plan.reference();
@@ -182,7 +182,7 @@ namespace ThermoContact
   check_study_memory(const StudyTable &table)
   {
     std::vector<unsigned int> runs = table.missing_runs();
-    if (runs.empty() || !has_bodies(table.plan()))
+    if (runs.empty() || !has_bodies(table.plan))
       return "";
     runs.resize(std::min<std::size_t>(runs.size(), max_checked));
     return describe_memory(read_scenes(table, runs));
@@ -193,8 +193,8 @@ namespace ThermoContact
   void
   check_any_run(const StudyTable &table)
   {
-    const StudyPlan &plan = table.plan();
-    SceneReader      reader(plan.scene_assignments());
+    const StudyPlan &plan = table.plan;
+    SceneReader      reader(plan.assignments);
     std::string      first;
     for (unsigned int run = 0; run < plan.n_runs(); ++run)
       try
@@ -218,7 +218,7 @@ namespace ThermoContact
               const StudyParameters &parameters,
               Log                   &log)
   {
-    const unsigned int n_runs = table.plan().n_runs();
+    const unsigned int n_runs = table.plan.n_runs();
     log.line(
       text("  study     ", n_runs, " runs, reference: ", parameters.reference));
     std::vector<unsigned int> runs(std::min(n_runs, max_checked));

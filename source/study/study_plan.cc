@@ -15,7 +15,6 @@
 #include <cmath>
 #include <set>
 #include <sstream>
-#include <tuple>
 
 namespace ThermoContact
 {
@@ -139,21 +138,13 @@ namespace ThermoContact
                            const ScalesParameters &b,
                            const std::string      &what)
     {
-      const auto members = [](const ScalesParameters &s) {
-        return std::tie(s.length,
-                        s.time,
-                        s.displacement,
-                        s.stress,
-                        s.area,
-                        s.temperature,
-                        s.reference_temperature);
-      };
-      if (members(a) != members(b))
-        throw InputError("Study/Reference: " + quote(what) +
-                         " makes another rod, and no errors are measured "
-                         "between two\n  allowed: entries that leave the "
-                         "scales as they are\n  remedy:  Study/Reference = "
-                         "none");
+      for (const ScalesParameters::Scale &scale : ScalesParameters::all())
+        if (a.*scale.value != b.*scale.value)
+          throw InputError("Study/Reference: " + quote(what) +
+                           " makes another rod, and no errors are measured "
+                           "between two\n  allowed: entries that leave the "
+                           "scales as they are\n  remedy:  Study/Reference = "
+                           "none");
     }
 
 

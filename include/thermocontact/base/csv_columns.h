@@ -78,18 +78,27 @@ namespace ThermoContact
   template <typename Record>
   using CsvColumns = std::vector<CsvColumn<Record>>;
 
+  template <typename Record>
+  std::vector<std::string>
+  names_of(const CsvColumns<Record> &columns)
+  {
+    std::vector<std::string> names;
+    for (const auto &column : columns)
+      names.push_back(column.name);
+    return names;
+  }
+
   /** The line of names, below a comment of their units if there are any. */
   template <typename Record>
   std::string
   csv_head(const CsvColumns<Record> &columns,
            const Conversions        &conversions = Conversions())
   {
-    std::vector<std::string> names, units;
-    for (const auto &column : columns)
-      names.push_back(column.name);
+    std::vector<std::string> units;
     for (const Conversion &conversion : conversions)
       units.push_back(conversion.unit);
-    return (units.empty() ? "" : "# units: " + csv_row(units)) + csv_row(names);
+    return (units.empty() ? "" : "# units: " + csv_row(units)) +
+           csv_row(names_of(columns));
   }
 
   /** Appends the row of @p record; nothing is allocated but by @p text. */

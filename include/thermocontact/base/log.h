@@ -66,7 +66,7 @@ namespace ThermoContact
     const bool    is_writer;
     const bool    is_quiet;
     const bool    has_live_line; ///< standard output is a terminal
-    bool          is_live; ///< a live line is on the screen
+    bool          is_live;       ///< a live line is on the screen
     std::ofstream file;
     std::string   early_lines; ///< before there is a file
 

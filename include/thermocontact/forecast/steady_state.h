@@ -56,16 +56,6 @@ namespace ThermoContact
   unsigned int
   nearest_state(const std::vector<SteadyState> &states,
                 const SteadyState              &state);
-
-
-
-  /**
-   * $G$ of (M3.1), the free expansion of a steady temperature.
-   *
-   * @param drop $c$ of (M2.1)
-   */
-  double
-  free_expansion(const Scene &scene, const double drop);
 } // namespace ThermoContact
 
 #endif

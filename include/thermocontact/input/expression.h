@@ -181,23 +181,9 @@ namespace ThermoContact
 
 
 
-  /** True for a word of letters, digits and '_' that means nothing else. */
-  bool
-  can_name_constant(const std::string &name);
-
   /** The names in a text, whatever they mean. */
   std::vector<std::string>
   identifiers_in(const std::string &text);
-
-  /**
-   * The values of constants, each of which is a number or an expression in
-   * others.
-   *
-   * @param texts names and what stands for them
-   * @throw InputError if one cannot be read, or depends on itself
-   */
-  std::map<std::string, double>
-  evaluate_constants(const std::map<std::string, std::string> &texts);
 
   /**
    * The expression with @p others for the names of its variables, for which its

@@ -26,25 +26,14 @@ namespace ThermoContact
     explicit TimeFunction(
       const Expression         &expression,
       const dealii::Point<dim> &place = dealii::Point<dim>())
-      : expression_(expression)
+      : expression(expression)
       , place{}
     {
       for (unsigned int d = 0; d < dim; ++d)
         this->place[d] = place[d];
     }
 
-    const Expression &
-    expression() const
-    {
-      return expression_;
-    }
-
-    /** As it was written. */
-    const std::string &
-    text() const
-    {
-      return expression_.text();
-    }
+    const Expression expression;
 
     double
     value(const double time) const
@@ -71,7 +60,6 @@ namespace ThermoContact
     }
 
   private:
-    Expression            expression_;
     std::array<double, 3> place;
 
     /** Evaluates at the place and @p time. */
@@ -81,7 +69,7 @@ namespace ThermoContact
     {
       const std::array<Number, 4> variables = {
         {Number(place[0]), Number(place[1]), Number(place[2]), time}};
-      return expression_.evaluate(variables.data());
+      return expression.evaluate(variables.data());
     }
   };
 } // namespace ThermoContact

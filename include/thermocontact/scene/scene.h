@@ -417,6 +417,16 @@ namespace ThermoContact
              material.has_viscosity();
     }
   };
+
+
+
+  /** The fields that a scene has. */
+  std::vector<std::string>
+  scene_fields(const Scene &scene);
+
+  /** The terms that a scene contains, in words. */
+  std::vector<std::string>
+  scene_terms(const Scene &scene);
 } // namespace ThermoContact
 
 #endif

@@ -78,11 +78,7 @@ namespace ThermoContact
     }
 
     /** Of the scene that the runs override: what read_scene() needs. */
-    const std::vector<Assignment> &
-    scene_assignments() const
-    {
-      return assignments;
-    }
+    const std::vector<Assignment> assignments;
 
     /**
      * Reads and checks the scene with @p overrides.
@@ -105,7 +101,6 @@ namespace ThermoContact
     /** Entries that vary together: as many values of each. */
     using Axis = std::vector<Variation>;
 
-    const std::vector<Assignment>  assignments;
     std::vector<std::vector<Axis>> sets;
     std::vector<unsigned int> first_runs; ///< of the sets; at last their end
     std::vector<std::string>  varied_;
