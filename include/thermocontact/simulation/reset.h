@@ -50,14 +50,6 @@ namespace ThermoContact
     complete(State &state);
 
     /**
-     * True if a body or its contact nodes answer a discontinuity of the loads
-     * by motion: without inertia and viscosity they go to another place, a body
-     * without inertia gets another velocity.
-     */
-    bool
-    moves_at_once() const;
-
-    /**
      * The state behind a discontinuity of the loads at the end of a step,
      * doc/contact-in-time.md section 4: the fixed end takes its new
      * temperature, with the heat for that, (C4.5); what is static goes to its
@@ -76,9 +68,9 @@ namespace ThermoContact
      *   discontinuity, at the same time, and its energy; work and numerical
      *   dissipation are added to, and all else, closed_nodes too, is still that
      *   of the step
-     * @return false if fixed end and loads of the momentum equation are
-     *   continuous there, as at a time that is only listed, or move nothing;
-     *   then nothing is changed
+     * @return true if the body or its contact nodes have answered by motion.
+     *   Nothing is changed if fixed end and loads of the momentum equation are
+     *   continuous there, as at a time that is only listed, or move nothing
      * @throw ComputationError if the new equilibrium is not found
      */
     bool
@@ -176,6 +168,14 @@ namespace ThermoContact
     mutable std::vector<NodeLaw> node_laws;
     mutable std::vector<double>  node_positions;
 
+    /**
+     * True if a body or its contact nodes answer a discontinuity of the loads
+     * by motion: without inertia and viscosity they go to another place, a body
+     * without inertia gets another velocity.
+     */
+    bool
+    moves_at_once() const;
+
     /** $M$, made when it is needed. */
     const HeatMass<dim> &
     provide_heat_mass();
@@ -184,9 +184,22 @@ namespace ThermoContact
     NodeEquilibrium<dim> &
     provide_adiabatic_nodes();
 
-    /** The loads that act on a state. */
+    /** The loads at a time. */
     Vector
-    momentum_load(const State &state) const;
+    momentum_load(const double time) const;
+
+    /**
+     * Work of the loads and forces of the obstacle on a motion at once: what
+     * @p move does to the displacement.
+     */
+    template <class Motion>
+    double
+    work_of(State &state, const Motion &move) const;
+
+    /** Of the contact nodes, to their local obstacles. */
+    std::vector<double>
+    relative_velocities(const State                &state,
+                        const std::vector<NodeLaw> &laws) const;
 
     /** Forces on a body by these loads, with constrained rows zero. */
     Vector
