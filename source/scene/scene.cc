@@ -337,28 +337,32 @@ namespace ThermoContact
     {
       const SolverParameters &solver = parameters.solver;
       const unsigned int      dim    = parameters.dimension;
-      const double            tolerance =
-        solver.linear_tolerance.value_or(Tolerances::default_residual);
+      LinearSolver            result{false,
+                          false,
+                          solver.linear_tolerance.value_or(
+                            Tolerances::default_residual),
+                          needs_factors,
+                          needs_factors};
       if (solver.linear_solver != "automatic")
-        return {solver.linear_solver == "iterative",
-                false,
-                tolerance,
-                "Solver/Linear solver = " + solver.linear_solver,
-                needs_factors};
-      if (!needs_factors.empty())
-        return {false, dim == 1, tolerance, needs_factors, needs_factors};
-      const double n_unknowns =
-        parameters.mesh.n_nodes(dim) * fields.n_components(dim);
-      const double limit = largest_for_factors(parameters, contact);
-      return {n_unknowns > limit,
-              false,
-              tolerance,
-              text(significant(n_unknowns, 3),
-                   " unknowns in ",
-                   dim,
-                   " dimensions, direct up to ",
-                   significant(limit, 3)),
-              needs_factors};
+        {
+          result.is_iterative = solver.linear_solver == "iterative";
+          result.reason = "Solver/Linear solver = " + solver.linear_solver;
+        }
+      else if (!needs_factors.empty())
+        result.is_along_rod = dim == 1;
+      else
+        {
+          const double n_unknowns =
+            parameters.mesh.n_nodes(dim) * fields.n_components(dim);
+          const double limit  = largest_for_factors(parameters, contact);
+          result.is_iterative = n_unknowns > limit;
+          result.reason       = text(significant(n_unknowns, 3),
+                               " unknowns in ",
+                               dim,
+                               " dimensions, direct up to ",
+                               significant(limit, 3));
+        }
+      return result;
     }
   } // namespace
 

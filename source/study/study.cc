@@ -6,6 +6,7 @@
 #include <thermocontact/study/study.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/string.hpp>
@@ -13,7 +14,6 @@
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace ThermoContact
@@ -27,7 +27,6 @@ namespace ThermoContact
       StudyProgress(StudyTable &table, Log &log)
         : table(table)
         , log(log)
-        , start(std::chrono::steady_clock::now())
         , n_before(table.size())
       {}
 
@@ -42,11 +41,8 @@ namespace ThermoContact
             log.line("  " + table.plan.description(run) + ": " + failure);
         if (table.size() == n_known)
           return;
-        const double seconds = std::chrono::duration<double>(
-                                 std::chrono::steady_clock::now() - start)
-                                 .count();
-        const double left =
-          seconds / (table.size() - n_before) * (n_runs - table.size());
+        const double left = since_start.wall_time() /
+                            (table.size() - n_before) * (n_runs - table.size());
         const std::string line = text(
           "  run ", table.size(), '/', n_runs, "  ", clock_time(left), " left");
         log.live_line(line);
@@ -55,10 +51,10 @@ namespace ThermoContact
       }
 
     private:
-      StudyTable                                 &table;
-      Log                                        &log;
-      const std::chrono::steady_clock::time_point start;
-      const unsigned int                          n_before;
+      StudyTable        &table;
+      Log               &log;
+      const Timer        since_start;
+      const unsigned int n_before;
     };
 
 

@@ -351,15 +351,6 @@ namespace ThermoContact
     RodParameters           rod;
     StudyParameters         study;
 
-    Parameters();
-    Parameters(const Parameters &); // these are compiled once
-    Parameters(Parameters &&);
-    Parameters &
-    operator=(const Parameters &);
-    Parameters &
-    operator=(Parameters &&);
-    ~Parameters();
-
     /**
      * What an expression of the entry @p path may name; theta_A is none of the
      * variables. It is evaluated with gap and pressure, or else with x, y, z
