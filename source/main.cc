@@ -23,10 +23,8 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <new>
-#include <sstream>
 #include <vector>
 
 namespace ThermoContact

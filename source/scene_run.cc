@@ -29,7 +29,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <utility>
 
 namespace ThermoContact
 {

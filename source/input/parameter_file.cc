@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <sstream>
 
 namespace ThermoContact
 {

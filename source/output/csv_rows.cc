@@ -6,7 +6,6 @@
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/space/point_values.h>
 
-#include <limits>
 
 namespace ThermoContact
 {
@@ -22,15 +21,6 @@ namespace ThermoContact
     });
     return columns;
   }
-
-
-
-  EventRow::EventRow(const ContactEvent &event, const ContactEvent *const begin)
-    : ContactEvent(event)
-    , duration(event.kind == ContactEvent::end && begin != nullptr ?
-                 event.time - begin->time :
-                 std::numeric_limits<double>::quiet_NaN())
-  {}
 
 
 

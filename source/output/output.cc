@@ -7,6 +7,7 @@
 #include <thermocontact/output/output.h>
 
 #include <filesystem>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -184,7 +185,10 @@ namespace ThermoContact
       poincare_file.add(record);
     const auto &events = simulation.events();
     for (unsigned int &i = n_written_events; i < events.size(); ++i)
-      events_file.add(EventRow(events[i], i > 0 ? &events[i - 1] : nullptr));
+      events_file.add({events[i],
+                       events[i].kind == ContactEvent::end && i > 0 ?
+                         events[i].time - events[i - 1].time :
+                         std::numeric_limits<double>::quiet_NaN()});
     for (const StepAttempt &attempt : simulation.history().attempts)
       steps_file.add(attempt);
     if (space_time_output && is_due(of_space_time, record.time))

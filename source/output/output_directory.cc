@@ -228,15 +228,8 @@ namespace ThermoContact
     std::string fault;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        std::vector<DeclaredEntry> entries  = declared_entries(prm);
-        std::set<std::string>      left_out = omit;
-        if (is_in_si(assignments))
-          add_units(assignments, entries);
-        else
-          for (const DeclaredEntry &entry : entries)
-            if (entry.path.rfind("Rod/", 0) == 0 ||
-                entry.path == "Contact/Stiffness")
-              left_out.insert(entry.path);
+        std::vector<DeclaredEntry> entries = declared_entries(prm);
+        add_units(assignments, entries);
         for (DeclaredEntry &entry : entries)
           if (entry.path == "Output/Directory")
             {
@@ -264,7 +257,7 @@ namespace ThermoContact
         const std::string  path = directory + "/used.prm";
         std::ostringstream text;
         text << "# thermocontact " << version() << ": every entry as used\n";
-        write_entries(entries, left_out, text);
+        write_entries(entries, omit, text);
         if (fault.empty())
           fault = write_atomically(path, text.str());
       }

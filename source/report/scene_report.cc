@@ -10,7 +10,6 @@
 #include <thermocontact/scene/coarser_scenes.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace ThermoContact

@@ -241,10 +241,10 @@ namespace ThermoContact
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
       const double h = mesh.contact_spacing();
-      // of the mesh, and of an obstacle beside it that has one for all
-      // pressures
-      const bool   has_stiffness = law.is_linear() && !law.is_rigid();
-      const double stiffness = 1. + (has_stiffness ? h / law.tangent(1.) : 0.);
+      // of the mesh, and of an obstacle beside it that has one
+      const double stiffness =
+        1. +
+        h / law.compliance().value_or(std::numeric_limits<double>::infinity());
       return scheme.needs_massless_contact ||
              (parameters.dimension > 1 && law.is_rigid()) ||
              model.viscosity < std::sqrt(model.inertia * stiffness) * h;
@@ -452,9 +452,9 @@ namespace ThermoContact
     add_if(material.has_thermal_stress(), "thermal stress");
     add_if(material.has_heating(), "thermoelastic heating");
     const ContactLaw &law = *scene.contact.law;
-    add_if(law.is_active() && law.is_rigid(), "rigid contact");
-    add_if(law.is_active() && !law.is_rigid(),
-           scene.parameters.contact.condition);
+    add_if(law.is_active(),
+           law.is_rigid() ? "rigid contact" :
+                            scene.parameters.contact.condition);
     add_if(law.damping() > 0., "damped contact");
     add_if(scene.contact.is_two_sided(), "two stops");
     add_if(scene.contact.has_massless_nodes, "massless contact nodes");

@@ -404,8 +404,8 @@ namespace ThermoContact
       solver.since(!scene.scheme.is_of_paper,
                    name_of_scheme(scene),
                    iteration + "belongs to Time/Scheme = " + scheme_of_paper());
-      solver.since(scene.contact.law->is_rigid() ||
-                     !scene.contact.law->is_linear(),
+      solver.since(scene.contact.law->is_active() &&
+                     !scene.contact.law->compliance(),
                    "Contact/Condition = " + parameters.contact.condition,
                    iteration + "needs an elastic obstacle");
       solver.since(!scene.fields.has_temperature ||

@@ -13,7 +13,6 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include <algorithm>
 #include <utility>
 
 namespace ThermoContact

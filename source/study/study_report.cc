@@ -9,7 +9,6 @@
 #include <deal.II/base/convergence_table.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>

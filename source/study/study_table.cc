@@ -18,7 +18,6 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
-#include <sstream>
 
 namespace ThermoContact
 {

@@ -12,8 +12,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>

@@ -139,7 +139,8 @@ namespace ThermoContact
   /**
    * Gives @p entries, whose values are those of the scene, the values that a
    * file in SI units has, as used.prm shows them: the nondimensional ones, and
-   * entries that follow from others, become remarks.
+   * entries that follow from others, become remarks. Of another file those that
+   * files in SI units alone have are removed.
    */
   void
   add_units(const std::vector<Assignment> &assignments,

@@ -25,10 +25,6 @@ namespace ThermoContact
   struct EventRow : ContactEvent
   {
     double duration; ///< NaN of a begin
-
-    /** @param begin the event before, if @p event is an end; else null */
-    explicit EventRow(const ContactEvent       &event = ContactEvent(),
-                      const ContactEvent *const begin = nullptr);
   };
 
   /** The columns of events.csv; with two stops one more. */
