@@ -10,7 +10,6 @@
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/command_line.h>
 #include <thermocontact/input/parameter_file.h>
-#include <thermocontact/input/parameter_reference.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/output_units.h>

@@ -6,9 +6,9 @@
 #include <thermocontact/base/machine_memory.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
-#include <thermocontact/forecast/expected_memory.h>
+#include <thermocontact/forecast/forecast.h>
 #include <thermocontact/input/parameter_file.h>
-#include <thermocontact/input/plausibility.h>
+#include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/checkpoint.h>
 #include <thermocontact/output/checkpointer.h>
 #include <thermocontact/output/output.h>

@@ -2,7 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/forecast/first_impact.h>
+#include <thermocontact/forecast/forecast.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <algorithm>

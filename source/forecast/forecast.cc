@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/multiples.h>
-#include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/method/bracketed_root.h>
 

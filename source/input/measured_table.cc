@@ -3,7 +3,6 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/input/measured_table.h>
-#include <thermocontact/input/parameter_text.h>
 #include <thermocontact/input/unit_text.h>
 #include <thermocontact/input/unknown_names.h>
 

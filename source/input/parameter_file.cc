@@ -3,7 +3,6 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/input/constants.h>
-#include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameters.h>
@@ -15,7 +14,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 namespace ThermoContact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/input/declared_entries.h>
-#include <thermocontact/input/parameter_reference.h>
+#include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <deal.II/base/utilities.h>

@@ -2,7 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/input/probe_positions.h>
+#include <thermocontact/input/parameters.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -47,17 +47,17 @@ namespace ThermoContact
 
 
   std::vector<std::array<double, 3>>
-  probe_positions(const Parameters &parameters)
+  Parameters::probe_positions() const
   {
-    const unsigned int                 dim = parameters.dimension;
+    const unsigned int                 dim = dimension;
     std::vector<std::array<double, 3>> positions;
-    if (dealii::Utilities::trim(parameters.output.probes).empty())
+    if (dealii::Utilities::trim(output.probes).empty())
       return positions;
-    for (const std::string &part : split(parameters.output.probes, ';'))
+    for (const std::string &part : split(output.probes, ';'))
       {
         const auto coordinates = split(part, ',');
         if (coordinates.size() != dim)
-          refuse(parameters,
+          refuse(*this,
                  part,
                  text("has ",
                       coordinates.size(),
@@ -68,9 +68,9 @@ namespace ThermoContact
           {
             const auto x = parse_number(coordinates[d]);
             if (!x)
-              refuse(parameters, part, "is no position");
-            if (!(*x >= 0. && *x <= (d == 0 ? 1. : parameters.mesh.width)))
-              refuse(parameters, part, "is not in the body");
+              refuse(*this, part, "is no position");
+            if (!(*x >= 0. && *x <= (d == 0 ? 1. : mesh.width)))
+              refuse(*this, part, "is not in the body");
             positions.back()[d] = *x;
           }
       }

@@ -4,7 +4,6 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/si_scene.h>
@@ -19,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace ThermoContact
 {

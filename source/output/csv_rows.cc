@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/text.h>
-#include <thermocontact/input/probe_positions.h>
+#include <thermocontact/input/parameters.h>
 #include <thermocontact/output/csv_rows.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/space/point_values.h>
@@ -82,7 +82,7 @@ namespace ThermoContact
     unsigned int      n = 0;
     const OutputUnits units(parameters);
     const Conversion &length = units.of("position");
-    for (const auto &position : probe_positions(parameters))
+    for (const auto &position : parameters.probe_positions())
       {
         std::vector<std::string> words;
         for (unsigned int d = 0; d < parameters.dimension; ++d)

@@ -3,7 +3,7 @@
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/multiples.h>
-#include <thermocontact/input/probe_positions.h>
+#include <thermocontact/input/parameters.h>
 #include <thermocontact/output/output.h>
 
 #include <filesystem>
@@ -23,7 +23,7 @@ namespace ThermoContact
     probe_places(const Parameters &parameters)
     {
       std::vector<Place<dim>> places;
-      for (const auto &coordinates : probe_positions(parameters))
+      for (const auto &coordinates : parameters.probe_positions())
         {
           Point<dim> position;
           std::copy_n(coordinates.begin(), dim, position.begin_raw());

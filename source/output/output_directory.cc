@@ -19,7 +19,6 @@
 #include <cstring>
 #include <filesystem>
 #include <sstream>
-#include <vector>
 
 namespace ThermoContact
 {

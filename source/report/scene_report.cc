@@ -3,7 +3,6 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/machine_memory.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/scene_report.h>

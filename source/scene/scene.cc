@@ -7,10 +7,6 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/scene/scene.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace ThermoContact
 {
   namespace

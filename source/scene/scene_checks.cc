@@ -4,7 +4,7 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/parameter_file.h>
-#include <thermocontact/input/probe_positions.h>
+#include <thermocontact/input/parameters.h>
 #include <thermocontact/scene/scene_checks.h>
 
 #include <cmath>
@@ -598,7 +598,7 @@ namespace ThermoContact
     check_mass_matrix(scene);
     check_contact(scene);
     check_mesh(scene);
-    probe_positions(parameters);
+    parameters.probe_positions();
     check_step_sizes(scene);
     check_start(scene);
     check_exchange(scene);

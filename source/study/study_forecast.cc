@@ -3,10 +3,9 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/machine_memory.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/space/load_scan.h>
-#include <thermocontact/study/study_forecast.h>
+#include <thermocontact/study/study.h>
 
 #include <algorithm>
 #include <cmath>

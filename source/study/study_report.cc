@@ -4,7 +4,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/writable_file.h>
-#include <thermocontact/study/study_report.h>
+#include <thermocontact/study/study.h>
 
 #include <deal.II/base/convergence_table.h>
 

@@ -7,8 +7,6 @@
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/study/study_table.h>
 
-#include <deal.II/base/utilities.h>
-
 #include <fcntl.h>
 #include <unistd.h>
 

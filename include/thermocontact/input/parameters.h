@@ -12,6 +12,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <array>
 #include <limits>
 #include <map>
 #include <optional>
@@ -356,6 +357,17 @@ namespace ThermoContact
      */
     ExpressionNames
     names(const std::string &path) const;
+
+    /**
+     * Reads Output/Probes: positions separated by ';', the coordinates of each
+     * by
+     * ',', e.g. "0.25; 0.5; 1" or, in two dimensions, "0.5, 0.05; 1, 0.1".
+     *
+     * @return the coordinates of each position, 0 beyond the dimension
+     * @throw InputError if a position is malformed or not in the body
+     */
+    std::vector<std::array<double, 3>>
+    probe_positions() const;
 
     /**
      * Binds every member to an entry of @p prm. Parsing or `prm.set` then
