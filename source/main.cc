@@ -237,9 +237,9 @@ main(int argc, char **argv)
   std::signal(SIGXFSZ, SIG_IGN); // a file at its limit is an error like others
   std::signal(SIGPIPE, SIG_IGN); // nor does a run end with who looks at it
 
-  const Timer          since_start;
-  const IgnoredSignals ignored_signals;
-  const auto           to_unset = tell_mpi_of_single_process();
+  const Timer since_start;
+  const auto  ignored  = ignored_signals();
+  const auto  to_unset = tell_mpi_of_single_process();
   // The arguments are ours alone: PETSc, which deal.II starts too, obeys those
   // that it knows and, in Debian 13, prints those that it does not.
   int                              n_arguments    = 1;
@@ -248,7 +248,8 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(n_arguments, arguments, 1);
   for (const char *const name : to_unset)
     unsetenv(name);
-  ignored_signals.restore();
+  for (const int signal : ignored)
+    std::signal(signal, SIG_IGN);
   const bool is_first_rank =
     Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   const auto print_error = [is_first_rank](const std::string &message) {

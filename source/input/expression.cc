@@ -731,22 +731,16 @@ namespace ThermoContact
 
 
   std::string
-  rename_variables(const std::string              &path,
-                   const std::string              &text,
-                   const ExpressionNames          &names,
-                   const std::vector<std::string> &others)
+  Expression::with_variables(const std::vector<std::string> &others) const
   {
-    ExpressionNames unchecked = names;
-    unchecked.checks_values   = false;
-    const Expression expression(path, text, unchecked);
-    std::string      result;
-    std::size_t      end = 0; // of what is in the result
-    for (const Expression::NamedVariable &one : expression.named_variables())
+    std::string result;
+    std::size_t end = 0; // of what is in the result
+    for (const NamedVariable &one : named)
       {
-        result += text.substr(end, one.position - end) + others[one.index];
-        end = one.position + names.variables[one.index].size();
+        result += text_.substr(end, one.position - end) + others[one.index];
+        end = one.position + variable_names[one.index].size();
       }
-    return result + text.substr(end);
+    return result + text_.substr(end);
   }
 
 

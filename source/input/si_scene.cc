@@ -398,10 +398,11 @@ namespace ThermoContact
                               const std::string &text) const
   {
     ExpressionNames names;
-    names.variables = entry_of_program(assignment.path).variables(dim);
-    names.constants = constants;
-    names.folder    = folder_of_tables(assignments);
-    names.has_units = true;
+    names.variables     = entry_of_program(assignment.path).variables(dim);
+    names.constants     = constants;
+    names.folder        = folder_of_tables(assignments);
+    names.has_units     = true;
+    names.checks_values = false;
     std::vector<std::string> others; // as the scene has them
     for (const std::string &name : names.variables)
       {
@@ -417,7 +418,7 @@ namespace ThermoContact
     names.units.push_back(unit_of(kind_of(assignment.path)));
     try
       {
-        return rename_variables(assignment.path, text, names, others);
+        return Expression(assignment.path, text, names).with_variables(others);
       }
     catch (const InputError &error)
       {

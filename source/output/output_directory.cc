@@ -126,17 +126,6 @@ namespace ThermoContact
 
 
 
-    void
-    make_ready(const fs::path &directory)
-    {
-      if (fs::exists(directory))
-        remove_earlier_run(directory);
-      else
-        fs::create_directories(directory);
-    }
-
-
-
     /** Calls @p action on rank 0; what it returns or throws is a fault. */
     template <typename Action>
     void
@@ -180,8 +169,10 @@ namespace ThermoContact
   {
     on_first_rank(directory, communicator, [&]() {
       const std::string fault = find_fault(directory);
-      if (fault.empty())
-        make_ready(directory);
+      if (fault.empty() && fs::exists(directory))
+        remove_earlier_run(directory);
+      else if (fault.empty())
+        fs::create_directories(directory);
       return fault;
     });
   }

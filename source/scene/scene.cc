@@ -11,14 +11,6 @@ namespace ThermoContact
 {
   namespace
   {
-    SceneFields
-    resolve_fields(const ModelParameters &model)
-    {
-      return {model.fields != "displacement", model.fields != "temperature"};
-    }
-
-
-
     Material
     resolve_material(const ModelParameters &model, const SceneFields &fields)
     {
@@ -366,7 +358,8 @@ namespace ThermoContact
 
   Scene::Scene(const Parameters &parameters)
     : parameters(parameters)
-    , fields(resolve_fields(parameters.model))
+    , fields{parameters.model.fields != "displacement",
+             parameters.model.fields != "temperature"}
     , geometry(ThermoContact::geometry(parameters.mesh.geometry)
                  .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, fields))

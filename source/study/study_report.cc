@@ -205,9 +205,9 @@ namespace ThermoContact
 
 
 
-    /** The run of least time that meets the target; nothing if none does. */
-    std::optional<unsigned int>
-    cheapest(const StudyTable &study, const double target)
+    /** Of the run of least time that meets the target. */
+    std::string
+    describe_cheapest(const StudyTable &study, const double target)
     {
       std::optional<unsigned int> best;
       for (unsigned int run = 0; run < study.plan.n_runs(); ++run)
@@ -217,15 +217,6 @@ namespace ThermoContact
             (!best || study.number(run, "loop_seconds") <
                         study.number(*best, "loop_seconds")))
           best = run;
-      return best;
-    }
-
-
-
-    std::string
-    describe_cheapest(const StudyTable &study, const double target)
-    {
-      const auto best = cheapest(study, target);
       if (!best)
         return text("  cheapest  No run has an error of displacement_end of at "
                     "most ",
