@@ -4,7 +4,6 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/interruption.h>
 #include <thermocontact/base/log.h>
-#include <thermocontact/base/serial_section.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/types.h>
 #include <thermocontact/base/version.h>
@@ -105,24 +104,6 @@ namespace ThermoContact
 
 
 
-    void
-    run_dimension(const Request &request, const Timer &since_start, Log &log)
-    {
-      switch (request.parameters.dimension)
-        {
-          case 1:
-            return serial_section(
-              [&]() { run_scene<1>(request, since_start, log); },
-              MPI_COMM_WORLD);
-          case 2:
-            return run_scene<2>(request, since_start, log);
-          default:
-            return run_scene<3>(request, since_start, log);
-        }
-    }
-
-
-
     /**
      * Without mpirun, Open MPI looks for networks, starts a daemon and has
      * hwloc explore the machine, display and buses included: a single process
@@ -212,7 +193,7 @@ namespace ThermoContact
           check_scene(parameters);
           if (command.prints_scene)
             return print_scene(request);
-          run_dimension(request, since_start, log);
+          run_scene(request, since_start, log);
         }
       catch (const InputError &error)
         {

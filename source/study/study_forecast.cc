@@ -235,9 +235,9 @@ namespace ThermoContact
     if (runs.size() < n_runs)
       log.line(text("  checked   the first ", runs.size(), " runs"));
     if (forecast.n_unsearched > 0)
-      log.line(text("  searched  for breaks of loads in all but the last ",
+      log.line(text("  searched  for breaks of loads in all runs but the last ",
                     forecast.n_unsearched,
-                    " runs: they change too fast to be seen before a run"));
+                    ": before, they change too fast to be seen"));
     if (forecast.n_refused > 0)
       throw InputError(text("Study/Vary: ",
                             forecast.n_refused,
