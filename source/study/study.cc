@@ -69,7 +69,7 @@ namespace ThermoContact
       if (Utilities::MPI::this_mpi_process(communicator) == last)
         try
           {
-            StudyRun run = runner.execute(*plan.reference(), 1, "");
+            StudyRun run = runner.execute(*plan.reference, 1, "");
             result       = {run.failure, std::move(run.trajectory)};
           }
         catch (const Interruption &)
@@ -118,7 +118,7 @@ namespace ThermoContact
 
     const std::vector<unsigned int> missing = table.missing_runs();
     Trajectory                      reference;
-    if (plan.reference() && !missing.empty())
+    if (plan.reference && !missing.empty())
       reference = run_reference(plan, runner);
     StudyProgress progress(table, log);
 
@@ -136,7 +136,7 @@ namespace ThermoContact
                                         parameters.keep_files ?
                                                        text(directory, "/run-", number) :
                                                        "");
-          if (plan.reference() && run.failure.empty())
+          if (plan.reference && run.failure.empty())
             run.error = run.trajectory.compare(reference);
           fault = table.append(number, run);
           if (rank == 0)

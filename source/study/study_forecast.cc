@@ -96,9 +96,8 @@ namespace ThermoContact
               forecast.refused +=
                 "\n  " + plan.description(run) + ": " + error.what();
           }
-      if (plan.reference())
-        forecast.bytes_of_reference =
-          expected_memory(read(*plan.reference()), 1);
+      if (plan.reference)
+        forecast.bytes_of_reference = expected_memory(read(*plan.reference), 1);
       return forecast;
     }
 
@@ -167,11 +166,11 @@ namespace ThermoContact
     bool
     has_bodies(const StudyPlan &plan)
     {
-      const auto &varied = plan.varied();
+      const auto &varied = plan.varied;
       return SceneReader(plan.assignments).scene().dimension > 1 ||
              std::find(varied.begin(), varied.end(), "Dimension") !=
                varied.end() ||
-             plan.reference();
+             plan.reference;
     }
   } // namespace
 

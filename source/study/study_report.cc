@@ -31,7 +31,7 @@ namespace ThermoContact
         for (const auto &[path, value] : plan.overrides(run))
           values[path].insert(value);
       std::string refined;
-      for (const std::string &path : plan.varied())
+      for (const std::string &path : plan.varied)
         if ((path == "Time/Step size" || path == "Time/Tolerance" ||
              path == "Mesh/Cells") &&
             values[path].size() > 1 &&
@@ -78,7 +78,7 @@ namespace ThermoContact
       const std::string key =
         refined.empty() ? "run" : (grows ? "" : "1/") + refined;
       std::vector<std::pair<std::string, std::string>> errors; // name, column
-      if (study.plan.reference())
+      if (study.plan.reference)
         for (unsigned int q = 0; q < Trajectory::energy; ++q)
           {
             const std::string name = Trajectory::names[q];
@@ -121,7 +121,7 @@ namespace ThermoContact
     text_tables(const StudyTable &study)
     {
       std::ostringstream text;
-      for (unsigned int set = 0; set < study.plan.n_sets(); ++set)
+      for (unsigned int set = 0; set < study.plan.sets.size(); ++set)
         {
           std::vector<unsigned int> of_set;
           for (unsigned int run = 0; run < study.plan.n_runs(); ++run)
@@ -166,7 +166,7 @@ namespace ThermoContact
                    const std::string &title,
                    const std::string &directory)
     {
-      std::vector<std::string> names = study.plan.varied();
+      std::vector<std::string> names = study.plan.varied;
       names.push_back("status");
       for (const std::string &name : key_result_names())
         for (unsigned int i = 0; i < study.plan.n_runs(); ++i)
@@ -223,7 +223,7 @@ namespace ThermoContact
                     study.units.text("length", target),
                     '.');
       std::vector<std::string> entries;
-      for (const std::string &path : study.plan.varied())
+      for (const std::string &path : study.plan.varied)
         entries.push_back(path + " = " + study.words(*best, path));
       return text("  cheapest  The cheapest run with an error of "
                   "displacement_end of at most ",

@@ -48,8 +48,8 @@ namespace ThermoContact
     make_columns(const StudyPlan &plan)
     {
       CsvColumns<StudyRow> columns = {{"run", &StudyRow::number}};
-      for (unsigned int e = 0; e < plan.varied().size(); ++e)
-        columns.emplace_back(plan.varied()[e], [e](const StudyRow &row) {
+      for (unsigned int e = 0; e < plan.varied.size(); ++e)
+        columns.emplace_back(plan.varied[e], [e](const StudyRow &row) {
           return row.entries[e];
         });
       columns.emplace_back("status", [](const StudyRow &row) {
@@ -102,8 +102,8 @@ namespace ThermoContact
       Conversions conversions =
         OutputUnits(parameters).of_columns("study.csv", make_columns(plan));
       if (!conversions.empty() && parameters.rod.length > 0.)
-        for (unsigned int i = 0; i < plan.varied().size(); ++i)
-          conversions[i + 1].unit = unit_of_entry(plan.varied()[i]);
+        for (unsigned int i = 0; i < plan.varied.size(); ++i)
+          conversions[i + 1].unit = unit_of_entry(plan.varied[i]);
       return conversions;
     }
   } // namespace
