@@ -386,7 +386,8 @@ namespace ThermoContact
     const LoadBreak *at   = controller.followed_loads().break_at(time);
     if (at == nullptr)
       return nullptr;
-    passed_break = time;
+    passed_break           = time;
+    result.state.load_time = at->new_time;
     together([&]() {
       if (body_.obstacle.is_active())
         tracker.pass_slope_discontinuity(*at, result, history_.events);
