@@ -610,7 +610,6 @@ namespace ThermoContact
       return false;
     State &state    = result.state;
     double work     = rise != 0. ? heat_fixed_end(rise, state) : 0.;
-    state.load_time = at.new_time;
     state.jump_time = state.time;
     if (moves && scene.material.is_static())
       work += move_static_body(solver, state);
@@ -652,6 +651,9 @@ namespace ThermoContact
         result.impulse += end.mean(impulses);
       }
     put_on_obstacle(body, state);
+    if (!body.scene.material.has_inertia())
+      set_velocity_of_viscous_body(
+        std::vector<bool>(state.contact_pressure.size(), true), state);
     set_exchange_of_law(body, state);
     book(work, result);
   }

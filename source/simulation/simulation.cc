@@ -54,7 +54,7 @@ namespace ThermoContact
                  DimensionTraits<dim>::has_cheap_factors ?
                    StepLadder{4, false} :
                    StepLadder{1, true})
-    , error_norm(body_.energy.steady_profile_energy())
+    , error_norm(body_.energy.steady_profile_energy(), scene_.material.heating)
     , energy_monitor(scene_)
     , spatial_error_monitor(scene_, discretization())
   {
@@ -386,7 +386,8 @@ namespace ThermoContact
     const LoadBreak *at   = controller.followed_loads().break_at(time);
     if (at == nullptr)
       return nullptr;
-    passed_break = time;
+    passed_break           = time;
+    result.state.load_time = at->new_time;
     together([&]() {
       if (body_.obstacle.is_active())
         tracker.pass_slope_discontinuity(*at, result, history_.events);

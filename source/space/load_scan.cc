@@ -35,7 +35,7 @@ namespace ThermoContact
       const Expression &
       expression() const
       {
-        return at_places.front().expression();
+        return at_places.front().expression;
       }
     };
 
@@ -95,9 +95,9 @@ namespace ThermoContact
       add_source(data.end_heat_flux(), true);
       add_source(data.obstacle_warming(), true);
       if (scene.sources.has_driven_temperature)
-        add(scene.heat.fixed_end_drive->expression(), true, "", true);
+        add(scene.heat.fixed_end_drive->expression, true, "", true);
       if (scene.sources.has_moving_end)
-        add(scene.fixed_end_motion->expression(),
+        add(scene.fixed_end_motion->expression,
             true,
             no_velocity + "end that jumps has no velocity",
             true);
@@ -166,6 +166,7 @@ namespace ThermoContact
                                                     "");
           if (!enclosed.is_resolved)
             {
+              history.is_complete = false;
               if (time.has_error_control())
                 warnings.push_back(text(
                   load.expression().path(),

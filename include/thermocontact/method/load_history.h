@@ -50,6 +50,8 @@ namespace ThermoContact
     /** In order, none within another; steps elsewhere may be of any length. */
     std::vector<LoadStretch> stretches;
 
+    bool is_complete = true; ///< false: a load is too fast to be searched
+
     /** Loads that all steps see the same way need no stretches. */
     bool
     is_empty() const

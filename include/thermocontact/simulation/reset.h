@@ -64,7 +64,8 @@ namespace ThermoContact
      *   a pressure in (D5.2), where all nodes stay where they are; not used for
      *   (C4.4), which finds its contact
      * @param at the end of the step, with the times of the old and new loads
-     * @param result in: a step that is accepted; out: with the state behind the
+     * @param result in: a step that is accepted, whose state has the new loads
+     *   already; out: with the state behind the
      *   discontinuity, at the same time, and its energy; work and numerical
      *   dissipation are added to, and all else, closed_nodes too, is still that
      *   of the step
@@ -85,7 +86,7 @@ namespace ThermoContact
      * that the velocity jumps to the nearest one, in the norm of the kinetic
      * energy, with which all of them stay there (C4.1), those too that moved
      * away: contact changes at all nodes together. Nodes without mass need no
-     * impulse.
+     * impulse; a body without inertia has the velocity and pressures of (D5.2).
      *
      * @param result state and energy become those behind it; impulse, work of
      *   an obstacle that moves and numerical dissipation are added to
