@@ -112,12 +112,13 @@ namespace ThermoContact
     {
       for (LevelVector<Number> *vector : {&of_field.mass,
                                           &of_field.stiffness,
-                                          &of_field.exchange,
                                           &of_field.right,
                                           &of_field.solution,
                                           &of_field.residual,
                                           &of_field.update})
         *vector = products.make_vector(field);
+      if (field == Field::temperature)
+        of_field.exchange = of_field.right;
     }
   } // namespace
 

@@ -367,8 +367,11 @@ namespace ThermoContact
   void
   Simulation<dim>::take_warnings()
   {
-    for (std::string &warning : integrator->stage_solver().take_warnings())
-      history_.warnings.push_back(std::move(warning));
+    for (auto &&new_ones :
+         {integrator->stage_solver().take_warnings(), reset.take_warnings()})
+      history_.warnings.insert(history_.warnings.end(),
+                               new_ones.begin(),
+                               new_ones.end());
   }
 
 

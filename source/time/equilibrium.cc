@@ -146,6 +146,12 @@ namespace ThermoContact
         counters += made;
       }
 
+      std::vector<std::string>
+      take_warnings() override
+      {
+        return solver ? solver->take_warnings() : std::vector<std::string>();
+      }
+
     private:
       const Body<dim>                      &body;
       SolverCounters                       &counters;
@@ -203,7 +209,7 @@ namespace ThermoContact
         Vector rhs(rest);
         zero_given(rhs);
         if (rhs.linfty_norm() > 0.)
-          conjugate_gradients("the velocities after an impact",
+          conjugate_gradients("velocities or accelerations of the body",
                               *this,
                               free,
                               rhs,

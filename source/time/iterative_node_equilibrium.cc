@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/exceptions.h>
 #include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/matrix_free_operator.h>
 #include <thermocontact/time/iterative_node_equilibrium.h>
@@ -8,7 +7,6 @@
 #include <deal.II/lac/diagonal_matrix.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace ThermoContact
 {

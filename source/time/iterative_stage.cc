@@ -23,8 +23,10 @@ namespace ThermoContact
 
 
   template <int dim>
-  IterativeStage<dim>::IterativeStage(const Body<dim> &body)
+  IterativeStage<dim>::IterativeStage(const Body<dim>          &body,
+                                      std::vector<std::string> &warnings)
     : body(body)
+    , warnings(warnings)
     , hierarchies(body)
     , krylov(max_directions)
   {
@@ -323,9 +325,9 @@ namespace ThermoContact
     // nothing but rounding is left
     if (reached > Tolerances::loose_residual)
       give_up(reached, allowed, n_iterations);
-    if (measure == Measure::of_terms && reached > 2. * told_rounding)
+    if (measure == Measure::of_terms && reached > 2. * told_rounding_)
       {
-        told_rounding = reached;
+        told_rounding_ = reached;
         warnings.push_back(
           text("Solver/Linear tolerance = ",
                body.scene.linear_solver.tolerance,

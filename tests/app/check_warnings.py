@@ -288,10 +288,10 @@ def main():
                                 without_comments(file)))
                  for file in source_files())
     # corner layer; contact at the start or preload; energy; dispersion; blocks that
-    # grow, noted by the solver of a stage and handed on; loads; other ranks than before;
+    # grow; loads; other ranks than before;
     # the mesh; break points after the end; energy that the scheme takes; a first contact
-    # that is missed; a peak of the mesh; factors in place of multigrid; what rounding leaves
-    print("kinds of warnings in the sources:", "known" if places == 16 else places)
+    # that is missed; a peak of the mesh; what rounding leaves
+    print("kinds of warnings in the sources:", "known" if places == 14 else places)
 
 
 main()

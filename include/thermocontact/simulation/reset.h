@@ -146,6 +146,13 @@ namespace ThermoContact
       return counters_;
     }
 
+    /** What the user is to know since the last call. */
+    std::vector<std::string>
+    take_warnings()
+    {
+      return stiffness->take_warnings();
+    }
+
     /** Whether inertia, stiffness, heat and adiabatic nodes are factorised. */
     std::vector<bool>
     retained() const;
