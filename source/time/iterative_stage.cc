@@ -28,6 +28,7 @@ namespace ThermoContact
     : body(body)
     , warnings(warnings)
     , hierarchies(body)
+    , products(body.scene, body.discretization, *body.equations.matrix_free())
     , krylov(max_directions)
   {
     rhs.reinit(2);
@@ -69,7 +70,7 @@ namespace ThermoContact
     const Vector &x_u     = x.block(Field::displacement);
     if (has_heat)
       {
-        equations.matrix_free()->heat({1., tau}, y_theta, x_theta);
+        products.vmult(Field::temperature, 1., tau, y_theta, x_theta);
         // - (-a D v) times tau
         if (material.has_heating())
           {
@@ -88,8 +89,11 @@ namespace ThermoContact
       y_theta = 0.;
     if (!body.scene.fields.has_displacement)
       return;
-    equations.matrix_free()->momentum(
-      {material.inertia, tau * (tau + material.viscosity)}, y_u, x_u);
+    products.vmult(Field::displacement,
+                   material.inertia,
+                   tau * (tau + material.viscosity),
+                   y_u,
+                   x_u);
     if (has_heat)
       equations.add_thermal_stress(x_theta, -tau, y_u);
     equations.zero_constrained(Field::displacement, y_u);

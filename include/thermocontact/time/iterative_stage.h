@@ -170,6 +170,9 @@ namespace ThermoContact
     std::vector<std::string> &warnings;
     StageHierarchies<dim>     hierarchies;
 
+    /** Faster than those of the equations, which they are to rounding. */
+    const LevelProducts<dim, double> products;
+
     double                 tau      = 0.;
     bool                   has_heat = true;      ///< its temperature is unknown
     double                 factor   = 0.;        ///< f of set_interface()
