@@ -33,12 +33,12 @@ namespace ThermoContact
       return;
     Vector ones(mean_weights);
     ones = 1.;
-    body.equations.heat_mass().vmult(mean_weights, ones);
+    body.equations.heat_mass.vmult(mean_weights, ones);
     mean_weights /= ones * mean_weights;
     if (!body.scene.heat.has_lateral_exchange())
       return;
     lateral_weights.reinit(mean_weights);
-    body.equations.lateral_exchange().vmult(lateral_weights, ones);
+    body.equations.lateral_exchange.vmult(lateral_weights, ones);
     lateral_weights /= body.discretization.geometry().cross_section();
     lateral_sum = ones * lateral_weights;
   }

@@ -94,12 +94,12 @@ namespace ThermoContact
 
 
   template <int dim>
-  const HeatMass<dim> &
+  const HeatSystem<dim> &
   Reset<dim>::provide_heat_mass()
   {
     if (!heat_mass)
       {
-        heat_mass = std::make_unique<const HeatMass<dim>>(body);
+        heat_mass = std::make_unique<const HeatSystem<dim>>(body.equations);
         counters_.factorizations += heat_mass->has_factors();
       }
     return *heat_mass;
@@ -277,7 +277,7 @@ namespace ThermoContact
   Reset<dim>::rate_of_forces(const State &state)
   {
     Vector rate(state.velocity);
-    body.equations.stiffness().vmult(rate, state.velocity);
+    body.equations.stiffness.vmult(rate, state.velocity);
     rate *= -1.;
     Vector       heat, load;
     const double end_time = body.scene.parameters.time.end_time;
@@ -479,7 +479,7 @@ namespace ThermoContact
     Vector      heat(change), inside(change);
     for (const unsigned int entry : entries)
       change.begin()[entry] = rise;
-    body.equations.heat_mass().vmult(heat, change);
+    body.equations.heat_mass.vmult(heat, change);
     heat *= -1.;
     body.equations.zero_constrained(Field::temperature, heat);
     provide_heat_mass().solve(inside, heat);
@@ -490,7 +490,7 @@ namespace ThermoContact
     excess -= body.energy.steady_profile();
     excess.add(0.5, change);
     state.temperature += change;
-    body.equations.heat_mass().vmult(heat, change);
+    body.equations.heat_mass.vmult(heat, change);
     double work = 0.;
     for (const unsigned int entry : entries)
       work += heat.begin()[entry] * excess.begin()[entry];

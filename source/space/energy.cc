@@ -3,7 +3,6 @@
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/energy.h>
-#include <thermocontact/space/steady_profile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +38,7 @@ namespace ThermoContact
   {
     if (!discretization.has_field(Field::temperature))
       return;
-    set_steady_profile(
-      scene, discretization, stage_operator, loads, steady_profile_);
+    set_steady_profile();
     steady_end.assign(discretization.contact_end().n_nodes(),
                       heat.steady_temperature(1.));
     if (heat.has_lateral_exchange())
@@ -48,7 +46,7 @@ namespace ThermoContact
                                               steady_profile_,
                                               steady_end);
     if (material.has_thermal_stress())
-      stage_operator.thermal_stress().vmult(steady_stress, steady_profile_);
+      stage_operator.thermal_stress.vmult(steady_stress, steady_profile_);
   }
 
 
@@ -58,48 +56,31 @@ namespace ThermoContact
   Energy<dim>::kinetic_energy(const Vector &velocity,
                               const Vector *subtracted) const
   {
-    return material.has_inertia() ?
-             0.5 * material.inertia *
-               momentum_form(stage_operator.momentum_mass(),
-                             velocity,
-                             subtracted) :
-             0.;
+    return material.has_inertia() ? 0.5 * material.inertia *
+                                      form(Field::displacement,
+                                           stage_operator.momentum_mass,
+                                           velocity,
+                                           subtracted) :
+                                    0.;
   }
 
 
 
   template <int dim>
   double
-  Energy<dim>::heat_form(const LinearMap &map,
-                         const Vector    &vector,
-                         const Vector    *subtracted) const
+  Energy<dim>::form(const Field::Block field,
+                    const LinearMap   &map,
+                    const Vector      &vector,
+                    const Vector      *subtracted) const
   {
-    if (!discretization.has_field(Field::temperature))
+    if (!discretization.has_field(field))
       return 0.;
-    const double form =
-      subtracted == nullptr ?
-        map.form(vector, heat_product) :
-        map.form_of_difference(vector, *subtracted, heat_scratch, heat_product);
-    return form / discretization.geometry().cross_section();
-  }
-
-
-
-  template <int dim>
-  double
-  Energy<dim>::momentum_form(const LinearMap &map,
-                             const Vector    &vector,
-                             const Vector    *subtracted) const
-  {
-    if (!discretization.has_field(Field::displacement))
-      return 0.;
-    const double form = subtracted == nullptr ?
-                          map.form(vector, momentum_product) :
-                          map.form_of_difference(vector,
-                                                 *subtracted,
-                                                 momentum_scratch,
-                                                 momentum_product);
-    return form / discretization.geometry().cross_section();
+    const bool is_heat = field == Field::temperature;
+    return map.form(vector,
+                    subtracted,
+                    is_heat ? heat_scratch : momentum_scratch,
+                    is_heat ? heat_product : momentum_product) /
+           discretization.geometry().cross_section();
   }
 
 
@@ -111,14 +92,7 @@ namespace ThermoContact
     const MPI_Comm communicator = discretization.communicator();
     if (Utilities::MPI::n_mpi_processes(communicator) == 1)
       return terms;
-    const std::vector<double> values =
-      broadcast(communicator,
-                std::vector<double>{terms.thermal,
-                                    terms.kinetic,
-                                    terms.elastic,
-                                    terms.obstacle,
-                                    terms.coupling});
-    return {values[0], values[1], values[2], values[3], values[4]};
+    return broadcast(communicator, terms);
   }
 
 
@@ -128,12 +102,14 @@ namespace ThermoContact
   Energy<dim>::energy(const State &state) const
   {
     EnergyTerms terms;
-    terms.thermal = 0.5 * heat_form(stage_operator.heat_mass(),
-                                    state.temperature,
-                                    &steady_profile_);
+    terms.thermal = 0.5 * form(Field::temperature,
+                               stage_operator.heat_mass,
+                               state.temperature,
+                               &steady_profile_);
     terms.kinetic = kinetic_energy(state.velocity);
     terms.elastic =
-      0.5 * momentum_form(stage_operator.stiffness(), state.displacement);
+      0.5 *
+      form(Field::displacement, stage_operator.stiffness, state.displacement);
     const std::vector<double> &pressure =
       elastic_pressures(state, end_pressure);
     for (unsigned int i = 0; i < pressure.size(); ++i)
@@ -154,11 +130,13 @@ namespace ThermoContact
                                  const std::vector<double> &pressure) const
   {
     EnergyTerms terms;
-    terms.thermal =
-      0.5 * heat_form(stage_operator.heat_mass(), difference.temperature);
-    terms.kinetic = kinetic_energy(difference.velocity);
-    terms.elastic =
-      0.5 * momentum_form(stage_operator.stiffness(), difference.displacement);
+    terms.thermal              = 0.5 * form(Field::temperature,
+                               stage_operator.heat_mass,
+                               difference.temperature);
+    terms.kinetic              = kinetic_energy(difference.velocity);
+    terms.elastic              = 0.5 * form(Field::displacement,
+                               stage_operator.stiffness,
+                               difference.displacement);
     const ContactEnd<dim> &end = discretization.contact_end();
     end.get_values(Field::displacement,
                    difference.displacement,
@@ -177,12 +155,14 @@ namespace ThermoContact
   double
   Energy<dim>::dissipation_rate(const State &state) const
   {
-    double rate = heat_form(stage_operator.conduction(),
-                            state.temperature,
-                            &steady_profile_);
+    double rate = form(Field::temperature,
+                       stage_operator.conduction,
+                       state.temperature,
+                       &steady_profile_);
     if (material.has_viscosity())
-      rate += material.viscosity *
-              momentum_form(stage_operator.viscous_stiffness(), state.velocity);
+      rate += material.viscosity * form(Field::displacement,
+                                        stage_operator.viscous_stiffness,
+                                        state.velocity);
     if (!heat.exchange->is_constant())
       {
         heat_scratch = state.temperature;
@@ -198,11 +178,11 @@ namespace ThermoContact
   double
   Energy<dim>::lateral_dissipation_rate(const State &state) const
   {
-    return heat.has_lateral_exchange() ?
-             heat_form(stage_operator.lateral_exchange(),
-                       state.temperature,
-                       &steady_profile_) :
-             0.;
+    return heat.has_lateral_exchange() ? form(Field::temperature,
+                                              stage_operator.lateral_exchange,
+                                              state.temperature,
+                                              &steady_profile_) :
+                                         0.;
   }
 
 
@@ -241,13 +221,15 @@ namespace ThermoContact
   Energy<dim>::numerical_dissipation(const State &old_state,
                                      const State &state) const
   {
-    const double sum = 0.5 * heat_form(stage_operator.heat_mass(),
-                                       state.temperature,
-                                       &old_state.temperature) +
+    const double sum = 0.5 * form(Field::temperature,
+                                  stage_operator.heat_mass,
+                                  state.temperature,
+                                  &old_state.temperature) +
                        kinetic_energy(state.velocity, &old_state.velocity) +
-                       0.5 * momentum_form(stage_operator.stiffness(),
-                                           state.displacement,
-                                           &old_state.displacement);
+                       0.5 * form(Field::displacement,
+                                  stage_operator.stiffness,
+                                  state.displacement,
+                                  &old_state.displacement);
     return sum + contact_dissipation(old_state, state);
   }
 
@@ -290,7 +272,7 @@ namespace ThermoContact
       {
         heat_scratch = state.temperature;
         heat_scratch -= steady_profile_;
-        stage_operator.divergence().vmult(heat_product, motion);
+        stage_operator.divergence.vmult(heat_product, motion);
         work += material.thermal_stress * (heat_scratch * heat_product);
       }
     if (discretization.has_field(Field::displacement) && loads.has_sources())
@@ -313,7 +295,8 @@ namespace ThermoContact
   double
   Energy<dim>::steady_profile_energy() const
   {
-    return 0.5 * heat_form(stage_operator.heat_mass(), steady_profile_);
+    return 0.5 *
+           form(Field::temperature, stage_operator.heat_mass, steady_profile_);
   }
 
 

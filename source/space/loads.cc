@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/local_sums.h>
-#include <thermocontact/space/lateral_exchange.h>
+#include <thermocontact/space/cell_matrices.h>
 #include <thermocontact/space/loads.h>
 
 #include <deal.II/base/function.h>
@@ -45,12 +45,23 @@ namespace ThermoContact
       return;
     integrate_end_flux(
       Functions::ConstantFunction<dim>(scene.heat.obstacle_heat()));
-    const LateralExchange<dim> lateral(scene, discretization);
-    lateral.for_each_place(
-      [&](const auto &cell, const FEValuesBase<dim> &values) {
-        lateral.integrate(values, scene.heat.ambient_temperature, cell_load);
-        distribute(cell);
-      });
+    HeatExchangeFaces<dim> faces(scene, discretization);
+    if (scene.heat.has_lateral_exchange())
+      for (const auto &cell :
+           discretization.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          faces.visit(cell,
+                      [&](const CellMatrix &exchange, const bool is_lateral) {
+                        cell_load = 0.;
+                        for (unsigned int i = 0; i < exchange.dofs.size(); ++i)
+                          for (unsigned int j = 0;
+                               is_lateral && j < exchange.dofs.size();
+                               ++j)
+                            cell_load(exchange.dofs[i]) +=
+                              scene.heat.ambient_temperature *
+                              exchange.matrix(i, j);
+                        distribute(cell);
+                      });
     sources.compress(VectorOperation::add);
     add_sources(Field::temperature, outer_heat_);
   }

@@ -264,7 +264,7 @@ namespace ThermoContact
   MatrixFreeOperator<dim>::lateral_exchange(Vector &y, const Vector &x) const
   {
     apply<Scalar>(Field::temperature, y, x, [&](Scalar &theta) {
-      const unsigned int batch = theta.get_current_cell_index();
+      const unsigned int       batch  = theta.get_current_cell_index();
       VectorizedArray<double> *values = theta.begin_dof_values();
       std::copy(values, values + theta.dofs_per_cell, input.begin());
       std::fill(values, values + theta.dofs_per_cell, 0.);
@@ -288,8 +288,10 @@ namespace ThermoContact
                                       n_components,
                                       double,
                                       VectorizedArray<double>,
-                                      Vector>(
-      spaces.cells(), diagonal, on_cell, spaces.index(field));
+                                      Vector>(spaces.cells(),
+                                              diagonal,
+                                              on_cell,
+                                              spaces.index(field));
     return diagonal;
   }
 

@@ -65,18 +65,6 @@ namespace ThermoContact
 
 
     template <int dim>
-    std::unique_ptr<const FieldMatrices<dim>>
-    make_matrices(const Scene &scene, const Discretization<dim> &discretization)
-    {
-      return scene.linear_solver.has_matrices() ?
-               std::make_unique<const FieldMatrices<dim>>(scene,
-                                                          discretization) :
-               nullptr;
-    }
-
-
-
-    template <int dim>
     std::unique_ptr<const MatrixFreeOperator<dim>>
     make_matrix_free(const Scene               &scene,
                      const Discretization<dim> &discretization)
@@ -87,6 +75,7 @@ namespace ThermoContact
             scene, discretization);
       return nullptr;
     }
+
   } // namespace
 
 
@@ -95,19 +84,22 @@ namespace ThermoContact
   ThermoviscoelasticOperator<dim>::ThermoviscoelasticOperator(
     const Scene               &scene,
     const Discretization<dim> &discretization,
-    const FieldMatrices<dim>  *shared)
+    const FieldMatrices<dim>  *matrices)
     : discretization(discretization)
     , material(scene.material)
     , has_own_viscous_stiffness(scene.has_elastic_contact_nodes())
     , is_along_rod(scene.linear_solver.is_along_rod)
-    , own_matrices(shared != nullptr ? nullptr :
-                                       make_matrices(scene, discretization))
-    , matrices(shared != nullptr ? shared : own_matrices.get())
+    , matrices(matrices)
     , matrix_free_(make_matrix_free(scene, discretization))
-    , maps(make_field_maps(scene, matrices, rod(), matrix_free_.get()))
     , heat_scratch(discretization.make_vector(Field::temperature))
     , momentum_scratch(discretization.make_vector(Field::displacement))
-  {}
+  {
+    FieldMaps &maps = *this;
+    if (matrices != nullptr)
+      maps = FieldMaps(*matrices);
+    else if constexpr (dim > 1)
+      maps = FieldMaps(*matrix_free_);
+  }
 
 
 
@@ -118,26 +110,32 @@ namespace ThermoContact
 
   template <int dim>
   SparseMatrix
-  ThermoviscoelasticOperator<dim>::heat_stage_matrix(const double tau) const
+  ThermoviscoelasticOperator<dim>::sum(
+    const Field::Block                                       field,
+    const std::vector<std::pair<double, FieldMatrix::Kind>> &terms) const
   {
-    return combine(matrices->mass.block(0, 0),
-                   1.,
-                   matrices->stiffness.block(0, 0),
-                   tau,
-                   Field::temperature);
+    SparseMatrix matrix;
+    matrix.copy_from((*matrices)[terms.front().second]);
+    matrix *= 0.;
+    for (const auto &[factor, kind] : terms)
+      matrix.add(factor, (*matrices)[kind]);
+
+    std::vector<types::global_dof_index> rows;
+    discretization.constrained(field).fill_index_vector(rows);
+    matrix.clear_rows(rows, 1.);
+    return matrix;
   }
 
 
 
   template <int dim>
   SparseMatrix
-  ThermoviscoelasticOperator<dim>::conduction_matrix() const
+  ThermoviscoelasticOperator<dim>::heat_stage_matrix(const double tau,
+                                                     const double mass) const
   {
-    return combine(matrices->mass.block(0, 0),
-                   0.,
-                   matrices->stiffness.block(0, 0),
-                   1.,
-                   Field::temperature);
+    return sum(Field::temperature,
+               {{mass, FieldMatrix::heat_mass},
+                {tau, FieldMatrix::conduction}});
   }
 
 
@@ -146,42 +144,15 @@ namespace ThermoContact
   SparseMatrix
   ThermoviscoelasticOperator<dim>::momentum_stage_matrix(const double tau) const
   {
-    const SparseMatrix &mass      = last_block(matrices->mass);
-    const SparseMatrix &stiffness = last_block(matrices->stiffness);
+    const double viscous = tau * material.viscosity;
     if (!has_own_viscous_stiffness)
-      return combine(mass,
-                     material.inertia,
-                     stiffness,
-                     tau * material.viscosity + tau * tau,
-                     Field::displacement);
-    SparseMatrix viscous_and_elastic;
-    viscous_and_elastic.copy_from(stiffness);
-    viscous_and_elastic *= tau * tau;
-    viscous_and_elastic.add(tau * material.viscosity,
-                            last_block(matrices->viscous_stiffness));
-    return combine(
-      mass, material.inertia, viscous_and_elastic, 1., Field::displacement);
-  }
-
-
-
-  template <int dim>
-  SparseMatrix
-  ThermoviscoelasticOperator<dim>::combine(const SparseMatrix &first,
-                                           const double        first_factor,
-                                           const SparseMatrix &second,
-                                           const double        second_factor,
-                                           const Field::Block  field) const
-  {
-    SparseMatrix matrix;
-    matrix.copy_from(first);
-    matrix *= first_factor;
-    matrix.add(second_factor, second);
-
-    std::vector<types::global_dof_index> rows;
-    discretization.constrained(field).fill_index_vector(rows);
-    matrix.clear_rows(rows, 1.);
-    return matrix;
+      return sum(Field::displacement,
+                 {{material.inertia, FieldMatrix::momentum_mass},
+                  {viscous + tau * tau, FieldMatrix::stiffness}});
+    return sum(Field::displacement,
+               {{tau * tau, FieldMatrix::stiffness},
+                {viscous, FieldMatrix::viscous_stiffness},
+                {material.inertia, FieldMatrix::momentum_mass}});
   }
 
 
@@ -209,13 +180,13 @@ namespace ThermoContact
     const IndexSet                none_of_heat(n);
     const IndexSet none_of_momentum(discretization.n_displacement_dofs());
     add_block(heat_stage_matrix(tau), 1., 0, 0, none_of_heat, matrix);
-    add_block(matrices->coupling.block(0, 1),
+    add_block((*matrices)[FieldMatrix::divergence],
               tau * material.heating,
               0,
               n,
               discretization.constrained(Field::temperature),
               matrix);
-    add_block(matrices->coupling.block(1, 0),
+    add_block((*matrices)[FieldMatrix::thermal_stress],
               -tau * material.thermal_stress,
               n,
               0,
@@ -244,23 +215,23 @@ namespace ThermoContact
       }
     if (discretization.has_field(Field::temperature))
       {
-        conduction().vmult(heat, known.temperature);
+        conduction.vmult(heat, known.temperature);
         heat.sadd(-1., heat_load);
         zero_constrained(Field::temperature, heat);
       }
     if (!discretization.has_field(Field::displacement))
       return;
-    stiffness().vmult(momentum_scratch, known.displacement);
+    stiffness.vmult(momentum_scratch, known.displacement);
     momentum.equ(tau, momentum_load);
     momentum.add(-tau, momentum_scratch);
     if (material.has_thermal_stress())
       {
-        thermal_stress().vmult(momentum_scratch, known.temperature);
+        thermal_stress.vmult(momentum_scratch, known.temperature);
         momentum.add(tau * material.thermal_stress, momentum_scratch);
       }
     if (material.has_inertia())
       {
-        momentum_mass().vmult(momentum_scratch, known.velocity);
+        momentum_mass.vmult(momentum_scratch, known.velocity);
         momentum.add(material.inertia, momentum_scratch);
       }
     zero_constrained(Field::displacement, momentum);
@@ -330,13 +301,13 @@ namespace ThermoContact
         residual.add(factor, momentum_scratch);
       };
     residual = momentum_load;
-    add(-1., stiffness(), state.displacement);
+    add(-1., stiffness, state.displacement);
     if (material.has_thermal_stress())
-      add(material.thermal_stress, thermal_stress(), state.temperature);
+      add(material.thermal_stress, thermal_stress, state.temperature);
     if (velocity != nullptr && material.has_viscosity())
-      add(-material.viscosity, viscous_stiffness(), *velocity);
+      add(-material.viscosity, viscous_stiffness, *velocity);
     if (acceleration != nullptr && material.has_inertia())
-      add(-material.inertia, momentum_mass(), *acceleration);
+      add(-material.inertia, momentum_mass, *acceleration);
   }
 
 
@@ -360,23 +331,23 @@ namespace ThermoContact
     };
     if (discretization.has_field(Field::temperature))
       {
-        subtract(1., heat_mass(), temperature_rate, heat_scratch, heat);
-        subtract(tau, conduction(), temperature_rate, heat_scratch, heat);
+        subtract(1., heat_mass, temperature_rate, heat_scratch, heat);
+        subtract(tau, conduction, temperature_rate, heat_scratch, heat);
         subtract_heating(velocity, heat);
         zero_constrained(Field::temperature, heat);
       }
     if (!discretization.has_field(Field::displacement))
       return;
     Vector &scratch = momentum_scratch;
-    subtract(tau * tau, stiffness(), velocity, scratch, momentum);
+    subtract(tau * tau, stiffness, velocity, scratch, momentum);
     if (material.has_viscosity())
       subtract(tau * material.viscosity,
-               viscous_stiffness(),
+               viscous_stiffness,
                velocity,
                scratch,
                momentum);
     if (material.has_inertia())
-      subtract(material.inertia, momentum_mass(), velocity, scratch, momentum);
+      subtract(material.inertia, momentum_mass, velocity, scratch, momentum);
     if (discretization.has_field(Field::temperature))
       add_thermal_stress(temperature_rate, tau * tau, momentum);
     zero_constrained(Field::displacement, momentum);
@@ -391,7 +362,7 @@ namespace ThermoContact
   {
     if (!material.has_heating())
       return;
-    divergence().vmult(heat_scratch, velocity);
+    divergence.vmult(heat_scratch, velocity);
     heat.add(-material.heating, heat_scratch);
     zero_constrained(Field::temperature, heat);
   }
@@ -406,7 +377,7 @@ namespace ThermoContact
   {
     if (!material.has_thermal_stress())
       return;
-    thermal_stress().vmult(momentum_scratch, temperature);
+    thermal_stress.vmult(momentum_scratch, temperature);
     momentum.add(factor * material.thermal_stress, momentum_scratch);
     zero_constrained(Field::displacement, momentum);
   }

@@ -30,7 +30,7 @@ namespace ThermoContact
     for (double &entry : diagonal)
       entry *= factor;
     if (this->takes_heat)
-      heat_mass = std::make_unique<const HeatMass<dim>>(body);
+      heat_mass = std::make_unique<const HeatSystem<dim>>(body.equations);
   }
 
 

@@ -104,23 +104,22 @@ namespace
       const auto &free     = free_equations;
       deallog
         << "numbered alike " << spaces.is_complete << "; M "
-        << product(heat, heat, equations.heat_mass(), free.heat_mass())
+        << product(heat, heat, equations.heat_mass, free.heat_mass)
         << ", K + kB "
-        << product(heat, heat, equations.conduction(), free.conduction())
-        << ", D "
-        << product(momentum, heat, equations.divergence(), free.divergence())
+        << product(heat, heat, equations.conduction, free.conduction) << ", D "
+        << product(momentum, heat, equations.divergence, free.divergence)
         << ", D^T "
         << product(heat,
                    momentum,
-                   equations.thermal_stress(),
-                   free.thermal_stress())
+                   equations.thermal_stress,
+                   free.thermal_stress)
         << ", M_u "
         << product(momentum,
                    momentum,
-                   equations.momentum_mass(),
-                   free.momentum_mass())
+                   equations.momentum_mass,
+                   free.momentum_mass)
         << ", S "
-        << product(momentum, momentum, equations.stiffness(), free.stiffness());
+        << product(momentum, momentum, equations.stiffness, free.stiffness);
       report_diagonals();
     }
 

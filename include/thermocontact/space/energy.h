@@ -7,8 +7,6 @@
 #include <thermocontact/space/loads.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
-#include <optional>
-
 namespace ThermoContact
 {
   /** The energy (M2.2) term by term, per unit cross-section. */
@@ -141,7 +139,12 @@ namespace ThermoContact
                    const State  &state,
                    const Vector &motion) const;
 
-    /** Nodal values of the steady profile $\theta_s$, (M2.1), (M5.7). */
+    /**
+     * Nodal values of the steady profile $\theta_s$, relative to which heat has
+     * energy: the temperature at rest, without sources, with the heat exchange
+     * $k_s$ of the undeformed body. The interpolant of (M2.1), or, with a
+     * lateral heat exchange, the solution of the semidiscrete equation (M5.7).
+     */
     const Vector &
     steady_profile() const;
 
@@ -184,15 +187,16 @@ namespace ThermoContact
     kinetic_energy(const Vector &velocity,
                    const Vector *subtracted = nullptr) const;
 
+    /** Per unit cross-section; 0 for a field that is absent. */
     double
-    heat_form(const LinearMap &map,
-              const Vector    &vector,
-              const Vector    *subtracted = nullptr) const;
+    form(const Field::Block field,
+         const LinearMap   &map,
+         const Vector      &vector,
+         const Vector      *subtracted = nullptr) const;
 
-    double
-    momentum_form(const LinearMap &map,
-                  const Vector    &vector,
-                  const Vector    *subtracted = nullptr) const;
+    /** (M2.1) or (M5.7). */
+    void
+    set_steady_profile();
 
     double
     contact_dissipation(const State &old_state, const State &state) const;
