@@ -349,7 +349,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < p.size(); ++i)
       {
         NodeLaw &law = node_laws[i]; // it may have gone to the other side
-        if (p[i] * law.side < 0. && end.is_two_sided())
+        if (end.side_of(p[i] * law.side) < 0)
           law.side = -law.side;
         rate[i] -= law.local_rate();
       }

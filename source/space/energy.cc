@@ -345,27 +345,22 @@ namespace ThermoContact
     if (law.damping() == 0.)
       return state.contact_pressure;
     const ContactEnd<dim> &end = discretization.contact_end();
-    end.get_penetrations(state, 1, scratch);
-    end.get_penetrations(state, -1, rear_penetration);
-    end.get_velocities_into(state, 1, relative_velocity);
-    end.get_velocities_into(state, -1, rear_velocity);
+    end.get_values(Field::displacement, state.displacement, scratch);
+    end.get_values(Field::displacement, state.velocity, end_velocity);
     const double size   = state.displacement.linfty_norm();
-    const auto   stored = [&](const unsigned int i,
-                            const double       s,
-                            const double       v,
-                            const double       side) {
+    const auto   stored = [&](const unsigned int i, const int side) {
+      const double s = end.penetration(state, i, side, scratch[i]);
       if (material.is_static()) // velocities of what moves at once say nothing
         return law.pressure(s);
       return elastic_part(law,
                           std::max(side * state.contact_pressure[i], 0.),
                           s,
-                          v,
+                          end.velocity_into(state, i, side, end_velocity[i]),
                           Tolerances::rounding_of_penetration *
                             std::max(size, std::abs(state.gap[i])));
     };
     for (unsigned int i = 0; i < scratch.size(); ++i)
-      scratch[i] = stored(i, scratch[i], relative_velocity[i], 1.) -
-                   stored(i, rear_penetration[i], rear_velocity[i], -1.);
+      scratch[i] = stored(i, 1) - stored(i, -1);
     return scratch;
   }
 
@@ -382,11 +377,10 @@ namespace ThermoContact
     double                     rate    = 0.;
     for (unsigned int i = 0; i < elastic.size(); ++i)
       {
-        const double p = state.contact_pressure[i];
-        rate += end.share(i) * (p - elastic[i]) *
-                ((p < 0. || elastic[i] < 0.) && end.is_two_sided() ?
-                   -rear_velocity[i] :
-                   relative_velocity[i]);
+        const double p    = state.contact_pressure[i];
+        const int    side = end.side_of(std::min(p, elastic[i]));
+        rate += end.share(i) * (p - elastic[i]) * side *
+                end.velocity_into(state, i, side, end_velocity[i]);
       }
     return rate;
   }
@@ -401,7 +395,7 @@ namespace ThermoContact
     double                 power = 0.;
     for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
       if (const double p = state.contact_pressure[i];
-          p > 0. || !end.is_two_sided()) // the obstacle behind rests
+          end.side_of(p) > 0) // the obstacle behind rests
         power -= end.share(i) * p * state.gap_rate[i];
     return power;
   }
@@ -422,21 +416,18 @@ namespace ThermoContact
       elastic_pressures(old_state, old_end_pressure);
     const std::vector<double> &pressure =
       elastic_pressures(state, end_pressure);
-    end.get_penetrations(old_state, 1, old_front);
-    end.get_penetrations(old_state, -1, old_rear);
     double sum = 0.;
     for (unsigned int i = 0; i < pressure.size(); ++i)
       {
+        const int    side   = end.side_of(pressure[i]);
         const double change = end_displacement[i] - old_end_displacement[i];
-        sum += end.share(i) *
-               (pressure[i] < 0. && end.is_two_sided() ?
-                  law.numerical_dissipation(
-                    -change, old_rear[i], -old_pressure[i], -pressure[i]) :
-                  law.numerical_dissipation(change -
-                                              (state.gap[i] - old_state.gap[i]),
-                                            old_front[i],
-                                            old_pressure[i],
-                                            pressure[i]));
+        sum +=
+          end.share(i) *
+          law.numerical_dissipation(
+            side > 0 ? change - (state.gap[i] - old_state.gap[i]) : -change,
+            end.penetration(old_state, i, side, old_end_displacement[i]),
+            side * old_pressure[i],
+            side * pressure[i]);
       }
     return sum;
   }

@@ -10,7 +10,6 @@
 
 #include <deal.II/fe/fe_values.h>
 
-#include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
@@ -106,12 +105,11 @@ namespace ThermoContact
       for (const unsigned int entry : fixed)
         diagonal.local_element(entry) = 1.;
       Vector correction(rhs);
-      correction = 0.;
       conjugate_gradients("the projection of the initial values",
                           FixedProduct{product, fixed},
                           correction,
                           rhs,
-                          DiagonalMatrix<Vector>(diagonal),
+                          diagonal,
                           allowed / rhs.l2_norm(),
                           20000);
       values += correction;

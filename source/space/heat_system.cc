@@ -5,8 +5,6 @@
 #include <thermocontact/space/heat_system.h>
 #include <thermocontact/space/matrix_free_operator.h>
 
-#include <deal.II/lac/diagonal_matrix.h>
-
 namespace ThermoContact
 {
   template <int dim>
@@ -48,17 +46,15 @@ namespace ThermoContact
         factors->solve(temperature, heat);
         return;
       }
-    temperature = 0.;
-    if (heat.linfty_norm() > 0.)
-      conjugate_gradients(is_mass ?
-                            "the temperature of a body that is heated at once" :
-                            "the steady profile",
-                          *this,
-                          temperature,
-                          heat,
-                          DiagonalMatrix<Vector>(inverse_diagonal),
-                          Tolerances::rounding_of_solution,
-                          100000);
+    conjugate_gradients(is_mass ?
+                          "the temperature of a body that is heated at once" :
+                          "the steady profile",
+                        *this,
+                        temperature,
+                        heat,
+                        inverse_diagonal,
+                        Tolerances::rounding_of_solution,
+                        100000);
   }
 
 

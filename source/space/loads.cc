@@ -74,32 +74,32 @@ namespace ThermoContact
   {
     set_equal(heat, outer_heat_);
     set_zero(momentum);
-    if (!data.has_sources())
+    if (!has_sources())
       return;
 
     data.set_time(time);
-    if (data.heat_source() != nullptr || data.body_force() != nullptr ||
-        data.end_heat_flux() != nullptr || data.obstacle_warming() != nullptr)
+    if (data.heat_source || data.body_force || data.end_heat_flux ||
+        data.obstacle_warming)
       {
         sources = 0.;
-        if (data.end_heat_flux() != nullptr)
-          integrate_end_flux(*data.end_heat_flux());
-        if (data.obstacle_warming() != nullptr)
-          integrate_end_flux(*data.obstacle_warming(), exchange_coefficient);
-        if (data.heat_source() != nullptr || data.body_force() != nullptr)
+        if (data.end_heat_flux)
+          integrate_end_flux(*data.end_heat_flux);
+        if (data.obstacle_warming)
+          integrate_end_flux(*data.obstacle_warming, exchange_coefficient);
+        if (data.heat_source || data.body_force)
           integrate_volume();
         sources.compress(VectorOperation::add);
         add_sources(Field::temperature, heat);
         add_sources(Field::displacement, momentum);
       }
-    if (data.end_traction() != nullptr)
+    if (data.end_traction)
       for (const auto &[node, entry] :
            discretization.contact_end().entries(Field::displacement))
         {
           const ContactNode<dim> &n =
             discretization.contact_end().nodes()[node];
           momentum.begin()[entry] +=
-            n.weight * data.end_traction()->value(n.position);
+            n.weight * data.end_traction->value(n.position);
         }
   }
 
@@ -180,10 +180,10 @@ namespace ThermoContact
         {
           cell_load = 0.;
           fe_values.reinit(cell);
-          if (data.heat_source() != nullptr)
-            add_scalar(fe_values, *data.heat_source());
-          if (data.body_force() != nullptr)
-            add_vector(fe_values, *data.body_force());
+          if (data.heat_source)
+            add_scalar(fe_values, *data.heat_source);
+          if (data.body_force)
+            add_vector(fe_values, *data.body_force);
           distribute(cell);
         }
   }

@@ -118,14 +118,12 @@ namespace ThermoContact
           b(i) -= stiffness * penetration[i];
         inverse(i) = is_held(i) ? 1. : 1. / (diagonal[i] + spring(i));
       }
-    if (b.linfty_norm() > 0.)
-      conjugate_gradients("the equilibrium of the contact nodes",
-                          *this,
-                          x,
-                          b,
-                          DiagonalMatrix<dealii::Vector<double>>(inverse),
-                          tolerance(),
-                          10000);
+    conjugate_gradients("the equilibrium of the contact nodes",
+                        *this,
+                        x,
+                        b,
+                        inverse,
+                        tolerance());
     std::vector<double> change(x.begin(), x.end());
     for (unsigned int i = 0; i < n; ++i)
       change[i] += held[i];

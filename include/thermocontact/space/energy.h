@@ -168,12 +168,8 @@ namespace ThermoContact
     mutable Vector                         momentum_scratch;
     mutable Vector                         momentum_product;
     mutable std::vector<double>            end_displacement;
-    mutable std::vector<double>            relative_velocity;
-    mutable std::vector<double>            rear_penetration;
-    mutable std::vector<double>            rear_velocity;
+    mutable std::vector<double>            end_velocity;
     mutable std::vector<double>            old_end_displacement;
-    mutable std::vector<double>            old_front;
-    mutable std::vector<double>            old_rear;
     mutable std::vector<double>            end_temperature;
     mutable std::vector<double>            end_pressure;
     mutable std::vector<double>            old_end_pressure;

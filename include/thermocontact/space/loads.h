@@ -44,7 +44,7 @@ namespace ThermoContact
     bool
     has_sources() const
     {
-      return data.has_sources();
+      return !data.sources().empty();
     }
 
     /**
