@@ -65,10 +65,11 @@ read_parameters(const std::string              &name,
 
 
 std::unique_ptr<const ThermoContact::ContactLaw>
-make_law(const double compliance)
+make_law(const double compliance, const double damping)
 {
   auto parameters             = ThermoContact::default_law_parameters();
   parameters.at("Compliance") = compliance;
+  parameters.at("Damping")    = damping;
   return compliance == 0. ? ThermoContact::rigid_obstacle().make(parameters) :
                             ThermoContact::normal_compliance().make(parameters);
 }

@@ -88,8 +88,8 @@ read_parameters(const std::string              &name,
 
 
 
-/** The law of an obstacle: rigid if @p compliance is 0. */
+/** The law of an obstacle: rigid if @p compliance is 0, else with damping. */
 std::unique_ptr<const ThermoContact::ContactLaw>
-make_law(const double compliance);
+make_law(const double compliance, const double damping = 0.);
 
 #endif

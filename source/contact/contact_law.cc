@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/text.h>
 #include <thermocontact/contact/contact_law.h>
 
 #include <deal.II/base/exceptions.h>
@@ -9,6 +10,16 @@
 
 namespace ThermoContact
 {
+  std::string
+  ContactLaw::description() const
+  {
+    return damping_ == 0. ?
+             undamped_description() :
+             text(undamped_description(), ", damping c = ", damping_);
+  }
+
+
+
   double
   ContactLaw::mean_pressure(const double s_0, const double s_1) const
   {
@@ -24,8 +35,7 @@ namespace ThermoContact
   ContactLaw::damped_pressure(const double penetration, const double v) const
   {
     const double elastic = pressure(penetration);
-    const double c       = damping();
-    return c == 0. ? elastic : elastic * std::max(0., 1. + c * v);
+    return damping_ == 0. ? elastic : elastic * std::max(0., 1. + damping_ * v);
   }
 
 

@@ -269,16 +269,11 @@ namespace ThermoContact
 
 
 
-  ExchangeSolver::ExchangeSolver(const HeatExchange &exchange)
-    : exchange(exchange)
-  {}
-
-
-
   unsigned int
-  ExchangeSolver::solve(const EndResponse          &response,
-                        const std::vector<NodeLaw> &laws,
-                        EndExchange                &end) const
+  solve_contact_and_exchange(const HeatExchange         &exchange,
+                             const EndResponse          &response,
+                             const std::vector<NodeLaw> &laws,
+                             EndExchange                &end)
   {
     ExchangeStage stage(exchange, response, laws, end.pressure);
     if (stage.n == 1)

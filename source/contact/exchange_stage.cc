@@ -14,16 +14,6 @@ namespace ThermoContact
   {
     using Values = std::vector<double>;
 
-    Values
-    multiply(const FullMatrix<double> &matrix, const Values &values)
-    {
-      Values result(values.size(), 0.);
-      for (unsigned int i = 0; i < result.size(); ++i)
-        for (unsigned int j = 0; j < values.size(); ++j)
-          result[i] += matrix(i, j) * values[j];
-      return result;
-    }
-
     FullMatrix<double>
     multiply(const FullMatrix<double> &left, const FullMatrix<double> &right)
     {
@@ -83,7 +73,7 @@ namespace ThermoContact
     receptance.add(-1., multiply(shrinkage, response.temperature_by_pressure));
     receptance *= x_per_displacement;
 
-    Values free    = multiply(shrinkage, response.free_temperature);
+    Values free    = product(shrinkage, response.free_temperature);
     bool   is_open = true;
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -102,14 +92,14 @@ namespace ThermoContact
       }
 
     Values       driving(response.free_temperature);
-    const Values cooling = multiply(response.temperature_by_pressure, pressure);
+    const Values cooling = product(response.temperature_by_pressure, pressure);
     for (unsigned int i = 0; i < n; ++i)
       driving[i] -= cooling[i];
-    flux = multiply(conductance, driving);
+    flux = product(conductance, driving);
 
-    const Values by_flux = multiply(response.penetration_by_flux, flux);
+    const Values by_flux = product(response.penetration_by_flux, flux);
     const Values by_contact =
-      multiply(response.penetration_by_pressure, pressure);
+      product(response.penetration_by_pressure, pressure);
     Values result(n);
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -127,8 +117,8 @@ namespace ThermoContact
   ExchangeStage::derivative() const
   {
     // from (I + kH) dq = dk (theta - theta_obs) - k U dp
-    const Values cooling = multiply(response.temperature_by_flux, flux);
-    const Values loss    = multiply(response.temperature_by_pressure, pressure);
+    const Values cooling = product(response.temperature_by_flux, flux);
+    const Values loss    = product(response.temperature_by_pressure, pressure);
     FullMatrix<double> flux_alone(inverse);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)

@@ -41,14 +41,6 @@ namespace ThermoContact
 
 
   NodalPressure
-  Held::resolve(const double z, const double r) const
-  {
-    return z >= 0. ? law.resolve(z, r) : reversed(law.resolve(-z, r));
-  }
-
-
-
-  NodalPressure
   TwoSided::resolve(const double z, const double r) const
   {
     const NodalPressure by_front = front.resolve(z - front_shift, r);
@@ -201,10 +193,11 @@ namespace ThermoContact
         return side > 0 ? Mean(*law, front, rear).resolve(z, r) :
                           reversed(Mean(*law, rear, front).resolve(-z, r));
       }
-    if (is_held)
-      return Held(*law).resolve(z, r);
-    if (std::isinf(play))
-      return side > 0 ? law->resolve(z, r) : reversed(law->resolve(-z, r));
+    if (is_held || std::isinf(play))
+      {
+        const bool is_in_front = is_held ? z >= 0. : side > 0;
+        return is_in_front ? law->resolve(z, r) : reversed(law->resolve(-z, r));
+      }
     return TwoSided(*law, *law, side > 0 ? 0. : play, side > 0 ? play : 0.)
       .resolve(z, r);
   }

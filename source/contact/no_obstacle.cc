@@ -10,46 +10,10 @@ namespace ThermoContact
     class NoObstacle : public ContactLaw
     {
     public:
-      std::string
-      description() const override
-      {
-        return "none: free end";
-      }
-
       bool
       is_active() const override
       {
         return false;
-      }
-
-      double
-      pressure(const double) const override
-      {
-        return 0.;
-      }
-
-      double
-      penetration(const double) const override
-      {
-        return 0.;
-      }
-
-      double
-      tangent(const double) const override
-      {
-        return 0.;
-      }
-
-      double
-      energy(const double) const override
-      {
-        return 0.;
-      }
-
-      double
-      penetration_of_energy(const double) const override
-      {
-        return 0.;
       }
 
       NodalPressure
@@ -59,10 +23,10 @@ namespace ThermoContact
       }
 
     protected:
-      double
-      mean_in_contact(const double, const double) const override
+      std::string
+      undamped_description() const override
       {
-        return 0.;
+        return "none: free end";
       }
     };
   } // namespace

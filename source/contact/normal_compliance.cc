@@ -14,15 +14,10 @@ namespace ThermoContact
     class NormalCompliance : public ContactLaw
     {
     public:
-      explicit NormalCompliance(const double compliance)
-        : compliance(compliance)
+      NormalCompliance(const double compliance, const double damping)
+        : ContactLaw(damping)
+        , compliance(compliance)
       {}
-
-      std::string
-      description() const override
-      {
-        return text("elastic obstacle, epsilon = ", compliance);
-      }
 
       double
       pressure(const double penetration) const override
@@ -80,6 +75,12 @@ namespace ThermoContact
         return (s_0 + s_1) / (2. * compliance);
       }
 
+      std::string
+      undamped_description() const override
+      {
+        return text("elastic obstacle, epsilon = ", compliance);
+      }
+
     private:
       const double compliance; ///< $\varepsilon>0$
     };
@@ -94,9 +95,8 @@ namespace ThermoContact
             "elastic obstacle",
             {compliance_entry(), damping_entry()},
             [](const ContactLawParameters &parameters) {
-              return with_damping(std::make_unique<NormalCompliance>(
-                                    parameters.at("Compliance")),
-                                  parameters.at("Damping"));
+              return std::make_unique<NormalCompliance>(
+                parameters.at("Compliance"), parameters.at("Damping"));
             }};
   }
 } // namespace ThermoContact

@@ -15,19 +15,13 @@ namespace ThermoContact
     class PowerLaw : public ContactLaw
     {
     public:
-      PowerLaw(const double compliance, const double exponent)
-        : compliance(compliance)
+      PowerLaw(const double compliance,
+               const double exponent,
+               const double damping)
+        : ContactLaw(damping)
+        , compliance(compliance)
         , exponent(exponent)
       {}
-
-      std::string
-      description() const override
-      {
-        return text("power-law obstacle, epsilon = ",
-                    compliance,
-                    ", exponent ",
-                    exponent);
-      }
 
       double
       pressure(const double penetration) const override
@@ -51,12 +45,6 @@ namespace ThermoContact
                  std::numeric_limits<double>::infinity() :
                  compliance / exponent *
                    std::pow(std::abs(pressure), 1. / exponent - 1.);
-      }
-
-      bool
-      is_linear() const override
-      {
-        return false;
       }
 
       double
@@ -117,6 +105,21 @@ namespace ThermoContact
                                             1.);
       }
 
+      bool
+      has_constant_tangent() const override
+      {
+        return false;
+      }
+
+      std::string
+      undamped_description() const override
+      {
+        return text("power-law obstacle, epsilon = ",
+                    compliance,
+                    ", exponent ",
+                    exponent);
+      }
+
     private:
       const double compliance; ///< $\varepsilon>0$
       const double exponent;   ///< $m>1$
@@ -146,9 +149,9 @@ namespace ThermoContact
               const double exponent = parameters.at("Exponent");
               if (exponent == 1.)
                 return normal_compliance().make(parameters);
-              return with_damping(std::make_unique<PowerLaw>(
-                                    parameters.at("Compliance"), exponent),
-                                  parameters.at("Damping"));
+              return std::make_unique<PowerLaw>(parameters.at("Compliance"),
+                                                exponent,
+                                                parameters.at("Damping"));
             }};
   }
 } // namespace ThermoContact

@@ -10,46 +10,10 @@ namespace ThermoContact
     class RigidObstacle : public ContactLaw
     {
     public:
-      std::string
-      description() const override
-      {
-        return "rigid obstacle";
-      }
-
       bool
       is_rigid() const override
       {
         return true;
-      }
-
-      double
-      pressure(const double) const override
-      {
-        return 0.;
-      }
-
-      double
-      penetration(const double) const override
-      {
-        return 0.;
-      }
-
-      double
-      tangent(const double) const override
-      {
-        return 0.;
-      }
-
-      double
-      energy(const double) const override
-      {
-        return 0.;
-      }
-
-      double
-      penetration_of_energy(const double) const override
-      {
-        return 0.;
       }
 
       NodalPressure
@@ -69,10 +33,10 @@ namespace ThermoContact
       }
 
     protected:
-      double
-      mean_in_contact(const double, const double) const override
+      std::string
+      undamped_description() const override
       {
-        return 0.;
+        return "rigid obstacle";
       }
     };
   } // namespace

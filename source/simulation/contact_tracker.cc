@@ -97,7 +97,7 @@ namespace ThermoContact
   ContactTracker<dim>::leave_to_law()
   {
     locator.leave_to_law();
-    return {ContactVerdict::with_law};
+    return {ContactVerdict::again};
   }
 
 
@@ -115,14 +115,14 @@ namespace ThermoContact
         // know of no impact would throw it back instead.
         get_values(impacted->state, next);
         locator.release(next);
-        return {ContactVerdict::in_other_state};
+        return {ContactVerdict::again};
       }
     impacted.reset();
     if (!locator.switch_at_start(finding.time,
                                  finding.change_of_velocity,
                                  finding.side))
-      return {ContactVerdict::with_law};
-    if (body.law().is_rigid() && !body.scene.contact.is_in_equilibrium() &&
+      return {ContactVerdict::again};
+    if (body.scene.contact.stops_nodes() &&
         locator.mode() == ContactMode::closed)
       {
         impacted.emplace();
@@ -130,7 +130,7 @@ namespace ThermoContact
         impacted->energy = energy;
         reset.impact(*impacted);
       }
-    return {ContactVerdict::in_other_state};
+    return {ContactVerdict::again};
   }
 
 
@@ -215,10 +215,9 @@ namespace ThermoContact
         std::min(events.back().time, body.scene.parameters.time.end_time);
     n_retakes = 0;
     reset.finish_pressure(mode, finding, result);
-    const bool is_impact = body.law().is_rigid() &&
+    const bool is_impact = body.scene.contact.stops_nodes() &&
                            mode != ContactMode::closed &&
-                           locator.mode() == ContactMode::closed &&
-                           !body.scene.contact.is_in_equilibrium();
+                           locator.mode() == ContactMode::closed;
     if (is_impact)
       reset.impact(result);
     if (is_impact || finding.kind == EventLocator::Finding::at_end)

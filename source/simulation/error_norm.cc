@@ -28,6 +28,16 @@ namespace ThermoContact
 
 
   double
+  ErrorNorm::mechanical_energy(const EnergyTerms &energy) const
+  {
+    return std::max({max_mechanical == 0. ? first_mechanical : max_mechanical,
+                     energy.elastic,
+                     energy.kinetic});
+  }
+
+
+
+  double
   ErrorNorm::operator()(const EnergyTerms &error,
                         const EnergyTerms &energy,
                         const double       rigid_displacement)
@@ -46,7 +56,7 @@ namespace ThermoContact
     const double smallest_elastic =
       0.5 * std::pow(Tolerances::rounding_of_solution * rigid_displacement, 2);
     const bool is_rounding =
-      std::max(mechanical_energy(), energy.elastic) <=
+      std::max(mechanical_energy({}), energy.elastic) <=
       Tolerances::rounding_of_sum * rigid_displacement * rigid_displacement;
     const double elastic_error =
       is_rounding && error.elastic <= smallest_elastic ? 0. : error.elastic;
@@ -58,9 +68,8 @@ namespace ThermoContact
                          (temperature_energy + thermal) ?
         0. :
         error.thermal;
-    return std::sqrt(
-      ratio(thermal_error, thermal) +
-      ratio(elastic_error + error.kinetic + error.obstacle,
-            std::max({mechanical_energy(), energy.elastic, energy.kinetic})));
+    return std::sqrt(ratio(thermal_error, thermal) +
+                     ratio(elastic_error + error.kinetic + error.obstacle,
+                           mechanical_energy(energy)));
   }
 } // namespace ThermoContact

@@ -282,7 +282,7 @@ namespace ThermoContact
     reset.complete(state);
     warn_of_contact(body, state, warnings);
 
-    set_exchange_coefficients(body, state);
+    set_exchange_of_law(body, state);
     return state;
   }
 

@@ -131,12 +131,27 @@ namespace ThermoContact
 
 
   template <int dim>
+  template <class Motion>
+  double
+  Reset<dim>::work_of(State &state, const Motion &move) const
+  {
+    Vector change(state.displacement);
+    move();
+    change.sadd(-1., 1., state.displacement);
+    return body.energy.work_of_motion(momentum_load(state.load_time),
+                                      state,
+                                      change);
+  }
+
+
+
+  template <int dim>
   Vector
-  Reset<dim>::momentum_load(const State &state) const
+  Reset<dim>::momentum_load(const double time) const
   {
     Vector heat = body.discretization.make_vector(Field::temperature);
     Vector load = body.discretization.make_vector(Field::displacement);
-    body.loads.assemble(state.load_time, heat, load);
+    body.loads.assemble(time, heat, load);
     return load;
   }
 
@@ -164,10 +179,26 @@ namespace ThermoContact
     std::vector<double> at_nodes;
     body.contact_end().get_all_values(Field::displacement,
                                       forces(state,
-                                             momentum_load(state),
+                                             momentum_load(state.load_time),
                                              velocity),
                                       at_nodes);
     return at_nodes;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  Reset<dim>::relative_velocities(const State                &state,
+                                  const std::vector<NodeLaw> &laws) const
+  {
+    std::vector<double> velocity;
+    body.contact_end().get_values(Field::displacement,
+                                  state.velocity,
+                                  velocity);
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      velocity[i] -= laws[i].local_rate();
+    return velocity;
   }
 
 
@@ -179,7 +210,7 @@ namespace ThermoContact
   {
     const double viscosity = body.scene.material.viscosity;
     const double factor    = (viscosity + 1.) / viscosity;
-    Vector       load      = momentum_load(state);
+    Vector       load      = momentum_load(state.load_time);
     body.driven_end.subtract_viscous_stress(state.load_time, load);
 
     std::vector<NodeLaw> laws;
@@ -226,7 +257,7 @@ namespace ThermoContact
   {
     // What iterations leave of the forces would move the body in the first
     // stage, however short that is: once more, relative to what is left.
-    const Vector       load = momentum_load(state);
+    const Vector       load = momentum_load(state.load_time);
     Vector             change(state.displacement);
     const unsigned int n_passes =
       body.scene.linear_solver.has_matrices() ? 1 : 2;
@@ -279,7 +310,6 @@ namespace ThermoContact
     Vector rate(state.velocity);
     body.equations.stiffness.vmult(rate, state.velocity);
     rate *= -1.;
-    Vector       heat, load;
     const double end_time = body.scene.parameters.time.end_time;
     if (body.loads.has_sources() && end_time > 0.)
       {
@@ -291,19 +321,15 @@ namespace ThermoContact
         const double width     = is_behind ? size : -size;
         const double weights[] = {-1.5, 2., -0.5};
         for (unsigned int i = 0; i < 3; ++i)
-          {
-            heat = body.discretization.make_vector(Field::temperature);
-            load = body.discretization.make_vector(Field::displacement);
-            body.loads.assemble(state.load_time + i * width, heat, load);
-            rate.add(weights[i] / width, load);
-          }
+          rate.add(weights[i] / width,
+                   momentum_load(state.load_time + i * width));
       }
     // heat that has not flowed yet may have no rate but that of the mesh
     if (body.scene.fields.has_temperature &&
         body.scene.material.has_thermal_stress() && !state.was_moved_at_once())
       {
-        heat = body.discretization.make_vector(Field::temperature);
-        load = body.discretization.make_vector(Field::displacement);
+        Vector heat = body.discretization.make_vector(Field::temperature);
+        Vector load = body.discretization.make_vector(Field::displacement);
         body.loads.assemble(state.load_time, heat, load);
         Vector right(heat), unused(load);
         body.equations.stage_rhs(state, 0., heat, load, right, unused);
@@ -343,32 +369,25 @@ namespace ThermoContact
     const std::vector<double> change =
       static_nodes->solve(node_forces(state), node_laws, node_positions, p);
 
-    std::vector<double> rate_load, rate;
+    std::vector<double> rate_load;
     end.get_all_values(Field::displacement, rate_of_forces(state), rate_load);
-    end.get_values(Field::displacement, state.velocity, rate);
     for (unsigned int i = 0; i < p.size(); ++i)
-      {
-        NodeLaw &law = node_laws[i]; // it may have gone to the other side
-        if (end.side_of(p[i] * law.side) < 0)
-          law.side = -law.side;
-        rate[i] -= law.local_rate();
-      }
+      if (end.side_of(p[i] * node_laws[i].side) < 0)
+        node_laws[i].side = -node_laws[i].side; // it has gone to the other side
     const std::vector<double> acceleration =
-      static_nodes->solve_rates(rate_load, rate, closing);
+      static_nodes->solve_rates(rate_load,
+                                relative_velocities(state, node_laws),
+                                closing);
 
-    std::vector<double> displacement, velocity;
-    end.get_all_values(Field::displacement, state.displacement, displacement);
-    end.get_all_values(Field::displacement, state.velocity, velocity);
-    for (unsigned int i = 0; i < displacement.size(); ++i)
+    for (const auto &[i, entry] : end.all_entries(Field::displacement))
       {
-        velocity[i] += acceleration[i];
+        double &displacement = state.displacement.begin()[entry];
         // where there is pressure, the law is exact to rounding of u
-        displacement[i] = i < p.size() && p[i] != 0. ?
-                            displacement_of_law(body, state, i) :
-                            displacement[i] + change[i];
+        displacement = i < p.size() && p[i] != 0. ?
+                         displacement_of_law(body, state, i) :
+                         displacement + change[i];
+        state.velocity.begin()[entry] += acceleration[i];
       }
-    end.set_all_values(Field::displacement, displacement, state.displacement);
-    end.set_all_values(Field::displacement, velocity, state.velocity);
   }
 
 
@@ -378,26 +397,26 @@ namespace ThermoContact
   Reset<dim>::settle_viscous_nodes(const std::vector<bool> &is_closed,
                                    State                   &state)
   {
-    const ContactEnd<dim> &end = body.contact_end();
-    std::vector<double>   &p   = state.contact_pressure;
+    std::vector<double> &p = state.contact_pressure;
     if (!viscous_nodes)
       viscous_nodes =
         make_node_equilibrium(body, body.scene.material.viscosity, counters_);
-    std::vector<double> rate, velocity;
     get_velocity_laws(body, state, is_closed, node_laws);
     for (unsigned int i = 0; i < p.size(); ++i)
       if (!is_closed[i] || node_laws[i].side * p[i] <= 0.)
         p[i] = 0.;
-    end.get_values(Field::displacement, state.velocity, rate);
-    for (unsigned int i = 0; i < rate.size(); ++i)
-      rate[i] -= node_laws[i].local_rate();
-    const std::vector<double> change = viscous_nodes->solve(
-      node_forces(state, &state.velocity), node_laws, rate, p);
-    end.get_all_values(Field::displacement, state.velocity, velocity);
-    for (unsigned int i = 0; i < velocity.size(); ++i)
-      velocity[i] = i < p.size() && p[i] != 0. ? node_laws[i].local_rate() :
-                                                 velocity[i] + change[i];
-    end.set_all_values(Field::displacement, velocity, state.velocity);
+    const std::vector<double> change =
+      viscous_nodes->solve(node_forces(state, &state.velocity),
+                           node_laws,
+                           relative_velocities(state, node_laws),
+                           p);
+    for (const auto &[i, entry] :
+         body.contact_end().all_entries(Field::displacement))
+      {
+        double &velocity = state.velocity.begin()[entry];
+        velocity = i < p.size() && p[i] != 0. ? node_laws[i].local_rate() :
+                                                velocity + change[i];
+      }
   }
 
 
@@ -554,23 +573,6 @@ namespace ThermoContact
                drive.value(at.new_time) - drive.value(at.old_time) :
                0.;
     }
-
-
-
-    template <int dim>
-    bool
-    forces_jump(Body<dim> &body, const LoadBreak &at)
-    {
-      Vector     heat    = body.discretization.make_vector(Field::temperature);
-      const auto load_at = [&](const double time, Vector &load) {
-        body.loads.assemble(time, heat, load);
-      };
-      return is_discontinuous(at,
-                              body.scene.parameters.time.end_time,
-                              load_at,
-                              body.discretization.make_vector(
-                                Field::displacement));
-    }
   } // namespace
 
 
@@ -593,24 +595,26 @@ namespace ThermoContact
                                  const LoadBreak         &at,
                                  StepResult              &result)
   {
-    const Scene &scene = body.scene;
-    const double rise  = rise_of_fixed_end(body, at);
-    const bool moves = moves_at_once() && (rise != 0. || forces_jump(body, at));
+    const Scene &scene   = body.scene;
+    const double rise    = rise_of_fixed_end(body, at);
+    const auto   load_at = [this](const double time, Vector &load) {
+      load = momentum_load(time);
+    };
+    const bool moves =
+      moves_at_once() &&
+      (rise != 0. || is_discontinuous(at,
+                                      scene.parameters.time.end_time,
+                                      load_at,
+                                      result.state.displacement));
     if (rise == 0. && !moves)
       return false;
     State &state    = result.state;
     double work     = rise != 0. ? heat_fixed_end(rise, state) : 0.;
-    state.load_time = at.new_time;
     state.jump_time = state.time;
     if (moves && scene.material.is_static())
       work += move_static_body(solver, state);
     else if (moves && scene.contact.is_in_equilibrium())
-      {
-        Vector motion(state.displacement);
-        move_static_nodes(state);
-        motion.sadd(-1., 1., state.displacement);
-        work += body.energy.work_of_motion(momentum_load(state), state, motion);
-      }
+      work += work_of(state, [&]() { move_static_nodes(state); });
     else
       {
         if (moves)
@@ -618,7 +622,7 @@ namespace ThermoContact
         set_exchange_of_law(body, state);
       }
     book(work, result);
-    return true;
+    return moves;
   }
 
 
@@ -633,18 +637,23 @@ namespace ThermoContact
     if (body.scene.contact.has_mass())
       {
         const std::vector<NodeLaw> laws = held_laws(body, state);
-        std::vector<double>        velocity, impulses;
-        end.get_values(Field::displacement, state.velocity, velocity);
-        for (unsigned int i = 0; i < laws.size(); ++i)
-          velocity[i] -= laws[i].local_rate();
-        Vector change(state.velocity);
-        inertia->solve(nullptr, laws, velocity, 1., change, impulses);
+        std::vector<double>        impulses;
+        Vector                     change(state.velocity);
+        inertia->solve(nullptr,
+                       laws,
+                       relative_velocities(state, laws),
+                       1.,
+                       change,
+                       impulses);
         state.velocity += change;
         for (unsigned int i = 0; i < impulses.size(); ++i)
           work -= end.share(i) * impulses[i] * laws[i].local_rate();
         result.impulse += end.mean(impulses);
       }
     put_on_obstacle(body, state);
+    if (!body.scene.material.has_inertia())
+      set_velocity_of_viscous_body(
+        std::vector<bool>(state.contact_pressure.size(), true), state);
     set_exchange_of_law(body, state);
     book(work, result);
   }
@@ -655,8 +664,9 @@ namespace ThermoContact
   void
   Reset<dim>::set_pressures_of_acceleration(State &state)
   {
-    const Vector r = forces(state, momentum_load(state), &state.velocity);
-    Vector       acceleration(r);
+    const Vector r =
+      forces(state, momentum_load(state.load_time), &state.velocity);
+    Vector                       acceleration(r);
     const std::vector<NodeLaw>   laws = held_laws(body, state);
     std::vector<double>          relative;
     std::vector<TimeDerivatives> obstacle;
@@ -732,10 +742,8 @@ namespace ThermoContact
           for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
             if (finding.is_of_all_nodes || i == finding.node)
               closing.push_back(i);
-        Vector motion(state.displacement);
-        set_static_equilibrium(state, closing);
-        motion.sadd(-1., 1., state.displacement);
-        work = body.energy.work_of_motion(momentum_load(state), state, motion);
+        work =
+          work_of(state, [&]() { set_static_equilibrium(state, closing); });
       }
     else if (is_event && mode == ContactMode::open && !body.law().is_rigid())
       {

@@ -27,6 +27,16 @@ namespace ThermoContact
 
 
   void
+  RunHistory::warn(const std::string &warning)
+  {
+    if (!warning.empty() &&
+        std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+      warnings.push_back(warning);
+  }
+
+
+
+  void
   RunHistory::add_maxima(const Scene &scene, const double gap_rate)
   {
     const double force = std::abs(record.contact_force); // of either obstacle

@@ -84,19 +84,9 @@ namespace ThermoContact
     StepRecord &record = history_.record;
     tracker.start(state_, history_.events);
     if (controller.followed_loads().break_at(0.) != nullptr)
-      {
-        StepResult result;
-        result.state  = state_;
-        result.energy = body_.energy.energy(state_);
-        pass_break(result);
-        if (!result.failure.empty())
-          throw ComputationError(result.failure);
-        state_.swap(result.state);
-      }
+      pass_present_break(body_.energy.energy(state_));
     measurements.measure(state_, record);
-    if (const std::string warning = dispersion_warning(scene_);
-        !warning.empty())
-      history_.warnings.push_back(warning);
+    history_.warn(dispersion_warning(scene_));
     if (!scene_.fields.has_displacement)
       record.contact_impulse = record.contact_force; // there is none
     record.energy_terms = body_.energy.energy(state_);
@@ -142,9 +132,9 @@ namespace ThermoContact
     while (!controller.is_finished(state_.time))
       {
         const TimeStep time_step = controller.propose(state_.time);
-        if (attempt(time_step, result))
+        if (attempt(time_step))
           {
-            accept(time_step, result);
+            accept(time_step);
             return true;
           }
       }
@@ -155,18 +145,18 @@ namespace ThermoContact
 
   template <int dim>
   bool
-  Simulation<dim>::attempt(const TimeStep &time_step, StepResult &result)
+  Simulation<dim>::attempt(const TimeStep &time_step)
   {
     StepAttempt attempt{state_.time, time_step.size};
     {
       const StopWatch   watch(attempt.wall_seconds);
       const ContactMode mode   = tracker.mode();
       const LoadBreak  *passed = nullptr;
-      attempt.reason           = judge(time_step, result, attempt.error);
+      attempt.reason           = judge(time_step, attempt.error);
       if (attempt.reason.empty())
         {
           controller.accept(time_step, attempt.error);
-          passed              = commit(time_step, result);
+          passed              = commit(time_step);
           attempt.reason      = name_of(time_step.target);
           attempt.is_accepted = true;
         }
@@ -191,7 +181,7 @@ namespace ThermoContact
   template <int dim>
   template <class Action>
   void
-  Simulation<dim>::together(StepResult &result, const Action &action) const
+  Simulation<dim>::together(const Action &action)
   {
     try
       {
@@ -208,38 +198,34 @@ namespace ThermoContact
 
   template <int dim>
   std::string
-  Simulation<dim>::judge(const TimeStep &time_step,
-                         StepResult     &result,
-                         double         &error)
+  Simulation<dim>::judge(const TimeStep &time_step, double &error)
   {
     // what is left to do with a step that was computed: nothing if it is
     // solved and accurate
     const auto fault = [&]() -> std::string {
       if (!result.failure.empty())
         {
-          retry_smaller(time_step, result.failure);
+          if (!controller.retry_smaller(time_step))
+            give_up(time_step, result.failure);
           return "failed";
         }
-      error = relative_error(result);
+      error = relative_error();
       if (controller.is_accurate(time_step, error))
         return "";
       controller.reject(time_step, error);
       return rejected_by_tolerance;
     };
-    compute_step(time_step, tracker.mode(), result);
+    compute_step(time_step);
     if (const std::string reason = fault(); !reason.empty())
       return reason;
     ContactVerdict verdict;
-    const double   mechanical_energy = std::max({error_norm.mechanical_energy(),
-                                                 result.energy.elastic,
-                                                 result.energy.kinetic});
-    together(result, [&]() {
+    together([&]() {
       verdict = tracker.judge(time_step,
                               result,
                               state_,
                               record().energy_terms,
                               is_prescribed_step(),
-                              mechanical_energy);
+                              error_norm.mechanical_energy(result.energy));
     });
     if (!result.failure.empty())
       {
@@ -251,8 +237,7 @@ namespace ThermoContact
         case ContactVerdict::to_time:
           controller.aim_at(verdict.time);
           return "contact";
-        case ContactVerdict::in_other_state:
-        case ContactVerdict::with_law:
+        case ContactVerdict::again:
           return "contact";
         default:
           return "";
@@ -263,7 +248,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Simulation<dim>::accept(const TimeStep &time_step, StepResult &result)
+  Simulation<dim>::accept(const TimeStep &time_step)
   {
     state_.swap(result.state);
     measurements.measure(state_, history_.record);
@@ -273,28 +258,14 @@ namespace ThermoContact
     spatial_error_monitor.add(state_, record());
     if (result.is_prescribed)
       energy_monitor.start(result.energy);
-    else if (const std::string warning =
-               energy_monitor.add(record().step, record().time, result.energy);
-             !warning.empty())
-      history_.warnings.push_back(warning);
-    if (!controller.is_finished(state_.time))
-      return;
-    if (const std::string warning = spatial_error_monitor.take_warning();
-        !warning.empty())
-      history_.warnings.push_back(warning);
-    const double spacing = spacing_of_largest_force(scene_);
-    if (!(spacing > 0.) || !is_largest_force_of_mesh(scene_, events()))
-      return;
-    const std::string warning =
-      text("the largest force is that of the mesh: it needs nodes at most ",
-           QuantityUnits(parameters()).text("position", spacing),
-           " apart at the obstacle; remedy: a larger Mesh/Grading, or more "
-           "Mesh/Cells");
-    // a run that goes on may have it already
-    if (std::find(history_.warnings.begin(),
-                  history_.warnings.end(),
-                  warning) == history_.warnings.end())
-      history_.warnings.push_back(warning);
+    else
+      history_.warn(
+        energy_monitor.add(record().step, record().time, result.energy));
+    if (controller.is_finished(state_.time))
+      {
+        history_.warn(spatial_error_monitor.take_warning());
+        history_.warn(warning_of_largest_force(scene_, events()));
+      }
   }
 
 
@@ -305,9 +276,9 @@ namespace ThermoContact
                                       const LoadBreak *const passed)
   {
     if (passed != nullptr && passed->is_jump)
-      controller.restart_after_jump();
+      controller.restart(0.5);
     if (tracker.mode() != old_mode)
-      controller.restart(tracker.mode() == ContactMode::closed);
+      controller.restart(tracker.mode() == ContactMode::closed ? 0.25 : 0.5);
   }
 
 
@@ -336,17 +307,15 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Simulation<dim>::compute_step(const TimeStep   &time_step,
-                                const ContactMode mode,
-                                StepResult       &result)
+  Simulation<dim>::compute_step(const TimeStep &time_step)
   {
     const State &start = tracker.start_state(state_);
     result.old_energy  = tracker.start_energy(record().energy_terms);
-    together(result, [&]() {
+    together([&]() {
       if (is_prescribed_step())
         integrator->prescribed_step(start, time_step, result);
       else
-        integrator->step(start, result.old_energy, time_step, mode, result);
+        integrator->step(start, time_step, tracker.mode(), result);
       result.state.load_time = time_step.last_loads;
       result.state.jump_time = start.jump_time; // no stage moves it at once
       if (result.failure.empty())
@@ -367,15 +336,16 @@ namespace ThermoContact
   void
   Simulation<dim>::take_warnings()
   {
-    for (std::string &warning : integrator->stage_solver().take_warnings())
-      history_.warnings.push_back(std::move(warning));
+    for (const std::string &warning :
+         integrator->stage_solver().take_warnings())
+      history_.warn(warning);
   }
 
 
 
   template <int dim>
   double
-  Simulation<dim>::relative_error(const StepResult &result)
+  Simulation<dim>::relative_error()
   {
     const TimeParameters &time = parameters().time;
     if (!time.has_error_control())
@@ -396,11 +366,11 @@ namespace ThermoContact
 
   template <int dim>
   const LoadBreak *
-  Simulation<dim>::commit(const TimeStep &time_step, StepResult &result)
+  Simulation<dim>::commit(const TimeStep &time_step)
   {
-    together(result, [&]() { tracker.accept(result, history_.events); });
+    together([&]() { tracker.accept(result, history_.events); });
     const LoadBreak *const passed =
-      result.failure.empty() ? pass_break(result) : nullptr;
+      result.failure.empty() ? pass_break() : nullptr;
     if (!result.failure.empty())
       give_up(time_step, result.failure);
     return passed;
@@ -410,22 +380,21 @@ namespace ThermoContact
 
   template <int dim>
   const LoadBreak *
-  Simulation<dim>::pass_break(StepResult &result)
+  Simulation<dim>::pass_break()
   {
     const double     time = result.state.time;
     const LoadBreak *at   = controller.followed_loads().break_at(time);
     if (at == nullptr)
       return nullptr;
-    passed_break = time;
-    together(result, [&]() {
+    passed_break           = time;
+    result.state.load_time = at->new_time;
+    together([&]() {
       if (body_.obstacle.is_active())
         tracker.pass_slope_discontinuity(*at, result, history_.events);
-      if (at->is_jump &&
-          reset.pass_discontinuity(integrator->stage_solver(),
-                                   tracker.closed_nodes(result),
-                                   *at,
-                                   result) &&
-          reset.moves_at_once())
+      if (at->is_jump && reset.pass_discontinuity(integrator->stage_solver(),
+                                                  tracker.closed_nodes(result),
+                                                  *at,
+                                                  result))
         tracker.jump(result.state, history_.events);
     });
     take_warnings();
@@ -441,12 +410,18 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  Simulation<dim>::retry_smaller(const TimeStep    &time_step,
-                                 const std::string &failure)
+  const LoadBreak *
+  Simulation<dim>::pass_present_break(const EnergyTerms &energy)
   {
-    if (!controller.retry_smaller(time_step))
-      give_up(time_step, failure);
+    result        = StepResult();
+    result.state  = state_;
+    result.energy = energy;
+
+    const LoadBreak *const passed = pass_break();
+    if (!result.failure.empty())
+      throw ComputationError(result.failure);
+    state_.swap(result.state);
+    return passed;
   }
 
 
@@ -561,7 +536,7 @@ namespace ThermoContact
     integrator->restore_own_counters(of_integrator);
     reset.restore(retained_by_reset, of_reset);
     if (n != n_ranks)
-      history_.warnings.push_back(
+      history_.warn(
         text("resumed at t = ",
              QuantityUnits(parameters()).text("time", state_.time),
              " on another number of ranks, ",
@@ -582,15 +557,9 @@ namespace ThermoContact
     if (passed_break == state_.time ||
         controller.followed_loads().break_at(state_.time) == nullptr)
       return;
-    const ContactMode mode = tracker.mode();
-    StepResult        result;
-    result.state                  = state_;
-    result.energy                 = record().energy_terms;
-    const LoadBreak *const passed = pass_break(result);
-    if (!result.failure.empty())
-      throw ComputationError(result.failure);
+    const ContactMode      mode   = tracker.mode();
+    const LoadBreak *const passed = pass_present_break(record().energy_terms);
     restart_controller(mode, passed);
-    state_.swap(result.state);
     measurements.measure(state_, history_.record);
     history_.add_jump(result);
     history_.add_maxima(scene_, gap_rate());

@@ -3,6 +3,7 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
+#include <thermocontact/input/quantity_units.h>
 #include <thermocontact/simulation/spatial_error_monitor.h>
 #include <thermocontact/time/fixed_point_solver.h>
 
@@ -371,6 +372,22 @@ namespace ThermoContact
                          return event.kind == ContactEvent::begin &&
                                 event.velocity != 0.;
                        });
+  }
+
+
+
+  std::string
+  warning_of_largest_force(const Scene                     &scene,
+                           const std::vector<ContactEvent> &events)
+  {
+    const double spacing = spacing_of_largest_force(scene);
+    if (spacing == 0. || !is_largest_force_of_mesh(scene, events))
+      return "";
+    return text(
+      "the largest force is that of the mesh: it needs nodes at most ",
+      QuantityUnits(scene.parameters).text("position", spacing),
+      " apart at the obstacle; remedy: a larger Mesh/Grading, or more "
+      "Mesh/Cells");
   }
 
 

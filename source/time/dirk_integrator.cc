@@ -3,7 +3,9 @@
 #include <thermocontact/space/direct_solver.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/dirk_integrator.h>
-#include <thermocontact/time/make_stage_solver.h>
+#include <thermocontact/time/fixed_point_solver.h>
+#include <thermocontact/time/iterative_solver.h>
+#include <thermocontact/time/monolithic_solver.h>
 #include <thermocontact/time/schemes.h>
 
 #include <algorithm>
@@ -39,6 +41,24 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** The solver that the scene asks for. */
+    template <int dim>
+    std::unique_ptr<StageSolver>
+    make_stage_solver(const Body<dim> &body)
+    {
+      if (body.scene.is_fixed_point)
+        return std::make_unique<FixedPointSolver<dim>>(body);
+      if constexpr (dim > 1)
+        if (!body.scene.linear_solver.has_matrices())
+          return std::make_unique<IterativeSolver<dim>>(body);
+      return std::make_unique<MonolithicSolver<dim>>(body);
+    }
+  } // namespace
+
+
+
   template <int dim>
   DirkIntegrator<dim>::DirkIntegrator(Body<dim> &body)
     : body(body)
@@ -48,9 +68,7 @@ namespace ThermoContact
                  butcher_tableau("sdirk3"))
     , tableau(&of_scheme)
     , solver(make_stage_solver(body))
-    , driven(body.driven_end.is_active() ?
-               std::make_unique<DrivenStep<dim>>(body) :
-               nullptr)
+    , driven(body)
     , stages(of_scheme.n_stages())
     , accelerations(of_scheme.n_stages(),
                     body.discretization.make_vector(Field::displacement))
@@ -127,13 +145,11 @@ namespace ThermoContact
                                    const ContactMode  mode)
   {
     StageRates &stage = stages[i];
-    if (driven)
-      driven->constrain(i, heat_load, momentum_load, known);
-    const Vector &heat   = driven ? driven->heat_load() : heat_load;
-    const Vector &forces = driven ? driven->momentum_load() : momentum_load;
-    solver->solve(known, tau, heat, forces, mode, stage);
-    if (stage.failure.empty() && (i + 1 < tableau->n_stages() ||
-                                  tableau->has_error_estimate() || driven))
+    const auto  loads = driven.constrain(i, {heat_load, momentum_load}, known);
+    solver->solve(known, tau, loads.heat, loads.momentum, mode, stage);
+    if (stage.failure.empty() &&
+        (i + 1 < tableau->n_stages() || tableau->has_error_estimate() ||
+         driven.is_active()))
       set_difference(accelerations[i],
                      1. / tau,
                      stage.velocity,
@@ -150,8 +166,7 @@ namespace ThermoContact
     set_sum(known.temperature, known.temperature, tau, stage.temperature_rate);
     set_sum(known.displacement, known.displacement, tau, stage.velocity);
     // the known values of a driven end are those of its stage already
-    if (driven)
-      driven->complete(i, stage, accelerations[i]);
+    driven.complete(i, stage, accelerations[i]);
     set_equal(known.velocity, stage.velocity);
     known.contact_pressure     = stage.pressure;
     known.exchange_coefficient = stage.exchange_coefficient;
@@ -160,22 +175,8 @@ namespace ThermoContact
 
 
   template <int dim>
-  double
-  DirkIntegrator<dim>::work_at_end(const unsigned int i) const
-  {
-    return body.driven_end.power(known,
-                                 stages[i].temperature_rate,
-                                 accelerations[i],
-                                 heat_load,
-                                 momentum_load);
-  }
-
-
-
-  template <int dim>
   void
   DirkIntegrator<dim>::step(const State      &state,
-                            const double      old_energy,
                             const TimeStep   &time_step,
                             const ContactMode mode,
                             StepResult       &result)
@@ -203,11 +204,11 @@ namespace ThermoContact
     result.energy = body.energy.energy(result.state);
     if (tableau->has_error_estimate())
       estimate_error(time_step.size, mode, result);
-    result.numerical_dissipation =
-      tableau->n_stages() == 1 ?
-        body.energy.numerical_dissipation(state, result.state) :
-        old_energy - result.energy.sum() + result.work - result.dissipation -
-          result.contact_dissipation + result.algebraic;
+    if (tableau->n_stages() == 1)
+      result.numerical_dissipation =
+        body.energy.numerical_dissipation(state, result.state);
+    else
+      result.close_balance();
   }
 
 
@@ -244,8 +245,10 @@ namespace ThermoContact
         known.time = stage_time(state, time_step, i);
         advance(i, tau);
         book(known, weight, result);
-        if (driven)
-          result.work += weight * work_at_end(i);
+        result.work += weight * driven.power(known,
+                                             stage.temperature_rate,
+                                             accelerations[i],
+                                             {heat_load, momentum_load});
       }
   }
 
@@ -302,22 +305,14 @@ namespace ThermoContact
     DirectSolver heat_solver(body.equations.heat_stage_matrix(tau));
     ++counters_.factorizations;
     Vector heat_rhs(heat_load), momentum_rhs(momentum_load);
-    if (driven)
-      {
-        known = state;
-        driven->constrain(0, heat_load, momentum_load, known);
-      }
-    body.equations.stage_rhs(driven ? known : state,
-                             tau,
-                             driven ? driven->heat_load() : heat_load,
-                             momentum_load,
-                             heat_rhs,
-                             momentum_rhs);
+    known            = state;
+    const auto loads = driven.constrain(0, {heat_load, momentum_load}, known);
+    body.equations.stage_rhs(
+      known, tau, loads.heat, momentum_load, heat_rhs, momentum_rhs);
     body.equations.subtract_heating(state.velocity, heat_rhs);
     heat_solver.solve(rate, heat_rhs);
     ++counters_.solves;
-    if (driven)
-      driven->complete(0, stages[0], accelerations[0]);
+    driven.complete(0, stages[0], accelerations[0]);
   }
 
 
@@ -333,10 +328,7 @@ namespace ThermoContact
     body.loads.assemble(time_step.last_loads, heat_load, momentum_load);
     static const std::vector<std::vector<double>> one_stage  = {{1.}};
     static const std::vector<double>              one_weight = {1.};
-    if (driven)
-      driven->start(state,
-                    tau,
-                    {one_stage, one_weight, {time_step.last_loads}});
+    driven.start(state, tau, {one_stage, one_weight, {time_step.last_loads}});
     if (body.scene.fields.has_temperature)
       solve_heat_alone(state, tau, stage.temperature_rate);
 
@@ -352,16 +344,12 @@ namespace ThermoContact
 
     start_sums(result);
     book(result.state, tau, result);
-    if (driven)
-      result.work += tau * body.driven_end.power(result.state,
-                                                 stage.temperature_rate,
-                                                 accelerations[0],
-                                                 heat_load,
-                                                 momentum_load);
+    result.work += tau * driven.power(result.state,
+                                      stage.temperature_rate,
+                                      accelerations[0],
+                                      {heat_load, momentum_load});
     result.energy = body.energy.energy(result.state);
-    result.numerical_dissipation =
-      body.energy.energy(state).sum() - result.energy.sum() + result.work -
-      result.dissipation - result.contact_dissipation;
+    result.close_balance();
   }
 
 
@@ -403,13 +391,12 @@ namespace ThermoContact
                                     const TimeStep &time_step)
   {
     const bool obstacle_moves = body.obstacle.is_active();
-    if (!driven && !obstacle_moves)
+    if (!driven.is_active() && !obstacle_moves)
       return;
     StageTimes loads_at{tableau->a, tableau->b(), {}};
     for (unsigned int i = 0; i < tableau->n_stages(); ++i)
       loads_at.times.push_back(load_time(state, time_step, i));
-    if (driven)
-      driven->start(state, time_step.size, loads_at);
+    driven.start(state, time_step.size, loads_at);
     if (obstacle_moves)
       start_obstacle(state, time_step, loads_at);
   }
@@ -433,14 +420,11 @@ namespace ThermoContact
         rates.push_back(function.first);
       return rates;
     };
-    std::vector<std::vector<TimeDerivatives>> functions;
-    for (const double time : loads_at.times)
-      functions.push_back(derivatives_at(time));
-    gaps.start(loads_at, time_step.size, state.gap, functions);
+    gaps.start(loads_at, time_step.size, state.gap, derivatives_at);
     if (tableau->n_stages() > 1)
       {
         gaps.set_accelerations(rates_of(derivatives_at(time_step.first_loads)),
-                               rates_of(functions.back()));
+                               rates_of(derivatives_at(loads_at.times.back())));
         return;
       }
     std::vector<double> velocity;

@@ -25,13 +25,12 @@ namespace ThermoContact
                  const StageTimes                          &stages,
                  PrescribedMotion                          &motion)
     {
-      std::vector<std::vector<TimeDerivatives>> functions;
-      for (const double time : stages.times)
-        functions.emplace_back(old_values.size(),
-                               old_values.empty() ?
-                                 TimeDerivatives{} :
-                                 function->derivatives(time));
-      motion.start(stages, size, old_values, functions);
+      motion.start(stages, size, old_values, [&](const double time) {
+        return std::vector<TimeDerivatives>(old_values.size(),
+                                            old_values.empty() ?
+                                              TimeDerivatives{} :
+                                              function->derivatives(time));
+      });
     }
   } // namespace
 
@@ -40,9 +39,12 @@ namespace ThermoContact
   template <int dim>
   DrivenStep<dim>::DrivenStep(const Body<dim> &body)
     : body(body)
-    , heat_load_(body.discretization.make_vector(Field::temperature))
-    , momentum_load_(body.discretization.make_vector(Field::displacement))
-  {}
+  {
+    if (!is_active())
+      return;
+    heat_load     = body.discretization.make_vector(Field::temperature);
+    momentum_load = body.discretization.make_vector(Field::displacement);
+  }
 
 
 
@@ -52,6 +54,8 @@ namespace ThermoContact
                          const double      size,
                          const StageTimes &stages)
   {
+    if (!is_active())
+      return;
     const Scene &scene = body.scene;
     const auto  &moved = body.driven_end.entries(Field::displacement);
     start_motion(scene.heat.fixed_end_drive,
@@ -72,19 +76,21 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
+  typename DrivenStep<dim>::StageLoads
   DrivenStep<dim>::constrain(const unsigned int stage,
-                             const Vector      &heat_load,
-                             const Vector      &momentum_load,
+                             const StageLoads  &loads,
                              State             &known)
   {
-    heat_load_     = heat_load;
-    momentum_load_ = momentum_load;
+    if (!is_active())
+      return loads;
+    heat_load     = loads.heat;
+    momentum_load = loads.momentum;
     body.driven_end.constrain(temperature.stages()[stage],
                               displacement.stages()[stage],
                               known,
-                              heat_load_,
-                              momentum_load_);
+                              heat_load,
+                              momentum_load);
+    return {heat_load, momentum_load};
   }
 
 
@@ -95,6 +101,8 @@ namespace ThermoContact
                             StageRates        &rates,
                             Vector            &acceleration) const
   {
+    if (!is_active())
+      return;
     const DrivenEnd<dim>  &end    = body.driven_end;
     const PrescribedStage &motion = displacement.stages()[stage];
     end.set(Field::temperature,

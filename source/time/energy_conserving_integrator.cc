@@ -3,7 +3,6 @@
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/energy_conserving_integrator.h>
-#include <thermocontact/time/make_stage_solver.h>
 #include <thermocontact/time/schemes.h>
 
 #include <algorithm>
@@ -70,10 +69,8 @@ namespace ThermoContact
   template <int dim>
   EnergyConservingIntegrator<dim>::EnergyConservingIntegrator(Body<dim> &body)
     : body(body)
-    , solver(make_open_stage_solver(body))
-    , driven(body.driven_end.is_active() ?
-               std::make_unique<DrivenStep<dim>>(body) :
-               nullptr)
+    , solver(body)
+    , driven(body)
     , midpoint(body.discretization.make_state())
     , heat_load(body.discretization.make_vector(Field::temperature))
     , momentum_load(body.discretization.make_vector(Field::displacement))
@@ -142,31 +139,18 @@ namespace ThermoContact
     const TimeStep &time_step)
   {
     const double tau = 0.5 * time_step.size;
-    if (!driven)
+    if (!driven.is_active())
       {
-        solver->solve_without_contact(
+        solver.solve_without_contact(
           state, tau, heat_load, momentum_load, rates);
         return;
       }
     static const std::vector<std::vector<double>> half   = {{0.5}};
     static const std::vector<double>              weight = {1.};
-    driven->start(state,
-                  time_step.size,
-                  {half, weight, {time_step.last_loads}});
-    State known(state);
-    driven->constrain(0, heat_load, momentum_load, known);
-    solver->solve_without_contact(
-      known, tau, driven->heat_load(), driven->momentum_load(), rates);
-  }
-
-
-
-  template <int dim>
-  double
-  EnergyConservingIntegrator<dim>::work_at_end() const
-  {
-    return body.driven_end.power(
-      midpoint, rates.temperature_rate, acceleration, heat_load, momentum_load);
+    driven.start(state, time_step.size, {half, weight, {time_step.last_loads}});
+    State      known(state);
+    const auto loads = driven.constrain(0, {heat_load, momentum_load}, known);
+    solver.solve_without_contact(known, tau, loads.heat, loads.momentum, rates);
   }
 
 
@@ -174,7 +158,6 @@ namespace ThermoContact
   template <int dim>
   void
   EnergyConservingIntegrator<dim>::step(const State    &state,
-                                        const double    old_energy,
                                         const TimeStep &time_step,
                                         const ContactMode,
                                         StepResult &result)
@@ -189,8 +172,7 @@ namespace ThermoContact
     else if (contact)
       apply_contact(state, time_step);
 
-    if (driven)
-      driven->complete(0, rates, acceleration);
+    driven.complete(0, rates, acceleration);
     set_equal(midpoint.velocity, rates.velocity);
     set_sum(midpoint.temperature,
             state.temperature,
@@ -216,13 +198,14 @@ namespace ThermoContact
     result.lateral_dissipation =
       size * body.energy.lateral_dissipation_rate(midpoint);
     result.work = body.energy.has_work() ? work(size, result.state) : 0.;
-    if (driven)
-      result.work += size * work_at_end();
+    result.work += size * driven.power(midpoint,
+                                       rates.temperature_rate,
+                                       acceleration,
+                                       {heat_load, momentum_load});
     result.impulse   = size * body.contact_end().mean(rates.pressure);
     result.algebraic = 0.;
     result.energy    = body.energy.energy(result.state);
-    result.numerical_dissipation =
-      old_energy - result.energy.sum() + result.work - result.dissipation;
+    result.close_balance();
   }
 
 
@@ -291,12 +274,12 @@ namespace ThermoContact
           std::max(displacement_scale,
                    std::abs(at_end) + std::abs(old_free_position[i]));
       }
-    FullMatrix<double> difference(solver->response());
+    FullMatrix<double> difference(solver.response());
     difference.add(-1., receptance);
     rates.pressure     = state.contact_pressure;
     rates.n_iterations = contact->step_pressure(
       laws, start, free_end, difference, displacement_scale, rates.pressure);
-    solver->apply_pressure(rates);
+    solver.apply_pressure(rates);
     const std::vector<double> loss = product(difference, rates.pressure);
     for (unsigned int i = 0; i < n; ++i)
       free_position[i] -= 2. * loss[i];
@@ -370,9 +353,9 @@ namespace ThermoContact
     if (has_mean_pressure)
       laws[0].mean_from = start[0];
     rates.pressure[0] =
-      laws[0].resolve(end_position[0], 2. * solver->response()(0, 0)).pressure;
+      laws[0].resolve(end_position[0], 2. * solver.response()(0, 0)).pressure;
     rates.n_iterations = 1;
-    solver->apply_pressure(rates);
+    solver.apply_pressure(rates);
   }
 
 

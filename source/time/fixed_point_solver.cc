@@ -58,10 +58,7 @@ namespace ThermoContact
     RetainedFactorizations retained;
     retained.counters = counters_;
     if (heat_solver)
-      {
-        retained.taus         = {factorized_tau};
-        retained.has_response = {false};
-      }
+      retained.taus = {factorized_tau};
     return retained;
   }
 

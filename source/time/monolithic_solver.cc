@@ -26,7 +26,6 @@ namespace ThermoContact
   MonolithicSolver<dim>::MonolithicSolver(const Body<dim> &body)
     : body(body)
     , exchange(*body.scene.heat.exchange)
-    , exchange_solver(exchange)
     , max_factorizations(
         n_kept_factorizations(dim, body.discretization.dof_handler().n_dofs()))
     , heat_rhs(body.discretization.make_vector(Field::temperature))
@@ -285,8 +284,9 @@ namespace ThermoContact
 
     end_exchange.pressure    = known.contact_pressure;
     end_exchange.coefficient = known.exchange_coefficient;
-    rates.n_iterations = exchange_solver.solve(response, laws, end_exchange);
-    rates.pressure     = end_exchange.pressure;
+    rates.n_iterations =
+      solve_contact_and_exchange(exchange, response, laws, end_exchange);
+    rates.pressure             = end_exchange.pressure;
     rates.exchange_coefficient = end_exchange.coefficient;
     apply_pressure(rates);
     subtract_responses(Field::temperature, end_exchange.flux, rates);
@@ -348,9 +348,6 @@ namespace ThermoContact
 
   namespace
   {
-    /** Four of sixteen digits may go. */
-    constexpr double largest_loss = 1e4;
-
     constexpr unsigned int max_refinements = 3;
   } // namespace
 
@@ -441,8 +438,9 @@ namespace ThermoContact
     const double moved = tau * fastest;
     // velocities of a body at rest need no digits: what moves it by its
     // displacement in a unit of time is small
-    return free_moved > largest_loss * moved &&
-           free_moved > largest_loss * tau * known.displacement.linfty_norm();
+    return free_moved > Tolerances::tolerated_cancellation * moved &&
+           free_moved > Tolerances::tolerated_cancellation * tau *
+                          known.displacement.linfty_norm();
   }
 
 

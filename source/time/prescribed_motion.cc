@@ -9,8 +9,6 @@ namespace ThermoContact
 {
   namespace
   {
-
-
     /**
      * Shifts rates of scalar @p k in all stages such that their mean leads from
      * @p old_value to @p new_value, unless they do but for @p rounding.
@@ -37,31 +35,33 @@ namespace ThermoContact
 
   void
   PrescribedMotion::start(
-    const StageTimes                                &times,
-    const double                                     step_size,
-    const std::vector<double>                       &old_values,
-    const std::vector<std::vector<TimeDerivatives>> &functions)
+    const StageTimes                                          &times,
+    const double                                               step_size,
+    const std::vector<double>                                 &old_values,
+    const std::function<std::vector<TimeDerivatives>(double)> &functions_at)
   {
-    const unsigned int n = old_values.size(), n_stages = functions.size();
+    const unsigned int n = old_values.size(), n_stages = times.times.size();
+    std::vector<TimeDerivatives> functions; // at last of the end
     size    = step_size;
     weights = times.weights;
     stages_.resize(n_stages);
     for (unsigned int i = 0; i < n_stages; ++i)
       {
         PrescribedStage &stage = stages_[i];
+        functions              = functions_at(times.times[i]);
         stage.values           = old_values;
         stage.rates.resize(n);
         stage.accelerations.resize(n);
         for (unsigned int k = 0; k < n; ++k)
           {
-            stage.rates[k]         = functions[i][k].first;
-            stage.accelerations[k] = functions[i][k].second;
+            stage.rates[k]         = functions[k].first;
+            stage.accelerations[k] = functions[k].second;
           }
       }
     const bool ends_with_last_stage = times.a.back() == weights;
     for (unsigned int k = 0; k < n; ++k)
       {
-        const double value = functions.back()[k].value;
+        const double value = functions[k].value;
         shift(stages_,
               &PrescribedStage::rates,
               weights,

@@ -2,20 +2,13 @@
 
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/time/stage_factorization.h>
 
 #include <algorithm>
 
 namespace ThermoContact
 {
-  namespace
-  {
-    /** Four of sixteen digits may go. */
-    constexpr double largest_growth = 1e4;
-  } // namespace
-
-
-
   template <int dim>
   StageFactorization<dim>::StageFactorization(
     const Discretization<dim>             &discretization,
@@ -68,7 +61,7 @@ namespace ThermoContact
         growth = std::max(rod_heat ? rod_heat->growth() : 0.,
                           rod_momentum ? rod_momentum->growth() : 0.);
       }
-    if (growth <= largest_growth)
+    if (growth <= Tolerances::tolerated_cancellation)
       return true;
     refused_growth = growth;
     rod_whole.reset();

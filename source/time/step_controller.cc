@@ -283,22 +283,12 @@ namespace ThermoContact
 
 
   void
-  StepController::restart(const bool contact_begins)
+  StepController::restart(const double factor)
   {
     event_time.reset();
     is_restarting = true;
     if (has_error_control)
-      set_size((contact_begins ? 0.25 : 0.5) * size);
-  }
-
-
-
-  void
-  StepController::restart_after_jump()
-  {
-    is_restarting = true;
-    if (has_error_control)
-      set_size(0.5 * size);
+      set_size(factor * size);
   }
 
 

@@ -51,9 +51,11 @@ namespace
             raise(worst, law->resolve(-1., chi).pressure);
             if (!law->is_active())
               continue;
+            NodeLaw held(*law);
+            held.is_held = true;
             raise(worst, std::abs(law->resolve(s + chi * p, chi).pressure - p));
             raise(worst,
-                  std::abs(Held(*law).resolve(-s - chi * p, chi).pressure + p));
+                  std::abs(held.resolve(-s - chi * p, chi).pressure + p));
             if (law->is_rigid())
               continue;
             raise(worst, std::abs(law->pressure(s) - p));

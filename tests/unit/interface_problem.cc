@@ -98,11 +98,13 @@ namespace
   test_one_node()
   {
     const auto stiff = linear(0.01), soft = linear(1.), wall = rigid();
+    NodeLaw    held(*wall);
+    held.is_held = true;
     deallog << "linear " << stiff->resolve(0.02, 0.03).pressure << ' '
             << stiff->resolve(0., 0.03).pressure << ", rigid "
             << wall->resolve(0.03, 0.03).pressure << ' '
             << wall->resolve(-1., 0.03).pressure << ", held "
-            << Held(*wall).resolve(-3., 2.).pressure << std::endl;
+            << held.resolve(-3., 2.).pressure << std::endl;
     NodeLaw front(*soft);
     front.play   = 2.;
     NodeLaw rear = front;

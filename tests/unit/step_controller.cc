@@ -125,7 +125,7 @@ namespace
     for (const bool begins : {true, false})
       {
         StepController controller = make_controller(from_rung());
-        controller.restart(begins);
+        controller.restart(begins ? 0.25 : 0.5);
         deallog << (begins ? "after begin: " : "after end: ")
                 << rung(controller) << ", accurate with error 0.2 "
                 << accurate(controller, 0.2) << ", 0.3 "

@@ -23,6 +23,10 @@
 //    velocity behind it, with the heat that k(gap, pressure) conducts: it and
 //    the one of the next row have the mean (u_1 - u_0)/h, to second order in
 //    the steps that follow an event.
+// 4. The rod of 1 at rest at first, pushed by a traction of 1/2 on its end:
+//    u = x U, zeta U' + U = 1/2, until it meets a rigid obstacle, g = 3/10, at
+//    t = zeta log(5/2) with the velocity (1/2 - 3/10)/zeta = 1. The row of the
+//    event has what is behind it: the velocity 0 and F = 1/2 - 3/10 = 1/5.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -105,6 +109,35 @@ namespace
 
 
   void
+  check_touch()
+  {
+    const RecordedRun   result = run<1>("",
+                                      {"Model/Fields=displacement",
+                                         "Model/Inertia=0",
+                                         "Model/Viscosity=0.2",
+                                         "Mesh/Cells=2",
+                                         "Sources/End traction=0.5",
+                                         "Contact/Condition=rigid",
+                                         "Contact/Gap=0.3",
+                                         "Time/Tolerance=1e-6",
+                                         "Time/End time=0.4"});
+    const auto          row    = std::find_if(result.rows.begin(),
+                                  result.rows.end(),
+                                  [](const StepRecord &r) {
+                                    return r.displacement_end == 0.3;
+                                  });
+    const ContactEvent &event  = result.events.front();
+    deallog << "pushed to an obstacle: contact at "
+            << within(std::abs(row->time - 0.2 * std::log(2.5)), 1e-5)
+            << " with velocity " << within(std::abs(event.velocity - 1.), 1e-4)
+            << ", behind it velocity "
+            << within(std::abs(row->velocity_end), 1e-10) << ", force "
+            << within(std::abs(row->contact_force - 0.2), 1e-10) << std::endl;
+  }
+
+
+
+  void
   check_velocities_behind_events()
   {
     const RecordedRun result = run<1>("examples/thermal-switch.prm",
@@ -149,4 +182,5 @@ main_obstacle_kinks()
   check_peak("1e-3", 5.609, "1e4");
   check_peak("1e-4", 11.694, "1e4");
   check_velocities_behind_events();
+  check_touch();
 }

@@ -56,6 +56,9 @@ namespace ThermoContact
     /** Of a ratio of times that is to be whole: 4 u. */
     inline constexpr double rounding_of_ratio = 4e-16;
 
+    /** Growth of terms in a sum: four of its sixteen digits may go. */
+    inline constexpr double tolerated_cancellation = 1e4;
+
     // ---- times
 
     /** Times this close are one: sums of a thousand steps. */

@@ -50,9 +50,14 @@ namespace ThermoContact
   class ContactLaw : public InterfaceLaw
   {
   public:
+    /** @param damping $c\ge0$ of the factor $[1+cv]_+$, doc/model.md (M4.2) */
+    explicit ContactLaw(const double damping = 0.)
+      : damping_(damping)
+    {}
+
     /** The obstacle with its numbers, for the screen. */
-    virtual std::string
-    description() const = 0;
+    std::string
+    description() const;
 
     /** False if there is no obstacle. */
     virtual bool
@@ -69,18 +74,31 @@ namespace ThermoContact
     }
 
     /**
+     * $c$. Where it is positive, all else here is the elastic law at $v=0$, its
+     * resolvent, too.
+     */
+    double
+    damping() const
+    {
+      return damping_;
+    }
+
+    /** True if the pressure is proportional to the penetration. */
+    bool
+    is_linear() const
+    {
+      return damping_ == 0. && has_constant_tangent();
+    }
+
+    // Without other words they are those of an obstacle that stores no energy:
+    // a rigid one, or none.
+
+    /**
      * Pressure that a penetration causes. 0 for negative ones and where the law
      * does not say, as for a rigid obstacle.
      */
     virtual double
-    pressure(const double penetration) const = 0;
-
-    /**
-     * $c\ge0$ of the factor $[1+cv]_+$ of the pressure, doc/model.md (M4.2).
-     * Where it is positive, all else here is the elastic law at $v=0$.
-     */
-    virtual double
-    damping() const
+    pressure(const double /*penetration*/) const
     {
       return 0.;
     }
@@ -91,20 +109,19 @@ namespace ThermoContact
 
     /** $s(p)$; odd, for the pressures of either sign of a held contact. */
     virtual double
-    penetration(const double pressure) const = 0;
+    penetration(const double /*pressure*/) const
+    {
+      return 0.;
+    }
 
     /**
      * $ds/dp\ge0$; finite, but for $p=0$ where contact begins without
      * stiffness.
      */
     virtual double
-    tangent(const double pressure) const = 0;
-
-    /** True if the tangent is the same for all pressures. */
-    virtual bool
-    is_linear() const
+    tangent(const double /*pressure*/) const
     {
-      return true;
+      return 0.;
     }
 
     /**
@@ -112,11 +129,17 @@ namespace ThermoContact
      * pressure.
      */
     virtual double
-    energy(const double pressure) const = 0;
+    energy(const double /*pressure*/) const
+    {
+      return 0.;
+    }
 
     /** The penetration at which the obstacle stores an energy per area. */
     virtual double
-    penetration_of_energy(const double energy) const = 0;
+    penetration_of_energy(const double /*energy*/) const
+    {
+      return 0.;
+    }
 
     /**
      * Mean pressure on the way between two penetrations,
@@ -144,7 +167,24 @@ namespace ThermoContact
   protected:
     /** mean_pressure() between two positive penetrations. */
     virtual double
-    mean_in_contact(const double s_0, const double s_1) const = 0;
+    mean_in_contact(const double /*s_0*/, const double /*s_1*/) const
+    {
+      return 0.;
+    }
+
+    /** True if the tangent is the same for all pressures. */
+    virtual bool
+    has_constant_tangent() const
+    {
+      return true;
+    }
+
+    /** The obstacle without damping, with its numbers. */
+    virtual std::string
+    undamped_description() const = 0;
+
+  private:
+    const double damping_;
   };
 
 
@@ -207,11 +247,7 @@ namespace ThermoContact
   ContactLawParameters
   default_law_parameters();
 
-  /** The law with the factor of (M4.2); itself without damping. */
-  std::unique_ptr<const ContactLaw>
-  with_damping(std::unique_ptr<const ContactLaw> elastic, const double damping);
-
-  // entries of several laws: $\varepsilon>0$, and $c\ge0$ of with_damping()
+  // entries of several laws: $\varepsilon>0$ and $c\ge0$
   ContactLawEntry
   compliance_entry();
 

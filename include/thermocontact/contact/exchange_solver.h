@@ -33,32 +33,22 @@ namespace ThermoContact
    * halved while the largest relative difference to the law does not fall;
    * where it stalls one sweep in which each node meets its law alone, and
    * again.
+   *
+   * @param response matrices $W$ and $H$ positive definite, but for positive
+   *   scalings of their columns
+   * @param laws of the nodes
+   * @param end in: pressures and coefficients nearby, from which the search
+   *   starts; out: the solution
+   * @return number of linear systems of contact for the coefficients of the
+   *   solution; 0 if all nodes are open
+   * @throw ComputationError if no solution is found, or if $k$ is negative or
+   *   not finite
    */
-  class ExchangeSolver
-  {
-  public:
-    /** @param exchange borrowed */
-    explicit ExchangeSolver(const HeatExchange &exchange);
-
-    /**
-     * @param response matrices $W$ and $H$ positive definite, but for positive
-     *   scalings of their columns
-     * @param laws of the nodes
-     * @param end in: pressures and coefficients nearby, from which the search
-     *   starts; out: the solution
-     * @return number of linear systems of contact for the coefficients of the
-     *   solution; 0 if all nodes are open
-     * @throw ComputationError if no solution is found, or if $k$ is negative or
-     *   not finite
-     */
-    unsigned int
-    solve(const EndResponse          &response,
-          const std::vector<NodeLaw> &laws,
-          EndExchange                &end) const;
-
-  private:
-    const HeatExchange &exchange;
-  };
+  unsigned int
+  solve_contact_and_exchange(const HeatExchange         &exchange,
+                             const EndResponse          &response,
+                             const std::vector<NodeLaw> &laws,
+                             EndExchange                &end);
 
 
 
@@ -79,8 +69,9 @@ namespace ThermoContact
 
 
   /**
-   * ExchangeSolver for such a body: Newton's method with the secants of the
-   * last steps in place of derivatives (Anderson 1965), halved alike.
+   * solve_contact_and_exchange() for such a body: Newton's method with the
+   * secants of the last steps in place of derivatives (Anderson 1965), halved
+   * alike.
    *
    * @param tolerance of the coefficients, relative
    * @param coefficient in: nearby; out: those of the last law_at()

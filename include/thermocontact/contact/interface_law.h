@@ -81,26 +81,6 @@ namespace ThermoContact
 
 
   /**
-   * A law that cannot open: its odd continuation, so that the node may be
-   * pulled. The law is borrowed.
-   */
-  class Held : public InterfaceLaw
-  {
-  public:
-    explicit Held(const InterfaceLaw &law)
-      : law(law)
-    {}
-
-    NodalPressure
-    resolve(const double z, const double r) const override;
-
-  private:
-    const InterfaceLaw &law;
-  };
-
-
-
-  /**
    * One law in front of the node, and one behind it that pushes back with
    * negative pressures: $G(x)=G_f(x-x_f)-G_r(-x-x_r)$. Both are borrowed, open
    * for negative arguments, and never closed at the same x.
@@ -253,7 +233,7 @@ namespace ThermoContact
 
     double front_rate = 0.; ///< $g'$; the obstacle behind the node rests
 
-    bool is_held = false; ///< at the local one
+    bool is_held = false; ///< at the local one: the odd continuation of its law
 
     /**
      * x is a velocity, relative to the local obstacle, and the position

@@ -62,8 +62,7 @@ namespace ThermoContact
       double              miss = 0.; ///< largest defect relative to its terms
     };
 
-    Iterate             present, trial;
-    std::vector<double> direction;
+    Iterate present, trial;
 
     static void
     evaluate(const dealii::FullMatrix<double> &receptance,

@@ -251,7 +251,14 @@ namespace ThermoContact
       return law->is_active() && order == NodeOrder::quasi_static;
     }
 
-    /** A node that meets the obstacle loses its velocity at once. */
+    /** A node that meets the obstacle is stopped at once. */
+    bool
+    stops_nodes() const
+    {
+      return law->is_rigid() && !is_in_equilibrium();
+    }
+
+    /** That takes an impulse. */
     bool
     has_impacts() const
     {

@@ -20,10 +20,9 @@ namespace ThermoContact
   {
     enum Kind
     {
-      accept,         ///< contact is what was supposed
-      to_time,        ///< contact changes within: take it again to @p time
-      in_other_state, ///< contact changes at its start: take it again
-      with_law        ///< take it again, with the law in every stage
+      accept,  ///< contact is what was supposed
+      to_time, ///< contact changes within: take it again to @p time
+      again    ///< take it again, in the mode that the tracker has now
     };
 
     Kind   kind = accept;

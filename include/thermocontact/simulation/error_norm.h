@@ -46,12 +46,12 @@ namespace ThermoContact
                const EnergyTerms &energy,
                const double       rigid_displacement);
 
-    /** Largest elastic or kinetic energy so far, or of the first attempt. */
+    /**
+     * Largest elastic or kinetic energy so far, or of the first attempt, and of
+     * a state with this one.
+     */
     double
-    mechanical_energy() const
-    {
-      return max_mechanical == 0. ? first_mechanical : max_mechanical;
-    }
+    mechanical_energy(const EnergyTerms &energy) const;
 
     /** What changes during a run, for checkpoints. */
     template <class Archive>

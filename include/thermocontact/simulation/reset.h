@@ -50,14 +50,6 @@ namespace ThermoContact
     complete(State &state);
 
     /**
-     * True if a body or its contact nodes answer a discontinuity of the loads
-     * by motion: without inertia and viscosity they go to another place, a body
-     * without inertia gets another velocity.
-     */
-    bool
-    moves_at_once() const;
-
-    /**
      * The state behind a discontinuity of the loads at the end of a step,
      * doc/contact-in-time.md section 4: the fixed end takes its new
      * temperature, with the heat for that, (C4.5); what is static goes to its
@@ -72,13 +64,14 @@ namespace ThermoContact
      *   a pressure in (D5.2), where all nodes stay where they are; not used for
      *   (C4.4), which finds its contact
      * @param at the end of the step, with the times of the old and new loads
-     * @param result in: a step that is accepted; out: with the state behind the
+     * @param result in: a step that is accepted, whose state has the new loads
+     *   already; out: with the state behind the
      *   discontinuity, at the same time, and its energy; work and numerical
      *   dissipation are added to, and all else, closed_nodes too, is still that
      *   of the step
-     * @return false if fixed end and loads of the momentum equation are
-     *   continuous there, as at a time that is only listed, or move nothing;
-     *   then nothing is changed
+     * @return true if the body or its contact nodes have answered by motion.
+     *   Nothing is changed if fixed end and loads of the momentum equation are
+     *   continuous there, as at a time that is only listed, or move nothing
      * @throw ComputationError if the new equilibrium is not found
      */
     bool
@@ -93,7 +86,7 @@ namespace ThermoContact
      * that the velocity jumps to the nearest one, in the norm of the kinetic
      * energy, with which all of them stay there (C4.1), those too that moved
      * away: contact changes at all nodes together. Nodes without mass need no
-     * impulse.
+     * impulse; a body without inertia has the velocity and pressures of (D5.2).
      *
      * @param result state and energy become those behind it; impulse, work of
      *   an obstacle that moves and numerical dissipation are added to
@@ -176,6 +169,14 @@ namespace ThermoContact
     mutable std::vector<NodeLaw> node_laws;
     mutable std::vector<double>  node_positions;
 
+    /**
+     * True if a body or its contact nodes answer a discontinuity of the loads
+     * by motion: without inertia and viscosity they go to another place, a body
+     * without inertia gets another velocity.
+     */
+    bool
+    moves_at_once() const;
+
     /** $M$, made when it is needed. */
     const HeatSystem<dim> &
     provide_heat_mass();
@@ -184,9 +185,22 @@ namespace ThermoContact
     NodeEquilibrium<dim> &
     provide_adiabatic_nodes();
 
-    /** The loads that act on a state. */
+    /** The loads at a time. */
     Vector
-    momentum_load(const State &state) const;
+    momentum_load(const double time) const;
+
+    /**
+     * Work of the loads and forces of the obstacle on a motion at once: what
+     * @p move does to the displacement.
+     */
+    template <class Motion>
+    double
+    work_of(State &state, const Motion &move) const;
+
+    /** Of the contact nodes, to their local obstacles. */
+    std::vector<double>
+    relative_velocities(const State                &state,
+                        const std::vector<NodeLaw> &laws) const;
 
     /** Forces on a body by these loads, with constrained rows zero. */
     Vector

@@ -50,6 +50,10 @@ namespace ThermoContact
     /** What the user should know although the run goes on. */
     std::vector<std::string> warnings;
 
+    /** Adds a warning that is not empty and not there yet. */
+    void
+    warn(const std::string &warning);
+
     /**
      * Takes the quantities of the present state into the largest so far.
      *

@@ -213,7 +213,7 @@ namespace ThermoContact
     SpatialErrorMonitor                   spatial_error_monitor;
     State                                 state_;
     RunHistory                            history_;
-    StepResult                            result; ///< of the present attempt
+    StepResult                            result; ///< of the last attempt
     bool                                  is_restored = false;
 
     /** The last discontinuity of inputs that the state has passed. */
@@ -230,20 +230,18 @@ namespace ThermoContact
      *   try
      */
     bool
-    attempt(const TimeStep &time_step, StepResult &result);
+    attempt(const TimeStep &time_step);
 
     /** The result of a successful attempt becomes the state. */
     void
-    accept(const TimeStep &time_step, StepResult &result);
+    accept(const TimeStep &time_step);
 
     /** True if the step that is due is the first one of the paper. */
     bool
     is_prescribed_step() const;
 
     void
-    compute_step(const TimeStep   &time_step,
-                 const ContactMode mode,
-                 StepResult       &result);
+    compute_step(const TimeStep &time_step);
 
     /**
      * The error of a step relative to the tolerance. Impacts of nodes on a
@@ -251,7 +249,7 @@ namespace ThermoContact
      * temperature and displacement alone are judged.
      */
     double
-    relative_error(const StepResult &result);
+    relative_error();
 
     /**
      * Computes a step and judges it; prepares the next attempt if it is not to
@@ -261,7 +259,7 @@ namespace ThermoContact
      * @return empty if it is; else why not, as steps.csv has it
      */
     std::string
-    judge(const TimeStep &time_step, StepResult &result, double &error);
+    judge(const TimeStep &time_step, double &error);
 
     /**
      * A step that is to be accepted is finished: with what events and
@@ -271,7 +269,7 @@ namespace ThermoContact
      * @throw ComputationError naming step and time if that cannot be found
      */
     const LoadBreak *
-    commit(const TimeStep &time_step, StepResult &result);
+    commit(const TimeStep &time_step);
 
     /** $g'$ at the first contact node; NaN where it may have a jump. */
     double
@@ -279,16 +277,25 @@ namespace ThermoContact
 
     /**
      * The state behind a discontinuity of inputs at the end of a step that is
-     * accepted; its failure stands in @p result.
+     * accepted; its failure stands in the result.
      *
      * @return the discontinuity, or nullptr
      */
     const LoadBreak *
-    pass_break(StepResult &result);
+    pass_break();
 
     /**
-     * The same in the state that was restored, if the run that was saved did
-     * not see the discontinuity there, since it was to end there.
+     * The same in the present state, whose energy is @p energy; the result has
+     * what it costs.
+     *
+     * @throw ComputationError that says where
+     */
+    const LoadBreak *
+    pass_present_break(const EnergyTerms &energy);
+
+    /**
+     * Passes a discontinuity in the state that was restored, which the run that
+     * was saved did not see, since it was to end there.
      *
      * @throw ComputationError that says where
      */
@@ -313,15 +320,7 @@ namespace ThermoContact
      */
     template <class Action>
     void
-    together(StepResult &result, const Action &action) const;
-
-    /**
-     * The step failed: the next attempt is smaller.
-     *
-     * @throw ComputationError as give_up() if steps are fixed
-     */
-    void
-    retry_smaller(const TimeStep &time_step, const std::string &failure);
+    together(const Action &action);
 
     /** @throw ComputationError that says where and why the run ends. */
     [[noreturn]] void

@@ -177,6 +177,10 @@ namespace ThermoContact
   is_largest_force_of_mesh(const Scene                     &scene,
                            const std::vector<ContactEvent> &events);
 
+  /** What to do about it; empty: nothing, also at a rigid obstacle. */
+  std::string
+  warning_of_largest_force(const Scene                     &scene,
+                           const std::vector<ContactEvent> &events);
 } // namespace ThermoContact
 
 #endif

@@ -37,7 +37,6 @@ namespace ThermoContact
     /** Through the stages, (D3.1), (D3.2), with the estimate (D3.3). */
     void
     step(const State      &state,
-         const double      old_energy,
          const TimeStep   &time_step,
          const ContactMode mode,
          StepResult       &result) override;
@@ -53,12 +52,6 @@ namespace ThermoContact
       return *solver;
     }
 
-    const StageSolver &
-    stage_solver() const override
-    {
-      return *solver;
-    }
-
   private:
     Body<dim>            &body;
     const ButcherTableau &of_scheme;
@@ -69,10 +62,8 @@ namespace ThermoContact
     const ButcherTableau              *tableau; ///< of the present step
     const std::unique_ptr<StageSolver> solver;
 
-    /** Of a fixed end that is heated or moved; else null. */
-    const std::unique_ptr<DrivenStep<dim>> driven;
-
-    PrescribedMotion gaps; ///< of an obstacle that moves
+    DrivenStep<dim>  driven; ///< of a fixed end that is heated or moved
+    PrescribedMotion gaps;   ///< of an obstacle that moves
 
     std::vector<StageRates> stages;
     std::vector<Vector>     accelerations; ///< $v'$ of a stage
@@ -187,10 +178,6 @@ namespace ThermoContact
     /** The known values go to the end of stage @p i. */
     void
     advance(const unsigned int i, const double tau);
-
-    /** Work of what drives the fixed end in stage @p i. */
-    double
-    work_at_end(const unsigned int i) const;
 
     /** The temperature rate of the paper's first step. */
     void

@@ -10,42 +10,42 @@
 namespace ThermoContact
 {
   /**
-   * A step of a body whose fixed end is heated or moved: the equations and
+   * A step of a body whose fixed end may be heated or moved: the equations and
    * rates of its stages with the motion of the end, doc/discretisation.md
-   * (D6.1).
+   * (D6.1). Where the end rests all of it does nothing.
    */
   template <int dim>
   class DrivenStep
   {
   public:
-    /** @param body borrowed, with a driven end */
+    /** @param body borrowed */
     explicit DrivenStep(const Body<dim> &body);
+
+    bool
+    is_active() const
+    {
+      return body.driven_end.is_active();
+    }
 
     /** Begins a step by @p size from @p state. */
     void
     start(const State &state, const double size, const StageTimes &stages);
 
+    /** Loads of a stage, of heat and momentum. */
+    struct StageLoads
+    {
+      const Vector &heat;
+      const Vector &momentum;
+    };
+
     /**
      * Puts the motion of a stage into its known values and into copies of the
-     * loads: heat_load(), momentum_load().
+     * loads.
+     *
+     * @return the copies, or the loads themselves
      */
-    void
-    constrain(const unsigned int stage,
-              const Vector      &heat_load,
-              const Vector      &momentum_load,
-              State             &known);
-
-    const Vector &
-    heat_load() const
-    {
-      return heat_load_;
-    }
-
-    const Vector &
-    momentum_load() const
-    {
-      return momentum_load_;
-    }
+    StageLoads
+    constrain(const unsigned int stage, const StageLoads &loads, State &known);
 
     /** Gives a stage that has been solved the rates of its end. */
     void
@@ -53,10 +53,25 @@ namespace ThermoContact
              StageRates        &rates,
              Vector            &acceleration) const;
 
+    /** What drives the end in a stage that ends in @p state does this work. */
+    double
+    power(const State      &state,
+          const Vector     &temperature_rate,
+          const Vector     &acceleration,
+          const StageLoads &loads) const
+    {
+      return is_active() ? body.driven_end.power(state,
+                                                 temperature_rate,
+                                                 acceleration,
+                                                 loads.heat,
+                                                 loads.momentum) :
+                           0.;
+    }
+
   private:
     const Body<dim> &body;
-    Vector           heat_load_;
-    Vector           momentum_load_;
+    Vector           heat_load;
+    Vector           momentum_load;
     PrescribedMotion temperature, displacement; ///< of the end
   };
 } // namespace ThermoContact

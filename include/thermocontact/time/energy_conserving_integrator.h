@@ -5,6 +5,7 @@
 
 #include <thermocontact/contact/conserving_contact.h>
 #include <thermocontact/time/driven_step.h>
+#include <thermocontact/time/monolithic_solver.h>
 #include <thermocontact/time/node_equilibrium.h>
 #include <thermocontact/time/time_integrator.h>
 
@@ -34,7 +35,6 @@ namespace ThermoContact
 
     void
     step(const State      &state,
-         const double      old_energy,
          const TimeStep   &time_step,
          const ContactMode mode,
          StepResult       &result) override;
@@ -42,22 +42,14 @@ namespace ThermoContact
     StageSolver &
     stage_solver() override
     {
-      return *solver;
-    }
-
-    const StageSolver &
-    stage_solver() const override
-    {
-      return *solver;
+      return solver;
     }
 
   private:
-    Body<dim>                             &body;
-    const std::unique_ptr<OpenStageSolver> solver;
+    Body<dim>            &body;
+    MonolithicSolver<dim> solver;
 
-    /** Of a fixed end that is heated; else null. */
-    const std::unique_ptr<DrivenStep<dim>> driven;
-
+    DrivenStep<dim> driven; ///< of a fixed end that is heated
 
     StageRates         rates;
     State              midpoint;
@@ -99,10 +91,6 @@ namespace ThermoContact
     /** The stage to the middle of the step, with a driven end. */
     void
     solve_without_contact(const State &state, const TimeStep &time_step);
-
-    /** Power of what drives the fixed end in the middle of the step. */
-    double
-    work_at_end() const;
 
     /** Work of loads and of heat that drives the body, (D4.4). */
     double

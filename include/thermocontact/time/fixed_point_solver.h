@@ -48,15 +48,6 @@ namespace ThermoContact
     void
     restore(const RetainedFactorizations &retained) override;
 
-    /**
-     * The contraction factor (D7.2) of the contact part at stage length
-     * @p tau: $\chi/\varepsilon$ with $\chi$ the largest eigenvalue of the
-     * response of the momentum matrix to contact pressures; 0 without an
-     * obstacle.
-     */
-    double
-    contraction_factor(const double tau);
-
   private:
     const Body<dim>   &body;
     const double       tolerance;
@@ -81,6 +72,15 @@ namespace ThermoContact
     /** Pressure of the compliance law (M1.4) at the end of the stage. */
     void
     update_pressure(const double tau, StageRates &rates);
+
+    /**
+     * The contraction factor (D7.2) of the contact part at stage length
+     * @p tau: $\chi/\varepsilon$ with $\chi$ the largest eigenvalue of the
+     * response of the momentum matrix to contact pressures; 0 without an
+     * obstacle.
+     */
+    double
+    contraction_factor(const double tau);
 
     std::string
     describe_failure(const double       tau,

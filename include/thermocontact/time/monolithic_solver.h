@@ -33,7 +33,7 @@ namespace ThermoContact
    * is first needed.
    */
   template <int dim>
-  class MonolithicSolver : public OpenStageSolver
+  class MonolithicSolver : public StageSolver
   {
   public:
     /** @param body borrowed */
@@ -64,24 +64,32 @@ namespace ThermoContact
     void
     restore(const RetainedFactorizations &retained) override;
 
+    /**
+     * The rates of a stage for zero pressures, on which they depend linearly:
+     * to be followed by apply_pressure(). Parameters as for solve().
+     */
     void
     solve_without_contact(const State  &known,
                           const double  tau,
                           const Vector &heat_load,
                           const Vector &momentum_load,
-                          StageRates   &rates) override;
+                          StageRates   &rates);
 
+    /** $W$ of (C2.1) for the stage that was solved last. */
     const FullMatrix<double> &
-    response() override;
+    response();
 
+    /**
+     * Adds the response to @p rates.pressure to the rates of the stage that was
+     * solved last without contact.
+     */
     void
-    apply_pressure(StageRates &rates) const override;
+    apply_pressure(StageRates &rates) const;
 
   private:
-    const Body<dim>     &body;
-    const HeatExchange  &exchange;
-    const ExchangeSolver exchange_solver;
-    InterfaceProblem     problem;
+    const Body<dim>    &body;
+    const HeatExchange &exchange;
+    InterfaceProblem    problem;
 
     /** Rates per unit pressure, or heat flux, with the sign reversed. */
     struct UnitResponse

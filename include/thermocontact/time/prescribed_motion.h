@@ -6,6 +6,7 @@
 #include <thermocontact/input/time_function.h>
 #include <thermocontact/space/driven_end.h>
 
+#include <functional>
 #include <vector>
 
 namespace ThermoContact
@@ -36,13 +37,14 @@ namespace ThermoContact
      * Begins a step.
      *
      * @param old_values at its beginning
-     * @param functions of each stage: those of each scalar
+     * @param functions_at of each scalar at a time
      */
     void
-    start(const StageTimes                                &stages,
-          const double                                     size,
-          const std::vector<double>                       &old_values,
-          const std::vector<std::vector<TimeDerivatives>> &functions);
+    start(
+      const StageTimes                                          &stages,
+      const double                                               size,
+      const std::vector<double>                                 &old_values,
+      const std::function<std::vector<TimeDerivatives>(double)> &functions_at);
 
     /**
      * Shifts second derivatives likewise, such that they lead from rates at the

@@ -211,38 +211,6 @@ namespace ThermoContact
     SolverCounters           counters_;
     std::vector<std::string> warnings;
   };
-
-
-
-  /**
-   * A stage solver that also solves a stage with contact left open, whose rates
-   * depend linearly on the pressures that are applied afterwards.
-   */
-  class OpenStageSolver : public StageSolver
-  {
-  public:
-    /**
-     * The rates of a stage for zero pressures, to be followed by
-     * apply_pressure(); parameters as for solve().
-     */
-    virtual void
-    solve_without_contact(const State  &known,
-                          const double  tau,
-                          const Vector &heat_load,
-                          const Vector &momentum_load,
-                          StageRates   &rates) = 0;
-
-    /** $W$ of (C2.1) for the stage that was solved last. */
-    virtual const FullMatrix<double> &
-    response() = 0;
-
-    /**
-     * Adds the response to @p rates.pressure to the rates of the stage that was
-     * solved last without contact.
-     */
-    virtual void
-    apply_pressure(StageRates &rates) const = 0;
-  };
 } // namespace ThermoContact
 
 #endif

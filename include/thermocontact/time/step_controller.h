@@ -175,15 +175,11 @@ namespace ThermoContact
     retry_smaller(const TimeStep &step);
 
     /**
-     * Contact has begun or ended: what follows is faster than what the size
-     * was chosen for.
+     * Contact has changed or a load has jumped: what follows may be faster than
+     * what the size was chosen for, which becomes smaller by @p factor.
      */
     void
-    restart(const bool contact_begins);
-
-    /** A load has jumped: what follows may be faster than what was before. */
-    void
-    restart_after_jump();
+    restart(const double factor);
 
     /**
      * True if there is nothing left to try after @p step, which was not

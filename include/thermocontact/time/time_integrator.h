@@ -39,6 +39,14 @@ namespace ThermoContact
 
     std::string failure; ///< empty: the step is solved
 
+    /** The numerical dissipation becomes what the balance of the rest lacks. */
+    void
+    close_balance()
+    {
+      numerical_dissipation = old_energy - energy.sum() + work - dissipation -
+                              contact_dissipation + algebraic;
+    }
+
     /**
      * All ranks take work, dissipations, $A$ and impulse of rank 0, as energies
      * are, and the failure of any, so that they decide alike. Collective.
@@ -63,17 +71,15 @@ namespace ThermoContact
     /**
      * One step with all equations solved.
      *
-     * @param old_energy $\hat E$ of @p state
      * @param mode unilateral: the contact law; open, closed: the state of
      *   contact is held, which makes the step a smooth function of its size
-     * @param result out; its error is set if the scheme has an estimate; reuses
-     *   the memory of an earlier result; if a stage did not converge only its
-     *   failure has a meaning
+     * @param result in: old_energy; out: all else; its error is set if the
+     *   scheme has an estimate; reuses the memory of an earlier result; if a
+     *   stage did not converge only its failure has a meaning
      * @throw ComputationError as StageSolver::solve() does
      */
     virtual void
     step(const State      &state,
-         const double      old_energy,
          const TimeStep   &time_step,
          const ContactMode mode,
          StepResult       &result) = 0;
@@ -97,9 +103,6 @@ namespace ThermoContact
     /** The solver of its stages. */
     virtual StageSolver &
     stage_solver() = 0;
-
-    virtual const StageSolver &
-    stage_solver() const = 0;
 
     /** What was spent beside the stage solver. */
     const SolverCounters &
