@@ -17,6 +17,7 @@
 // 4. The stage matrix times rates is what the blocks give, and rows of the
 //    fixed end are those of the identity.
 
+#include <thermocontact/space/assembled_space.h>
 #include <thermocontact/space/discretization.h>
 #include <thermocontact/space/h1_projection.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
@@ -190,8 +191,11 @@ namespace
   {
     const Parameters                      parameters = make_parameters<dim>(2);
     const Scene                           scene(parameters);
-    const Discretization<dim>             space(scene, MPI_COMM_SELF);
-    const ThermoviscoelasticOperator<dim> op(scene, space);
+    const AssembledSpace<dim>             assembled(scene, MPI_COMM_SELF);
+    const Discretization<dim>            &space = assembled.discretization;
+    const ThermoviscoelasticOperator<dim> op(scene,
+                                             space,
+                                             assembled.matrices.get());
     const auto interpolate = [&](const Fields<dim> &fields) {
       State state  = space.make_state();
       auto  system = space.make_system_vector();
@@ -254,8 +258,11 @@ namespace
   {
     const Parameters                      parameters = make_parameters<dim>(2);
     const Scene                           scene(parameters);
-    const Discretization<dim>             space(scene, MPI_COMM_SELF);
-    const ThermoviscoelasticOperator<dim> op(scene, space);
+    const AssembledSpace<dim>             assembled(scene, MPI_COMM_SELF);
+    const Discretization<dim>            &space = assembled.discretization;
+    const ThermoviscoelasticOperator<dim> op(scene,
+                                             space,
+                                             assembled.matrices.get());
     const double                          tau = 0.3;
     const ModelParameters                &m   = parameters.model;
 
