@@ -167,7 +167,10 @@ namespace ThermoContact
       {
         heat_scratch = state.temperature;
         heat_scratch -= steady_profile_;
-        rate += exchange_dissipation(state, heat_scratch);
+        rate += mean_of_end(heat_scratch,
+                            [&](const unsigned int i, const double value) {
+                              return state.exchange_coefficient[i] * value;
+                            });
       }
     return rate;
   }
@@ -188,29 +191,14 @@ namespace ThermoContact
 
 
   template <int dim>
+  template <typename Power>
   double
-  Energy<dim>::exchange_dissipation(const State  &state,
-                                    const Vector &excess) const
+  Energy<dim>::mean_of_end(const Vector &excess, const Power &power) const
   {
     const ContactEnd<dim> &end = discretization.contact_end();
     end.get_values(Field::temperature, excess, end_temperature);
     for (unsigned int i = 0; i < end_temperature.size(); ++i)
-      end_temperature[i] *= state.exchange_coefficient[i] * end_temperature[i];
-    return end.mean(end_temperature);
-  }
-
-
-
-  template <int dim>
-  double
-  Energy<dim>::exchange_work(const State &state, const Vector &excess) const
-  {
-    const ContactEnd<dim> &end = discretization.contact_end();
-    end.get_values(Field::temperature, excess, end_temperature);
-    for (unsigned int i = 0; i < end_temperature.size(); ++i)
-      end_temperature[i] *=
-        -heat.flux(state.exchange_coefficient[i] - heat.reference_coefficient,
-                   steady_end[i]);
+      end_temperature[i] *= power(i, end_temperature[i]);
     return end.mean(end_temperature);
   }
 
@@ -254,7 +242,13 @@ namespace ThermoContact
             rate += heat_scratch * heat_product;
           }
         if (!heat.exchange->is_constant())
-          rate += area * exchange_work(state, heat_scratch);
+          rate +=
+            area *
+            mean_of_end(heat_scratch, [&](const unsigned int i, const double) {
+              return -heat.flux(state.exchange_coefficient[i] -
+                                  heat.reference_coefficient,
+                                steady_end[i]);
+            });
       }
     return rate / area + work_of_motion(momentum_load, state, state.velocity);
   }

@@ -120,35 +120,19 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Loads<dim>::add_scalar(const FEValuesBase<dim> &values,
-                         const Function<dim>     &function)
+  Loads<dim>::add(const FEValuesBase<dim> &values,
+                  const Function<dim>     &function,
+                  const Field::Block       field)
   {
+    const unsigned int first = discretization.first_component(field);
     for (const unsigned int q : values.quadrature_point_indices())
-      {
-        const double f_JxW = function.value(values.quadrature_point(q)) *
-                             discretization.geometry().weight(values, q);
-        for (const unsigned int i : values.dof_indices())
-          cell_load(i) +=
-            f_JxW * values[discretization.temperature_extractor()].value(i, q);
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  Loads<dim>::add_vector(const FEValuesBase<dim> &values,
-                         const Function<dim>     &function)
-  {
-    for (const unsigned int q : values.quadrature_point_indices())
-      for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int c = 0; c < function.n_components; ++c)
         {
           const double f_JxW = function.value(values.quadrature_point(q), c) *
                                discretization.geometry().weight(values, q);
           for (const unsigned int i : values.dof_indices())
             cell_load(i) +=
-              f_JxW *
-              values[discretization.displacement_extractor()].value(i, q)[c];
+              f_JxW * values.shape_value_component(i, q, first + c);
         }
   }
 
@@ -162,7 +146,7 @@ namespace ThermoContact
                                [&](const auto &cell, const unsigned int f) {
                                  cell_load = 0.;
                                  face_values.reinit(cell, f);
-                                 add_scalar(face_values, flux);
+                                 add(face_values, flux, Field::temperature);
                                  cell_load *= factor;
                                  distribute(cell);
                                });
@@ -181,9 +165,9 @@ namespace ThermoContact
           cell_load = 0.;
           fe_values.reinit(cell);
           if (data.heat_source)
-            add_scalar(fe_values, *data.heat_source);
+            add(fe_values, *data.heat_source, Field::temperature);
           if (data.body_force)
-            add_vector(fe_values, *data.body_force);
+            add(fe_values, *data.body_force, Field::displacement);
           distribute(cell);
         }
   }

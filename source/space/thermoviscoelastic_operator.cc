@@ -221,19 +221,18 @@ namespace ThermoContact
       }
     if (!discretization.has_field(Field::displacement))
       return;
-    stiffness.vmult(momentum_scratch, known.displacement);
     momentum.equ(tau, momentum_load);
-    momentum.add(-tau, momentum_scratch);
+    stiffness.add(-tau, known.displacement, momentum, momentum_scratch);
     if (material.has_thermal_stress())
-      {
-        thermal_stress.vmult(momentum_scratch, known.temperature);
-        momentum.add(tau * material.thermal_stress, momentum_scratch);
-      }
+      thermal_stress.add(tau * material.thermal_stress,
+                         known.temperature,
+                         momentum,
+                         momentum_scratch);
     if (material.has_inertia())
-      {
-        momentum_mass.vmult(momentum_scratch, known.velocity);
-        momentum.add(material.inertia, momentum_scratch);
-      }
+      momentum_mass.add(material.inertia,
+                        known.velocity,
+                        momentum,
+                        momentum_scratch);
     zero_constrained(Field::displacement, momentum);
   }
 
@@ -295,19 +294,18 @@ namespace ThermoContact
     const Vector &momentum_load,
     Vector       &residual) const
   {
-    const auto add =
-      [&](const double factor, const LinearMap &matrix, const Vector &x) {
-        matrix.vmult(momentum_scratch, x);
-        residual.add(factor, momentum_scratch);
-      };
-    residual = momentum_load;
-    add(-1., stiffness, state.displacement);
+    Vector &product = momentum_scratch;
+    residual        = momentum_load;
+    stiffness.add(-1., state.displacement, residual, product);
     if (material.has_thermal_stress())
-      add(material.thermal_stress, thermal_stress, state.temperature);
+      thermal_stress.add(material.thermal_stress,
+                         state.temperature,
+                         residual,
+                         product);
     if (velocity != nullptr && material.has_viscosity())
-      add(-material.viscosity, viscous_stiffness, *velocity);
+      viscous_stiffness.add(-material.viscosity, *velocity, residual, product);
     if (acceleration != nullptr && material.has_inertia())
-      add(-material.inertia, momentum_mass, *acceleration);
+      momentum_mass.add(-material.inertia, *acceleration, residual, product);
   }
 
 
@@ -321,33 +319,24 @@ namespace ThermoContact
     Vector       &heat,
     Vector       &momentum) const
   {
-    const auto subtract = [](const double     factor,
-                             const LinearMap &matrix,
-                             const Vector    &x,
-                             Vector          &product,
-                             Vector          &rows) {
-      matrix.vmult(product, x);
-      rows.add(-factor, product);
-    };
     if (discretization.has_field(Field::temperature))
       {
-        subtract(1., heat_mass, temperature_rate, heat_scratch, heat);
-        subtract(tau, conduction, temperature_rate, heat_scratch, heat);
+        heat_mass.add(-1., temperature_rate, heat, heat_scratch);
+        conduction.add(-tau, temperature_rate, heat, heat_scratch);
         subtract_heating(velocity, heat);
         zero_constrained(Field::temperature, heat);
       }
     if (!discretization.has_field(Field::displacement))
       return;
-    Vector &scratch = momentum_scratch;
-    subtract(tau * tau, stiffness, velocity, scratch, momentum);
+    Vector &product = momentum_scratch;
+    stiffness.add(-tau * tau, velocity, momentum, product);
     if (material.has_viscosity())
-      subtract(tau * material.viscosity,
-               viscous_stiffness,
-               velocity,
-               scratch,
-               momentum);
+      viscous_stiffness.add(-tau * material.viscosity,
+                            velocity,
+                            momentum,
+                            product);
     if (material.has_inertia())
-      subtract(material.inertia, momentum_mass, velocity, scratch, momentum);
+      momentum_mass.add(-material.inertia, velocity, momentum, product);
     if (discretization.has_field(Field::temperature))
       add_thermal_stress(temperature_rate, tau * tau, momentum);
     zero_constrained(Field::displacement, momentum);
@@ -362,8 +351,7 @@ namespace ThermoContact
   {
     if (!material.has_heating())
       return;
-    divergence.vmult(heat_scratch, velocity);
-    heat.add(-material.heating, heat_scratch);
+    divergence.add(-material.heating, velocity, heat, heat_scratch);
     zero_constrained(Field::temperature, heat);
   }
 
@@ -377,8 +365,10 @@ namespace ThermoContact
   {
     if (!material.has_thermal_stress())
       return;
-    thermal_stress.vmult(momentum_scratch, temperature);
-    momentum.add(factor * material.thermal_stress, momentum_scratch);
+    thermal_stress.add(factor * material.thermal_stress,
+                       temperature,
+                       momentum,
+                       momentum_scratch);
     zero_constrained(Field::displacement, momentum);
   }
 

@@ -36,6 +36,12 @@ def draw(seed):
         s["Output/Space-time interval"] = "0.25"
     if dim > 1 and seed % 2 == 0 and s.get("Contact/Condition", "none") != "none":
         s["Contact/Rear gap"] = "0.01"
+    if dim == 1 and "Contact/Rear gap" in s:
+        if "Model/Coupling" in s:
+            s |= {"Model/Coupling": "0.001", "Boundary/Heat exchange": "3/(1+20*gap)",
+                  "Boundary/Obstacle temperature": "4"}
+        if seed % 4 in (0, 3) and s["Model/Inertia"] != "0":
+            s["Initial values/Velocity"] = "-x"
     if dim == 1 and seed % 5 == 0:  # few: probes in the middle are no points of snapshots then
         s["Mesh/Grading"] = "4"
     return s
@@ -49,6 +55,8 @@ def draw_heat(r, s):
         s["Boundary/Obstacle temperature"] = r.choice(["0", "4", "1.23456789012+2*t"])
     if r.random() < 0.3:
         s |= {"Boundary/Lateral heat exchange": "2", "Boundary/Ambient temperature": "-3"}
+        if "t" in s["Boundary/Fixed end temperature"] and "Time/Scheme" in s:
+            s["Time/Scheme"] = "backward euler"
     if r.random() < 0.2:
         s["Sources/Heat source"] = "20*x*t"
     if r.random() < 0.2:
@@ -85,6 +93,6 @@ def draw_motion(r, s, heat):
     if not heat and s["Model/Inertia"] != "0" and s.get("Time/Scheme", "").startswith(
             "sdirk") and s["Contact/Condition"] in ("normal compliance", "rigid") and not {
                 "Contact/Damping", "Boundary/Fixed end displacement"} & set(s):
-        s["Time/Scheme"] = "energy conserving"
+        s |= {"Time/Scheme": "energy conserving", "Initial values/Velocity": "x"}
     if s["Dimension"] != "1" and s.get("Contact/Gap") == "0.1" and "Contact/Rear gap" not in s:
         s["Contact/Gap"] = "0.05+0.5*(y-0.03)^2"

@@ -32,6 +32,8 @@
 //    momentum does not count: 1e-4 is too much.
 //    Rigid: nodes that touch at t = 0 with 0.2, stop, and are let go at once
 //    begin contact with 0.2 and end it with 0 there.
+//    Two stops, the rear one at -0.15, t = 1 + x: u = x - 1.6 x^2 meets the front at
+//    1/8 and the rear at 3/4, its mirror image the rear first, at (1 - 0.2)/3.2 = 1/4.
 //    Nodes in contact at one time: those with pressure, and those nearer to the
 //    obstacle than 1e-5 of the largest displacement 0.1, as above: 0.9e-6 but
 //    not 1.1e-6; 1e-17 is rounding.
@@ -150,17 +152,19 @@ namespace
   values(const double               time,
          const std::vector<double> &displacement,
          const double               velocity,
-         const std::vector<double> &pressure)
+         const std::vector<double> &pressure,
+         const double rear_gap = std::numeric_limits<double>::infinity())
   {
     const std::size_t   n = displacement.size();
-    std::vector<double> penetration(displacement);
-    for (double &s : penetration)
+    std::vector<double> front(displacement), rear(displacement);
+    for (double &s : front)
       s -= gap;
-    const double none = -std::numeric_limits<double>::infinity();
+    for (double &s : rear)
+      s = -s - rear_gap;
     return {time,
             displacement,
-            {penetration, std::vector<double>(n, velocity)},
-            {std::vector<double>(n, none), std::vector<double>(n, -velocity)},
+            {front, std::vector<double>(n, velocity)},
+            {rear, std::vector<double>(n, -velocity)},
             pressure};
   }
 
@@ -349,6 +353,24 @@ namespace
 
 
   void
+  test_two_stops()
+  {
+    deallog << "two stops" << std::endl;
+    for (const double v : {1., -1.})
+      {
+        std::vector<ContactEvent> events;
+        EventLocator locator(*compliant, true, NodeOrder::inertial, 1e-3);
+        locator.start(values(1., {0.}, v, {0.}, 0.15), events);
+        take(locator,
+             values(2., {-0.6 * v}, -2.2 * v, {0.}, 0.15),
+             false,
+             events);
+      }
+  }
+
+
+
+  void
   test_two_nodes()
   {
     std::vector<ContactEvent> events;
@@ -383,6 +405,7 @@ main_event_locator()
   test_starts();
   test_rigid();
   test_without_location();
+  test_two_stops();
   test_two_nodes();
   test_closed_nodes();
 }

@@ -207,18 +207,12 @@ namespace ThermoContact
     elastic_pressures(const State &state, std::vector<double> &scratch) const;
 
     /**
-     * $\|\hat\theta\|_{\Gamma_C}^2$ with the $k$ of a state, where matrices
-     * do not contain it.
+     * Mean over the contact end of $\hat\theta$ times @p power(i,
+     * $\hat\theta_i$): of the exchange that matrices do not contain.
      */
+    template <typename Power>
     double
-    exchange_dissipation(const State &state, const Vector &excess) const;
-
-    /**
-     * What the obstacle gives, by the part of $k$ beyond that of the steady
-     * profile, to a body with this profile.
-     */
-    double
-    exchange_work(const State &state, const Vector &excess) const;
+    mean_of_end(const Vector &excess, const Power &power) const;
   };
 } // namespace ThermoContact
 

@@ -18,6 +18,14 @@ namespace ThermoContact
     /** @p y $=A$ @p x; the layouts are those of its rows and columns. */
     std::function<void(Vector &y, const Vector &x)> vmult;
 
+    /** @p y $+=$ @p factor $Ax$; @p product is scratch of the layout of y. */
+    void
+    add(const double factor, const Vector &x, Vector &y, Vector &product) const
+    {
+      vmult(product, x);
+      y.add(factor, product);
+    }
+
     /** What computes $(x-y)\cdot A(x-y)$ with more digits, y may be null; else
      * empty. */
     std::function<double(const Vector &x, const Vector *y)> own_form = nullptr;
