@@ -4,16 +4,14 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/interruption.h>
 #include <thermocontact/base/log.h>
-#include <thermocontact/base/serial_section.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/types.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/input/command_line.h>
 #include <thermocontact/input/parameter_file.h>
-#include <thermocontact/input/parameter_reference.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/si_scene.h>
-#include <thermocontact/output/output_page.h>
+#include <thermocontact/output/output_units.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/sweep.h>
 
@@ -23,10 +21,8 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <new>
-#include <sstream>
 #include <vector>
 
 namespace ThermoContact
@@ -104,24 +100,6 @@ namespace ThermoContact
       remove_units(request.assignments, entries);
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
         write_entries(entries, {}, std::cout);
-    }
-
-
-
-    void
-    run_dimension(const Request &request, const Timer &since_start, Log &log)
-    {
-      switch (request.parameters.dimension)
-        {
-          case 1:
-            return serial_section(
-              [&]() { run_scene<1>(request, since_start, log); },
-              MPI_COMM_WORLD);
-          case 2:
-            return run_scene<2>(request, since_start, log);
-          default:
-            return run_scene<3>(request, since_start, log);
-        }
     }
 
 
@@ -215,7 +193,7 @@ namespace ThermoContact
           check_scene(parameters);
           if (command.prints_scene)
             return print_scene(request);
-          run_dimension(request, since_start, log);
+          run_scene(request, since_start, log);
         }
       catch (const InputError &error)
         {
@@ -240,9 +218,9 @@ main(int argc, char **argv)
   std::signal(SIGXFSZ, SIG_IGN); // a file at its limit is an error like others
   std::signal(SIGPIPE, SIG_IGN); // nor does a run end with who looks at it
 
-  const Timer          since_start;
-  const IgnoredSignals ignored_signals;
-  const auto           to_unset = tell_mpi_of_single_process();
+  const Timer since_start;
+  const auto  ignored  = ignored_signals();
+  const auto  to_unset = tell_mpi_of_single_process();
   // The arguments are ours alone: PETSc, which deal.II starts too, obeys those
   // that it knows and, in Debian 13, prints those that it does not.
   int                              n_arguments    = 1;
@@ -251,7 +229,8 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(n_arguments, arguments, 1);
   for (const char *const name : to_unset)
     unsetenv(name);
-  ignored_signals.restore();
+  for (const int signal : ignored)
+    std::signal(signal, SIG_IGN);
   const bool is_first_rank =
     Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   const auto print_error = [is_first_rank](const std::string &message) {

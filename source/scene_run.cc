@@ -4,11 +4,12 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/interruption.h>
 #include <thermocontact/base/machine_memory.h>
+#include <thermocontact/base/serial_section.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
-#include <thermocontact/forecast/expected_memory.h>
+#include <thermocontact/forecast/forecast.h>
 #include <thermocontact/input/parameter_file.h>
-#include <thermocontact/input/plausibility.h>
+#include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/checkpoint.h>
 #include <thermocontact/output/checkpointer.h>
 #include <thermocontact/output/output.h>
@@ -29,7 +30,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <utility>
 
 namespace ThermoContact
 {
@@ -312,96 +312,107 @@ namespace ThermoContact
 
 
 
-  template <int dim>
+  namespace
+  {
+    template <int dim>
+    void
+    run_in(const Request &request, const Timer &since_start, Log &log)
+    {
+      const Parameters  &parameters = request.parameters;
+      const CommandLine &command    = request.command;
+      const MPI_Comm     communicator =
+        DimensionTraits<dim>::communicator(MPI_COMM_WORLD);
+      const std::string directory = request.output_directory();
+      const auto        entries   = entry_values(request.prm);
+
+      std::optional<DirectoryLock> lock;
+      std::optional<Checkpoint>    checkpoint;
+      if (command.is_resumed)
+        {
+          lock.emplace(directory, true, communicator);
+          checkpoint = read_checkpoint(directory, communicator);
+          check_compatibility(
+            *checkpoint, directory, entries, parameters, communicator);
+        }
+      if (dim > 1)
+        {
+          // all ranks refuse, or none
+          const SharedMemory memory = scarcest_memory(communicator);
+          check_memory(Scene(parameters),
+                       Utilities::MPI::n_mpi_processes(communicator),
+                       memory.bytes,
+                       memory.share);
+        }
+      if (!checkpoint)
+        check_output_directory(directory, communicator);
+      if (!command.check_only)
+        {
+          report_program(Utilities::MPI::n_mpi_processes(communicator), log);
+          if (checkpoint)
+            report_resumption(*checkpoint, parameters, log);
+        }
+      const bool is_set_up =
+        !command.check_only || dim == 1 ||
+        Scene(parameters).n_unknowns() <= most_unknowns_of_check;
+      const Forecast forecast =
+        report_plan<dim>(request, is_set_up, communicator, log);
+      if (!is_set_up)
+        return;
+      Simulation<dim> simulation(parameters, communicator);
+      if (checkpoint)
+        restore(simulation, *checkpoint);
+      report_set_up(simulation, since_start.wall_time(), log);
+      if (command.check_only)
+        return;
+
+      if (!checkpoint)
+        {
+          lock.emplace(directory, false, communicator);
+          prepare_output_directory(directory, communicator);
+        }
+      else if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        keep_as_newest(directory, *checkpoint);
+      write_used_parameters(directory,
+                            unused_paths(parameters),
+                            request.prm,
+                            request.assignments,
+                            communicator);
+      throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",
+                                                       checkpoint.has_value()),
+                                         communicator);
+      try
+        {
+          run_observed(simulation,
+                       forecast,
+                       directory,
+                       entries,
+                       checkpoint ? &checkpoint->output : nullptr,
+                       since_start,
+                       log);
+        }
+      catch (const Interruption &error)
+        {
+          throw Interruption(error.what() + std::string("\n  resume:  ") +
+                             request.resume_command(communicator));
+        }
+      log.line("  files     " + directory);
+    }
+  } // namespace
+
+
+
   void
   run_scene(const Request &request, const Timer &since_start, Log &log)
   {
-    const Parameters  &parameters = request.parameters;
-    const CommandLine &command    = request.command;
-    const MPI_Comm     communicator =
-      DimensionTraits<dim>::communicator(MPI_COMM_WORLD);
-    const std::string directory = request.output_directory();
-    const auto        entries   = entry_values(request.prm);
-
-    std::optional<DirectoryLock> lock;
-    std::optional<Checkpoint>    checkpoint;
-    if (command.is_resumed)
+    switch (request.parameters.dimension)
       {
-        lock.emplace(directory, true, communicator);
-        checkpoint = read_checkpoint(directory, communicator);
-        check_compatibility(
-          *checkpoint, directory, entries, parameters, communicator);
+        case 1:
+          return serial_section([&]() { run_in<1>(request, since_start, log); },
+                                MPI_COMM_WORLD);
+        case 2:
+          return run_in<2>(request, since_start, log);
+        default:
+          return run_in<3>(request, since_start, log);
       }
-    if (dim > 1)
-      {
-        // all ranks refuse, or none
-        const SharedMemory memory = scarcest_memory(communicator);
-        check_memory(Scene(parameters),
-                     Utilities::MPI::n_mpi_processes(communicator),
-                     memory.bytes,
-                     memory.share);
-      }
-    if (!checkpoint)
-      check_output_directory(directory, communicator);
-    if (!command.check_only)
-      {
-        report_program(Utilities::MPI::n_mpi_processes(communicator), log);
-        if (checkpoint)
-          report_resumption(*checkpoint, parameters, log);
-      }
-    const bool is_set_up =
-      !command.check_only || dim == 1 ||
-      Scene(parameters).n_unknowns() <= most_unknowns_of_check;
-    const Forecast forecast =
-      report_plan<dim>(request, is_set_up, communicator, log);
-    if (!is_set_up)
-      return;
-    Simulation<dim> simulation(parameters, communicator);
-    if (checkpoint)
-      restore(simulation, *checkpoint);
-    report_set_up(simulation, since_start.wall_time(), log);
-    if (command.check_only)
-      return;
-
-    if (!checkpoint)
-      {
-        lock.emplace(directory, false, communicator);
-        prepare_output_directory(directory, communicator);
-      }
-    else if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      keep_as_newest(directory, *checkpoint);
-    write_used_parameters(directory,
-                          unused_paths(parameters),
-                          request.prm,
-                          request.assignments,
-                          communicator);
-    throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",
-                                                     checkpoint.has_value()),
-                                       communicator);
-    try
-      {
-        run_observed(simulation,
-                     forecast,
-                     directory,
-                     entries,
-                     checkpoint ? &checkpoint->output : nullptr,
-                     since_start,
-                     log);
-      }
-    catch (const Interruption &error)
-      {
-        throw Interruption(error.what() + std::string("\n  resume:  ") +
-                           request.resume_command(communicator));
-      }
-    log.line("  files     " + directory);
   }
-
-
-
-  template void
-  run_scene<1>(const Request &, const Timer &, Log &);
-  template void
-  run_scene<2>(const Request &, const Timer &, Log &);
-  template void
-  run_scene<3>(const Request &, const Timer &, Log &);
 } // namespace ThermoContact

@@ -6,8 +6,6 @@
 #include <thermocontact/output/output_directory.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/study/study.h>
-#include <thermocontact/study/study_forecast.h>
-#include <thermocontact/study/study_report.h>
 #include <thermocontact/sweep.h>
 
 #include <filesystem>

@@ -47,13 +47,12 @@ namespace ThermoContact
   /**
    * Sets up one scene, or goes on from a checkpoint, and runs it with all its
    * files; or checks it, if the command says so. Collective on the ranks of
-   * MPI_COMM_WORLD that share the body: of a rod, one alone.
+   * MPI_COMM_WORLD, of which those that share the body compute: of a rod, one.
    *
    * @param since_start runs since the start of the program
    * @throw InputError if the scene, the directory or the checkpoint do not fit
    * @throw ComputationError if the run fails or is interrupted
    */
-  template <int dim>
   void
   run_scene(const Request &request, const dealii::Timer &since_start, Log &log);
 } // namespace ThermoContact

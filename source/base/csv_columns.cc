@@ -35,18 +35,16 @@ namespace ThermoContact
 
 
   std::string
-  csv_units(const Conversions &conversions)
+  csv_row(const std::vector<std::string> &words)
   {
-    if (conversions.empty())
-      return "";
-    std::string line = "# units: ";
-    for (const Conversion &conversion : conversions)
+    std::string row;
+    for (const std::string &word : words)
       {
-        append_field(line, conversion.unit);
-        line += ',';
+        append_field(row, word);
+        row += ',';
       }
-    line.back() = '\n';
-    return line;
+    row.back() = '\n';
+    return row;
   }
 
 

@@ -72,21 +72,15 @@ namespace ThermoContact
 
 
 
-  IgnoredSignals::IgnoredSignals()
+  std::vector<int>
+  ignored_signals()
   {
+    std::vector<int> signals;
     std::copy_if(watched_signals.begin(),
                  watched_signals.end(),
                  std::back_inserter(signals),
                  is_ignored);
-  }
-
-
-
-  void
-  IgnoredSignals::restore() const
-  {
-    for (const int signal : signals)
-      std::signal(signal, SIG_IGN);
+    return signals;
   }
 
 

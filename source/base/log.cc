@@ -32,7 +32,7 @@ namespace ThermoContact
   Log::Log(const bool is_writer, const bool is_quiet)
     : is_writer(is_writer)
     , is_quiet(is_quiet)
-    , has_live_line_(is_writer && !is_quiet && terminal_width() > 0)
+    , has_live_line(is_writer && !is_quiet && terminal_width() > 0)
     , is_live(false)
   {}
 
@@ -87,7 +87,7 @@ namespace ThermoContact
   void
   Log::milestone(const std::string &text)
   {
-    if (has_live_line_)
+    if (has_live_line)
       file_line(text);
     else
       line(text);
@@ -98,7 +98,7 @@ namespace ThermoContact
   void
   Log::failure(const std::string &text)
   {
-    if (has_live_line_ && isatty(STDERR_FILENO) == 1)
+    if (has_live_line && isatty(STDERR_FILENO) == 1)
       {
         erase_live_line();
         file_line(text);
@@ -112,7 +112,7 @@ namespace ThermoContact
   void
   Log::live_line(const std::string &text)
   {
-    const unsigned int width = has_live_line_ ? terminal_width() : 0;
+    const unsigned int width = has_live_line ? terminal_width() : 0;
     if (width == 0)
       return;
     // the last column stays free: some terminals would go to the next line

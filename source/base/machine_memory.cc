@@ -2,6 +2,8 @@
 
 #include <thermocontact/base/machine_memory.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -10,6 +12,9 @@
 
 namespace ThermoContact
 {
+  using dealii::Utilities::MPI::n_mpi_processes;
+  using dealii::Utilities::MPI::this_mpi_process;
+
   double
   machine_memory()
   {
@@ -30,15 +35,12 @@ namespace ThermoContact
   double
   share_of_ranks_here(const MPI_Comm communicator)
   {
-    int n_ranks = 1, n_here = 1, rank = 0;
-    MPI_Comm_size(communicator, &n_ranks);
-    MPI_Comm_rank(communicator, &rank);
     MPI_Comm here;
     MPI_Comm_split_type(
-      communicator, MPI_COMM_TYPE_SHARED, rank, MPI_INFO_NULL, &here);
-    MPI_Comm_size(here, &n_here);
+      communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+    const double n_here = n_mpi_processes(here);
     MPI_Comm_free(&here);
-    return static_cast<double>(n_here) / n_ranks;
+    return n_here / n_mpi_processes(communicator);
   }
 
 
@@ -46,14 +48,13 @@ namespace ThermoContact
   SharedMemory
   scarcest_memory(const MPI_Comm communicator)
   {
-    int rank = 0;
-    MPI_Comm_rank(communicator, &rank);
     double values[2] = {machine_memory(), share_of_ranks_here(communicator)};
     struct
     {
       double bytes_of_run;
       int    rank;
-    } scarcest = {values[0] / values[1], rank};
+    } scarcest = {values[0] / values[1],
+                  static_cast<int>(this_mpi_process(communicator))};
     MPI_Allreduce(
       MPI_IN_PLACE, &scarcest, 1, MPI_DOUBLE_INT, MPI_MINLOC, communicator);
     MPI_Bcast(values, 2, MPI_DOUBLE, scarcest.rank, communicator);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/parallel_file.h>
 #include <thermocontact/base/writable_file.h>

@@ -11,15 +11,14 @@ namespace ThermoContact
 {
   using namespace dealii;
 
-  Outcome
-  share_outcome(const Outcome outcome, const MPI_Comm communicator)
+  int
+  share_status(int status, const MPI_Comm communicator)
   {
     std::optional<SignalWatch> signals; // they mean rank 0
     if (Utilities::MPI::this_mpi_process(communicator) != 0)
       signals.emplace();
-    int         value = static_cast<int>(outcome);
     MPI_Request request;
-    int fault = MPI_Ibcast(&value, 1, MPI_INT, 0, communicator, &request);
+    int fault = MPI_Ibcast(&status, 1, MPI_INT, 0, communicator, &request);
     AssertThrowMPI(fault);
     // A wait of MPI would take a processor.
     int is_done = 0;
@@ -28,7 +27,7 @@ namespace ThermoContact
         fault = MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
         AssertThrowMPI(fault);
         if (is_done != 0)
-          return static_cast<Outcome>(value);
+          return status;
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
       }
   }

@@ -2,7 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/forecast/expected_memory.h>
+#include <thermocontact/forecast/forecast.h>
 #include <thermocontact/time/monolithic_solver.h>
 
 #include <algorithm>

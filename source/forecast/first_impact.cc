@@ -2,7 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/forecast/first_impact.h>
+#include <thermocontact/forecast/forecast.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <algorithm>
@@ -21,9 +21,7 @@ namespace ThermoContact
     double
     size_of_last_cell(const ContactLaw &law)
     {
-      return law.is_rigid() || !law.is_linear() ?
-               0.1 :
-               std::clamp(law.tangent(1.), 1e-4, 0.1);
+      return std::clamp(law.compliance().value_or(0.1), 1e-4, 0.1);
     }
 
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/multiples.h>
-#include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/method/bracketed_root.h>
 
@@ -41,9 +40,7 @@ namespace ThermoContact
           const double damped =
             0.05 * wave / (material.viscosity + 3e-4 * wave);
           const double contact =
-            !law.is_active() ? 0. :
-            law.is_rigid()   ? 0.5 :
-                               0.5 / (1. + 5. * law.tangent(1.));
+            law.is_active() ? 0.5 / (1. + 5. * law.tangent(1.)) : 0.;
           sum += (0.55 + contact) * n_runs * (1. + std::pow(damped, 0.4));
         }
       return sum;
@@ -105,7 +102,6 @@ namespace ThermoContact
   {
     std::vector<std::pair<std::string, double>> scales;
     const Material                             &material = scene.material;
-    const ContactLaw                           &law      = *scene.contact.law;
     const double wave = std::sqrt(material.inertia);
     if (scene.fields.has_temperature)
       scales.emplace_back("heat", 1.);
@@ -117,10 +113,10 @@ namespace ThermoContact
       scales.emplace_back("wave", wave);
     if (material.has_viscosity())
       scales.emplace_back("viscous", material.viscosity);
-    if (law.is_active() && !law.is_rigid() && law.is_linear() &&
-        material.has_inertia())
+    if (const auto compliance = scene.contact.law->compliance();
+        compliance && material.has_inertia())
       {
-        const double impedance = law.tangent(1.) * wave;
+        const double impedance = *compliance * wave;
         scales.emplace_back("contact",
                             std::max(std::cbrt(impedance * impedance *
                                                material.viscosity),
@@ -134,15 +130,13 @@ namespace ThermoContact
   std::optional<double>
   critical_step_size(const Scene &scene)
   {
-    const ContactLaw &law        = *scene.contact.law;
-    const double      compliance = law.tangent(0.);
-    if (!law.is_active() || law.is_rigid() || !law.is_linear() ||
-        compliance >= 1. || !scene.material.has_inertia() ||
+    const auto compliance = scene.contact.law->compliance();
+    if (!compliance || *compliance >= 1. || !scene.material.has_inertia() ||
         scene.parameters.dimension > 1)
       return {};
     // chi grows from 0 to 1 with the length of the stage
     const auto excess = [&](const double log_tau) {
-      return rod_response(scene.material, std::exp(log_tau)) - compliance;
+      return rod_response(scene.material, std::exp(log_tau)) - *compliance;
     };
     const double smallest = std::log(1e-100), largest = std::log(1e100);
     if (excess(smallest) >= 0. || excess(largest) <= 0.)

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/text.h>
-#include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/forecast/forecast.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/method/bracketed_root.h>
-
-#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +53,10 @@ namespace ThermoContact
       SteadyState state{nan, nan, nan, false};
       if (scene.fields.has_displacement)
         {
-          const double expansion = free_expansion(scene, drop);
+          // $G$ of (M3.1)
+          const double expansion =
+            scene.material.thermal_stress *
+            RestProfile(scene.heat.surroundings(), drop).mean();
           // where an obstacle and a body of stiffness 1 meet
           NodeLaw law(*scene.contact.law);
           law.play = scene.contact.gap + scene.contact.rear_gap;
@@ -116,15 +117,6 @@ namespace ThermoContact
       return states;
     }
   } // namespace
-
-
-
-  double
-  free_expansion(const Scene &scene, const double drop)
-  {
-    return scene.material.thermal_stress *
-           RestProfile(scene.heat.surroundings(), drop).mean();
-  }
 
 
 

@@ -12,6 +12,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 
 namespace ThermoContact
@@ -28,6 +29,29 @@ namespace ThermoContact
     constant_name(const std::string &path)
     {
       return path.substr(constants_section.size() + 1);
+    }
+
+
+
+    /** True for a word of letters, digits and '_' that means nothing else. */
+    bool
+    can_name_constant(const std::string &name)
+    {
+      std::vector<std::string> taken = Expression::function_names();
+      for (const char *const variable : {"x",
+                                         "y",
+                                         "z",
+                                         "t",
+                                         "gap",
+                                         "pressure",
+                                         "theta_A",
+                                         "pi",
+                                         "_pi",
+                                         "_e"})
+        taken.emplace_back(variable);
+      return identifiers_in(name) == std::vector<std::string>{name} &&
+             name.find('.') == std::string::npos &&
+             std::find(taken.begin(), taken.end(), name) == taken.end();
     }
 
 
@@ -69,6 +93,43 @@ namespace ThermoContact
              "no entry names " + name + did_you_mean(name, known),
              "",
              "a constant that an expression or a number of the file names");
+    }
+    /** The values of constants, by the texts that stand for them. */
+    std::map<std::string, double>
+    evaluate_constants(const std::map<std::string, std::string> &texts)
+    {
+      std::map<std::string, double>                  known;
+      std::vector<std::string>                       open; // being evaluated
+      const std::function<void(const std::string &)> evaluate =
+        [&](const std::string &name) {
+          if (known.count(name) > 0)
+            return;
+          const std::string path = "Constants/" + name, &text = texts.at(name);
+          const auto        first = std::find(open.begin(), open.end(), name);
+          if (first != open.end())
+            {
+              std::string circle;
+              for (auto other = first; other != open.end(); ++other)
+                circle += *other + " -> ";
+              throw InputError(
+                path + " = " + quote(text) +
+                ": it depends on itself: " + circle + name +
+                "\n  allowed: numbers, or expressions in other constants");
+            }
+          open.push_back(name);
+          for (const std::string &other : identifiers_in(text))
+            if (texts.count(other) > 0)
+              evaluate(other);
+          known[name] =
+            Expression(path, text, {{}, known}).evaluate<double>(nullptr);
+          open.pop_back();
+        };
+      // numbers first, so that a misprint of their names is answered with them
+      for (const bool is_number : {true, false})
+        for (const auto &[name, text] : texts)
+          if (parse_number(text).has_value() == is_number)
+            evaluate(name);
+      return known;
     }
   } // namespace
 

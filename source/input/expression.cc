@@ -15,7 +15,6 @@
 #include <cctype>
 #include <charconv>
 #include <cstring>
-#include <functional>
 
 namespace ThermoContact
 {
@@ -134,7 +133,7 @@ namespace ThermoContact
       if (parts.back().kind == Part::table && !names.units.empty())
         {
           const MeasuredTable &table = *tables[parts.back().operands[1]];
-          check_unit(table, table.unit_of_values(), names.units.back());
+          check_unit(table, table.unit_of_values, names.units.back());
         }
     }
 
@@ -529,9 +528,9 @@ namespace ThermoContact
     {
       if (!unit.empty() && !convert_unit(1., unit, needed))
         throw InputError(path + " = " + quote(text) + ": " +
-                         quote(table.file_name()) +
-                         ": the header has the unit " + unit +
-                         "\n  allowed: a unit that measures what " + needed +
+                         quote(table.file_name) + ": the header has the unit " +
+                         unit + "\n  allowed: a unit that measures what " +
+                         needed +
                          " does\n  remedy:  another column, or its unit");
     }
 
@@ -584,7 +583,7 @@ namespace ThermoContact
       if (const Part &part = parts[argument];
           part.kind == Part::variable && !names.units.empty())
         check_unit(*tables.back(),
-                   tables.back()->unit_of_arguments(),
+                   tables.back()->unit_of_arguments,
                    names.units[part.operands[0]]);
       return add({Part::table,
                   0.,
@@ -693,7 +692,7 @@ namespace ThermoContact
       if (part.kind == Part::table &&
           !tables_[part.operands[1]]->range().contains(
             evaluate_part(part.operands[0], variables)))
-        files.push_back(tables_[part.operands[1]]->file_name());
+        files.push_back(tables_[part.operands[1]]->file_name);
     return files;
   }
 
@@ -731,76 +730,17 @@ namespace ThermoContact
 
 
 
-  bool
-  can_name_constant(const std::string &name)
-  {
-    std::vector<std::string> taken = Expression::function_names();
-    for (const char *const variable :
-         {"x", "y", "z", "t", "gap", "pressure", "theta_A", "pi", "_pi", "_e"})
-      taken.emplace_back(variable);
-    return identifiers_in(name) == std::vector<std::string>{name} &&
-           name.find('.') == std::string::npos &&
-           std::find(taken.begin(), taken.end(), name) == taken.end();
-  }
-
-
-
-  std::map<std::string, double>
-  evaluate_constants(const std::map<std::string, std::string> &texts)
-  {
-    std::map<std::string, double>                  known;
-    std::vector<std::string>                       open; // being evaluated
-    const std::function<void(const std::string &)> evaluate =
-      [&](const std::string &name) {
-        if (known.count(name) > 0)
-          return;
-        const std::string path = "Constants/" + name, &text = texts.at(name);
-        const auto        first = std::find(open.begin(), open.end(), name);
-        if (first != open.end())
-          {
-            std::string circle;
-            for (auto other = first; other != open.end(); ++other)
-              circle += *other + " -> ";
-            refuse(path,
-                   text,
-                   "it depends on itself: " + circle + name,
-                   "numbers, or expressions in other constants");
-          }
-        open.push_back(name);
-        for (const std::string &other : identifiers_in(text))
-          if (texts.count(other) > 0)
-            evaluate(other);
-        known[name] =
-          Expression(path, text, {{}, known}).evaluate<double>(nullptr);
-        open.pop_back();
-      };
-    // numbers first, so that a misprint of their names is answered with them
-    for (const bool is_number : {true, false})
-      for (const auto &[name, text] : texts)
-        if (parse_number(text).has_value() == is_number)
-          evaluate(name);
-    return known;
-  }
-
-
-
   std::string
-  rename_variables(const std::string              &path,
-                   const std::string              &text,
-                   const ExpressionNames          &names,
-                   const std::vector<std::string> &others)
+  Expression::with_variables(const std::vector<std::string> &others) const
   {
-    ExpressionNames unchecked = names;
-    unchecked.checks_values   = false;
-    const Expression expression(path, text, unchecked);
-    std::string      result;
-    std::size_t      end = 0; // of what is in the result
-    for (const Expression::NamedVariable &one : expression.named_variables())
+    std::string result;
+    std::size_t end = 0; // of what is in the result
+    for (const NamedVariable &one : named)
       {
-        result += text.substr(end, one.position - end) + others[one.index];
-        end = one.position + names.variables[one.index].size();
+        result += text_.substr(end, one.position - end) + others[one.index];
+        end = one.position + variable_names[one.index].size();
       }
-    return result + text.substr(end);
+    return result + text_.substr(end);
   }
 
 

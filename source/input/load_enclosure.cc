@@ -105,7 +105,7 @@ namespace ThermoContact
       void
       enclose(const Interval &span, std::vector<Interval> &halves)
       {
-        const double middle = 0.5 * (span.low + span.high);
+        const double middle = span.middle();
         if (++result.n_evaluations > max_evaluations)
           throw Unresolved{middle, false};
         const IntervalJet     all = load.enclosure(span);
@@ -215,8 +215,7 @@ namespace ThermoContact
         const auto slope = [&](const double t) {
           return load.derivatives(t).first;
         };
-        for (const double t :
-             {span.low, 0.5 * (span.low + span.high), span.high})
+        for (const double t : {span.low, span.middle(), span.high})
           if (!std::isfinite(value(t)))
             throw Unresolved{t, true};
         const bool is_jump =

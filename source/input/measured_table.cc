@@ -3,7 +3,6 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/input/measured_table.h>
-#include <thermocontact/input/parameter_text.h>
 #include <thermocontact/input/unit_text.h>
 #include <thermocontact/input/unknown_names.h>
 
@@ -14,7 +13,6 @@
 #include <math.h> // the isnan of pchip.hpp in boost 1.74
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <sstream>
 
@@ -60,10 +58,20 @@ namespace ThermoContact
                                const std::string &column,
                                const bool         is_smooth,
                                const bool         has_units)
-    : file_name_(file_name)
+    : file_name(file_name)
   {
     read(column, has_units);
-    set_slopes(is_smooth);
+    if (!is_smooth)
+      return;
+    if (arguments.size() < 4)
+      throw InputError(quote(file_name) +
+                       ": fewer than four rows\n  allowed: four rows or more "
+                       "for smooth(), two for table()");
+    std::vector<double> x(arguments), y(values); // it takes them
+    const boost::math::interpolators::pchip<std::vector<double>> cubic(
+      std::move(x), std::move(y));
+    for (const double argument : arguments)
+      slopes.push_back(cubic.prime(argument));
   }
 
 
@@ -113,13 +121,13 @@ namespace ThermoContact
   {
     const auto fail = [&](const std::string &fault, const unsigned int line) {
       throw InputError(
-        quote(file_name_) + (line > 0 ? ", line " + std::to_string(line) : "") +
+        quote(file_name) + (line > 0 ? ", line " + std::to_string(line) : "") +
         ": " + fault +
         "\n  allowed: a table in CSV: a header with the names of "
         "the columns, then numbers, of which those of the first "
         "column grow");
     };
-    std::istringstream   text(read_text(file_name_));
+    std::istringstream   text(read_text(file_name));
     std::vector<Heading> header;
     unsigned int         n_lines = 0, index = 1;
     for (std::string line; std::getline(text, line);)
@@ -152,8 +160,8 @@ namespace ThermoContact
               fail("there is no column '" + quote(column, 60) + "'" +
                      did_you_mean(column, names),
                    n_lines);
-            argument_unit = header[0].unit;
-            value_unit    = header[index].unit;
+            unit_of_arguments = header[0].unit;
+            unit_of_values    = header[index].unit;
             continue;
           }
         if (cells.size() != header.size())
@@ -178,24 +186,6 @@ namespace ThermoContact
       }
     if (arguments.size() < 2)
       fail("fewer than two rows of numbers", 0);
-  }
-
-
-
-  void
-  MeasuredTable::set_slopes(const bool is_smooth)
-  {
-    if (!is_smooth)
-      return;
-    if (arguments.size() < 4)
-      throw InputError(quote(file_name_) +
-                       ": fewer than four rows\n  allowed: four rows or more "
-                       "for smooth(), two for table()");
-    std::vector<double> x(arguments), y(values); // it takes them
-    const boost::math::interpolators::pchip<std::vector<double>> cubic(
-      std::move(x), std::move(y));
-    for (const double argument : arguments)
-      slopes.push_back(cubic.prime(argument));
   }
 
 

@@ -2,7 +2,6 @@
 
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/section_of_entries.h>
-#include <thermocontact/input/words_of_kinds.h>
 
 #include <deal.II/base/patterns.h>
 

@@ -70,21 +70,6 @@ namespace ThermoContact
 
 
 
-    double
-    root(const double a)
-    {
-      return std::sqrt(a);
-    }
-
-    template <typename Number>
-    Jet<Number>
-    root(const Jet<Number> &a)
-    {
-      return constant_power(a, 0.5);
-    }
-
-
-
     // ------------------------------------------------------- jumps and kinks
 
     double
@@ -244,6 +229,7 @@ namespace ThermoContact
       using std::cos;
       using std::cosh;
       using std::exp;
+      using std::pow;
       using std::sin;
       using std::sqrt;
       using std::tan;
@@ -301,7 +287,11 @@ namespace ThermoContact
       list.function("atan2", 2, [](const auto *x) {
         return angle(x[0], x[1]);
       });
-      list.function("sqrt", 1, [](const auto *x) { return root(*x); });
+      list.smooth("sqrt", std::sqrt, [](const auto &v) {
+        return Jet(pow(v, 0.5),
+                   slope_of_power(v, 0.5, -0.5),
+                   slope_of_power(v, -0.25, -1.5));
+      });
 
       const auto sine   = list.smooth("sin", std::sin, [](const auto &v) {
         return Jet(sin(v), cos(v), -sin(v));

@@ -3,10 +3,10 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/input/constants.h>
-#include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/input/section_of_entries.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/unit_text.h>
 #include <thermocontact/input/unknown_names.h>
@@ -14,30 +14,18 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
-#include <sstream>
 
 namespace ThermoContact
 {
   void
   set_entry(const Assignment &assignment, ParameterHandler &prm)
   {
-    const auto slash = assignment.path.rfind('/');
-    if (slash == std::string::npos)
-      return prm.set(assignment.path, assignment.value);
-    // leave the section again whatever happens to the value
-    prm.enter_subsection(assignment.path.substr(0, slash));
-    try
-      {
-        prm.set(assignment.path.substr(slash + 1), assignment.value);
-      }
-    catch (...)
-      {
-        prm.leave_subsection();
-        throw;
-      }
-    prm.leave_subsection();
+    const std::string name = name_of(assignment.path);
+    if (name == assignment.path)
+      return prm.set(name, assignment.value);
+    const SectionOfEntries section(prm, section_of(assignment.path));
+    prm.set(name, assignment.value);
   }
 
 
@@ -348,9 +336,7 @@ namespace ThermoContact
         if (omit.count(entry.path) != 0 ||
             entry.path == "Constants/" + name_of_constants)
           continue;
-        const auto        slash = entry.path.find('/');
-        const std::string section =
-          slash == std::string::npos ? "" : entry.path.substr(0, slash);
+        const std::string section = section_of(entry.path);
         if (section != open_section)
           {
             if (!open_section.empty())
@@ -360,9 +346,8 @@ namespace ThermoContact
             open_section = section;
           }
         output << (section.empty() ? "" : "  ")
-               << (entry.is_remark ? "# set " : "set ")
-               << entry.path.substr(section.empty() ? 0 : slash + 1) << " = "
-               << entry.value
+               << (entry.is_remark ? "# set " : "set ") << name_of(entry.path)
+               << " = " << entry.value
                << (entry.remark.empty() ? "" : " # " + entry.remark) << '\n';
       }
     if (!open_section.empty())

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/input/declared_entries.h>
-#include <thermocontact/input/parameter_reference.h>
+#include <thermocontact/input/parameter_file.h>
+#include <thermocontact/input/unknown_names.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -62,14 +63,11 @@ one that is not given has its default. On the command line
     std::string open_section;
     for (const DeclaredEntry &entry : declared_entries(prm))
       {
-        const auto        slash = entry.path.find('/');
-        const std::string section =
-          slash == std::string::npos ? "" : entry.path.substr(0, slash);
+        const std::string section = section_of(entry.path);
         if (section != open_section)
           output << "\n## " << section << "\n\n" << table;
         open_section = section;
-        output << "| `" << entry.path.substr(section.empty() ? 0 : slash + 1)
-               << "` | "
+        output << "| `" << name_of(entry.path) << "` | "
                << (entry.default_value.empty() ?
                      "(empty)" :
                      '`' + entry.default_value + '`')

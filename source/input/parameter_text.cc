@@ -26,26 +26,23 @@ namespace ThermoContact
     constexpr std::size_t max_file_size      = 64 << 20;
     constexpr std::size_t max_statement_size = 20000;
 
+    /** What stands at byte @p i of a text that may be UTF-8. */
     struct Character
     {
+      Character(const std::string &text, const std::size_t i)
+      {
+        namespace utf    = boost::locale::utf;
+        auto       next  = text.begin() + i;
+        const auto point = utf::utf_traits<char>::decode(next, text.end());
+        is_valid         = point != utf::illegal && point != utf::incomplete;
+        n_bytes          = is_valid ? next - text.begin() - i : 1;
+        code_point = is_valid ? point : static_cast<unsigned char>(text[i]);
+      }
+
+      bool        is_valid; ///< false: one byte that is not UTF-8
       std::size_t n_bytes;
       unsigned    code_point;
-      bool        is_valid; ///< false: one byte that is not UTF-8
     };
-
-
-
-    /** The character of a UTF-8 text that begins at byte @p i. */
-    Character
-    character_at(const std::string &text, const std::size_t i)
-    {
-      namespace utf    = boost::locale::utf;
-      auto       next  = text.begin() + i;
-      const auto point = utf::utf_traits<char>::decode(next, text.end());
-      if (point == utf::illegal || point == utf::incomplete)
-        return {1, static_cast<unsigned char>(text[i]), false};
-      return {static_cast<std::size_t>(next - text.begin()) - i, point, true};
-    }
 
 
 
@@ -276,7 +273,7 @@ namespace ThermoContact
       {
         if (++length > max_length)
           return quoted + "...";
-        const Character character = character_at(text, i);
+        const Character character(text, i);
         if (!character.is_valid || is_invisible(character.code_point))
           {
             std::ostringstream number;
@@ -301,7 +298,7 @@ namespace ThermoContact
   {
     for (std::size_t i = 0; i < text.size();)
       {
-        const Character character = character_at(text, i);
+        const Character character(text, i);
         if (!character.is_valid ||
             (is_control(character.code_point) && text[i] != '\t'))
           return false;

@@ -4,11 +4,11 @@
 #include <thermocontact/input/constants.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/section_of_entries.h>
-#include <thermocontact/input/words_of_kinds.h>
+#include <thermocontact/input/unit_text.h>
 
 #include <deal.II/base/patterns.h>
 
-#include <limits>
+#include <algorithm>
 
 namespace ThermoContact
 {
@@ -116,6 +116,237 @@ namespace ThermoContact
       .means("The fixed end x = 0, for Dimension > 1: clamped (no "
              "displacement) or sliding (no axial displacement, no shear "
              "stress).");
+  }
+
+
+
+  void
+  ContactParameters::add_parameters(ParameterHandler &prm)
+  {
+    SectionOfEntries entry(prm, "Contact");
+    entry("Condition", condition, Selection(names_of(contact_laws())))
+      .means("Contact end x = 1: " +
+             in_words(contact_laws(),
+                      [](const auto &law) { return " (" + law.text + ")"; }) +
+             ".");
+    for (const ContactLawEntry &one : contact_law_entries())
+      entry(one.name,
+            one.default_value,
+            Double(one.smallest, one.largest),
+            [this, name = one.name](const double value) { law[name] = value; })
+        .means(one.text, one.kind);
+    entry("Stiffness", stiffness, NumberOrText::word("none"))
+      .means("The other word for Compliance in a file with section Rod: force "
+             "over penetration, N/m, or over its power Exponent, N/m^m.",
+             "stiffness");
+    entry("Gap",
+          gap,
+          gap_expression,
+          NumberOrText::number_or_expression("y, z, t", true))
+      .means("Gap g between the undeformed rod and the obstacle; negative is a "
+             "preload. An expression in t moves the obstacle, e.g. "
+             "0.1-0.02*sin(3*t); one in y, z, for Dimension > 1, is its shape, "
+             "at each contact node its gap, e.g. 0.1+(y-0.05)^2/2.",
+             "length");
+    entry("Rear gap", rear_gap, NumberOrText::word("none"))
+      .means("Gap g_2 to a second obstacle behind the end x = 1, u(1) >= -g_2, "
+             "with the same law; none: no such obstacle. Its pressures are "
+             "negative.",
+             "length");
+    entry("Massless nodes", massless_nodes, Selection("automatic|on|off"))
+      .means(
+        "The mass of the contact nodes is moved to their neighbours, for "
+        "impacts without oscillations; automatic: where the viscosity does "
+        "not damp the oscillation of one node, on a rigid obstacle if "
+        "Dimension > 1, and for the scheme energy conserving.");
+  }
+
+
+
+  const std::vector<ScalesParameters::Scale> &
+  ScalesParameters::all()
+  {
+    using S                                = ScalesParameters;
+    static const std::vector<Scale> scales = {
+      {"Length", &S::length, false, true, "Length of the rod, m."},
+      {"Time",
+       &S::time,
+       false,
+       true,
+       "Time in which heat diffuses through the rod, s."},
+      {"Displacement",
+       &S::displacement,
+       false,
+       false,
+       "What displacement, gap and penetration are measured in, m; none: in "
+       "Length."},
+      {"Stress",
+       &S::stress,
+       false,
+       true,
+       "What stress and pressure are measured in, Pa."},
+      {"Area",
+       &S::area,
+       false,
+       true,
+       "Area of the cross-section, m^2: a force is a stress times it."},
+      {"Temperature",
+       &S::temperature,
+       true,
+       true,
+       "What temperatures above the reference are measured in, K."},
+      {"Reference temperature",
+       &S::reference_temperature,
+       true,
+       true,
+       "Absolute temperature of the rod without stress, K, at which the "
+       "nondimensional one is 0."}};
+    return scales;
+  }
+
+
+
+  void
+  ScalesParameters::add_parameters(ParameterHandler &prm)
+  {
+    const NumberOrText none = NumberOrText::word("none");
+    SectionOfEntries   entry(prm, "Scales");
+    for (const Scale &scale : all())
+      entry(scale.name, this->*scale.value, none)
+        .means(scale.text, kind_of_coefficients);
+    entry("Time unit", time_unit, Selection(names_of_time_units))
+      .means("Unit of times in files and on the screen.");
+    entry("Temperature unit", temperature_unit, Selection("K|C"))
+      .means("Unit of temperatures there: kelvin, or C for degrees Celsius.");
+  }
+
+
+
+  bool
+  ScalesParameters::is_given() const
+  {
+    return std::any_of(all().begin(), all().end(), [this](const Scale &scale) {
+      return (this->*scale.value).has_value();
+    });
+  }
+
+
+
+  void
+  RodParameters::add_parameters(ParameterHandler &prm)
+  {
+    const Double     positive(0., 1e30);
+    SectionOfEntries entry(prm, "Rod");
+    entry("Length", length, positive)
+      .means(
+        "Length L of the body, m. A file with this section is in SI units; "
+        "0: there is none.",
+        "length");
+    entry.unbound("Cross-section area", "0", positive)
+      .means("Area A of the cross-section, m^2.", "area");
+    entry.unbound("Density", "0", positive)
+      .means("Density rho, kg/m^3.", "density");
+    entry.unbound("Young's modulus", "0", positive)
+      .means("Young's modulus E, Pa.", "stress");
+    entry.unbound("Poisson ratio", "0", Double(-0.999, 0.4999))
+      .means("Poisson ratio nu, for confined lateral sides and Dimension > 1.");
+    entry.unbound("Lateral sides", "free", Selection("free|confined"))
+      .means("For Dimension = 1: free, a thin rod, whose stiffness is Young's "
+             "modulus; or confined, no lateral strain: that of P-waves.");
+    entry.unbound("Viscosity", "0", positive)
+      .means("Kelvin-Voigt viscosity eta, Pa s: stress eta u_xt.", "viscosity");
+    entry.unbound("Linear expansion", "0", Double(-1., 1.))
+      .means("Coefficient alpha of linear thermal expansion, 1/K.",
+             "thermal expansion");
+    entry.unbound("Conductivity", "0", positive)
+      .means("Heat conductivity kappa, W/(m K).", "conductivity");
+    entry.unbound("Heat capacity", "0", positive)
+      .means("Specific heat capacity c, J/(kg K).", "heat capacity");
+    entry.unbound("Reference temperature", "0", positive)
+      .means("Temperature of the body without stress, K; that of the body, the "
+             "obstacle and the surroundings unless they are given.",
+             "temperature");
+    entry
+      .unbound("Small terms", "automatic", Selection("automatic|kept|dropped"))
+      .means(
+        "Inertia and viscosity: kept, dropped, or automatic: dropped where "
+        "their times, that of a wave through the body and that of "
+        "relaxation, are below 1e-5 of the run, which has no initial "
+        "velocity, moving end or rear stop.");
+  }
+
+
+
+  void
+  OutputParameters::add_parameters(ParameterHandler &prm)
+  {
+    SectionOfEntries entry(prm, "Output");
+    entry("Directory", directory)
+      .means("Output directory; empty: results/<name of the parameter file>.");
+    entry("Fields interval", fields_interval, duration)
+      .means("Fields (VTU) are written at the first step end at or after each "
+             "multiple of this time, and at T; 0: none.",
+             "time");
+    entry("Contact interval", contact_interval, duration)
+      .means("Rows of contact.csv are written at the first step end at or "
+             "after each multiple of this time, and at T; 0: every step.",
+             "time");
+    entry("Probes", probes)
+      .means("Positions, separated by ';', the coordinates of each by ',': "
+             "histories of the fields there (probes.csv), in the rows of "
+             "contact.csv. Empty: none.",
+             "length");
+    entry("Space-time interval", space_time_interval, duration)
+      .means("The fields on the axis are kept at the first step end at or "
+             "after each multiple of this time, and at T, for one picture over "
+             "x and t (space-time.vtu); 0: none.",
+             "time");
+    entry("Period", period, duration)
+      .means("Period P of a drive: steps end at its multiples, and "
+             "poincare.csv has a row of contact.csv for each of them; 0: none.",
+             "time");
+    entry("Land on output times", land_on_times)
+      .means("Steps are shortened to end on the multiples of the intervals; "
+             "costs solves.");
+    entry("Checkpoint interval", checkpoint_interval, Double(0., 1e9))
+      .means("Wall-clock seconds between checkpoints, from which --resume goes "
+             "on; also at the start and the end; 0: none, but for one when "
+             "SIGTERM, SIGINT or SIGHUP ends the run.",
+             "s");
+    entry("SI", is_si)
+      .means("Files and screen in SI units, if section Rod or Scales is given; "
+             "false: nondimensional.");
+    entry("Error bars", has_error_bars)
+      .means("Repeats the run with larger steps and on coarser meshes, without "
+             "files, and says how far the key results may be wrong by either "
+             "(screen, summary.json); about three times the time.");
+  }
+
+
+
+  void
+  StudyParameters::add_parameters(ParameterHandler &prm)
+  {
+    SectionOfEntries entry(prm, "Study");
+    entry("Vary", vary)
+      .means("Runs the scene for all combinations of values: Section/Entry = "
+             "value | value ; Section/Entry = value | ... . Values may be "
+             "ranges, 0.6 .. 2.6 (61) or 1e-3 .. 1 (7 log), and those of a "
+             "constant, Constants/omega. Entries that go together, as many "
+             "values of each, are separated by ',': A = a1 | a2 , B = b1 | b2. "
+             "Several sets of combinations are separated by ';;'. Values "
+             "cannot hold '|' or ';'. Empty: runs once.");
+    entry("Reference", reference)
+      .means("none, or overrides Section/Entry = value ; ... for the run that "
+             "errors are measured against.");
+    entry("Repetitions", repetitions, Integer(1, 1000))
+      .means("Number of times that each run is made, for timing.");
+    entry("Target error", target_error, duration)
+      .means("Largest error of displacement_end that is wanted: the cheapest "
+             "run that meets it is named; 0: none.",
+             "length");
+    entry("Keep files", keep_files)
+      .means("Each run writes its files into a folder of its own.");
   }
 
 
@@ -238,17 +469,6 @@ namespace ThermoContact
 
 
 
-  Parameters::Parameters()                   = default;
-  Parameters::Parameters(const Parameters &) = default;
-  Parameters::Parameters(Parameters &&)      = default;
-  Parameters &
-  Parameters::operator=(const Parameters &) = default;
-  Parameters &
-  Parameters::operator=(Parameters &&) = default;
-  Parameters::~Parameters()            = default;
-
-
-
   ExpressionNames
   Parameters::names(const std::string &path) const
   {
@@ -316,16 +536,12 @@ namespace ThermoContact
                       "or a round rod (Mesh/Geometry), in 3 a box, of length "
                       "1.",
                       Integer(1, 3));
-    prm.enter_subsection("Constants");
-    prm.declare_entry(
-      name_of_constants,
-      "",
-      Anything(),
-      "A constant of any name that means nothing else: a number, or an "
-      "expression in other constants, e.g. omega = 2.1, P = 2*pi/omega. Every "
-      "expression and every number of the file may name it, e.g. Time/End time "
-      "= 40*P.");
-    prm.leave_subsection();
+    SectionOfEntries(prm, "Constants")
+      .unbound(name_of_constants, "", Anything())
+      .means("A constant of any name that means nothing else: a number, or an "
+             "expression in other constants, e.g. omega = 2.1, P = 2*pi/omega. "
+             "Every expression and every number of the file may name it, e.g. "
+             "Time/End time = 40*P.");
     model.add_parameters(prm);
     boundary.add_parameters(prm);
     contact.add_parameters(prm);

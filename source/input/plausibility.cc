@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/input/plausibility.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/unit_text.h>
 

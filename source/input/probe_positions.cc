@@ -2,7 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/input/probe_positions.h>
+#include <thermocontact/input/parameters.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -26,20 +26,19 @@ namespace ThermoContact
 
 
     [[noreturn]] void
-    refuse(const std::string &text,
+    refuse(const Parameters  &parameters,
            const std::string &position,
-           const std::string &fault,
-           const unsigned int dim,
-           const double       width)
+           const std::string &fault)
     {
-      std::string limits = dim == 1 ? "x" : dim == 2 ? "x, y" : "x, y, z";
+      const unsigned int dim = parameters.dimension;
+      std::string limits     = dim == 1 ? "x" : dim == 2 ? "x, y" : "x, y, z";
       limits += " with 0 <= x <= 1";
       if (dim > 1)
         limits += (dim == 2 ? ", 0 <= y <= " : ", 0 <= y, z <= ") +
-                  ThermoContact::text(width, " (Mesh/Width)");
+                  text(parameters.mesh.width, " (Mesh/Width)");
       throw InputError(
-        "Output/Probes = " + text + ": '" + position + "' " + fault +
-        "\n  allowed: " + limits +
+        "Output/Probes = " + parameters.output.probes + ": '" + position +
+        "' " + fault + "\n  allowed: " + limits +
         "; ';' between positions\n  remedy:  e.g. Output/Probes = " +
         (dim == 1 ? "0.5; 1" : (dim == 2 ? "0.5, 0" : "0.5, 0, 0")));
     }
@@ -48,31 +47,30 @@ namespace ThermoContact
 
 
   std::vector<std::array<double, 3>>
-  parse_probe_positions(const std::string &text,
-                        const unsigned int dim,
-                        const double       width)
+  Parameters::probe_positions() const
   {
+    const unsigned int                 dim = dimension;
     std::vector<std::array<double, 3>> positions;
-    if (dealii::Utilities::trim(text).empty())
+    if (dealii::Utilities::trim(output.probes).empty())
       return positions;
-    for (const std::string &part : split(text, ';'))
+    for (const std::string &part : split(output.probes, ';'))
       {
         const auto coordinates = split(part, ',');
         if (coordinates.size() != dim)
-          refuse(text,
+          refuse(*this,
                  part,
-                 "has " + std::to_string(coordinates.size()) +
-                   " coordinates, Dimension is " + std::to_string(dim),
-                 dim,
-                 width);
+                 text("has ",
+                      coordinates.size(),
+                      " coordinates, Dimension is ",
+                      dim));
         positions.push_back({{0., 0., 0.}});
         for (unsigned int d = 0; d < dim; ++d)
           {
             const auto x = parse_number(coordinates[d]);
             if (!x)
-              refuse(text, part, "is no position", dim, width);
-            if (!(*x >= 0. && *x <= (d == 0 ? 1. : width)))
-              refuse(text, part, "is not in the body", dim, width);
+              refuse(*this, part, "is no position");
+            if (!(*x >= 0. && *x <= (d == 0 ? 1. : mesh.width)))
+              refuse(*this, part, "is not in the body");
             positions.back()[d] = *x;
           }
       }

@@ -60,6 +60,16 @@ namespace ThermoContact
 
 
 
+  const Conversion &
+  conversion_of(const std::string_view kind, const ConversionsByKind &all)
+  {
+    static const Conversion as_it_is;
+    const auto              found = all.find(kind);
+    return found == all.end() ? as_it_is : found->second;
+  }
+
+
+
   QuantityUnits::QuantityUnits(const Parameters &parameters)
   {
     if (parameters.scales.is_given() && parameters.output.is_si)
@@ -72,11 +82,8 @@ namespace ThermoContact
   const Conversion &
   QuantityUnits::of(const std::string_view kind) const
   {
-    if (!is_si())
-      return as_it_is;
-    const auto found = conversions.find(kind);
     // without a scale of temperature there are none, but their columns
-    return found == conversions.end() ? as_it_is : found->second;
+    return conversion_of(kind, conversions);
   }
 
 

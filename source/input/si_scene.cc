@@ -4,7 +4,6 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/si_scene.h>
@@ -19,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace ThermoContact
 {
@@ -369,9 +367,8 @@ namespace ThermoContact
              "a number in N/m^m or m/Pa^(1/m), m Contact/Exponent",
              "the number without the unit");
     Conversion conversion;
-    const auto found = conversions.find(kind);
-    if (found != conversions.end() && assignment.path.rfind("Rod/", 0) != 0)
-      conversion = found->second;
+    if (assignment.path.rfind("Rod/", 0) != 0)
+      conversion = conversion_of(kind, conversions);
     if (kind == "compliance")
       conversion.factor =
         *scales.length / std::pow(*scales.stress, 1. / exponent);
@@ -401,17 +398,16 @@ namespace ThermoContact
                               const std::string &text) const
   {
     ExpressionNames names;
-    names.variables = entry_of_program(assignment.path).variables(dim);
-    names.constants = constants;
-    names.folder    = folder_of_tables(assignments);
-    names.has_units = true;
+    names.variables     = entry_of_program(assignment.path).variables(dim);
+    names.constants     = constants;
+    names.folder        = folder_of_tables(assignments);
+    names.has_units     = true;
+    names.checks_values = false;
     std::vector<std::string> others; // as the scene has them
     for (const std::string &name : names.variables)
       {
-        const std::string &kind  = kinds_of_variables.at(name);
-        const auto         found = conversions.find(kind);
-        const Conversion  &unit =
-          found == conversions.end() ? Conversion() : found->second;
+        const std::string &kind = kinds_of_variables.at(name);
+        const Conversion  &unit = conversion_of(kind, conversions);
         names.units.push_back(unit_of(kind));
         others.push_back(
           "(" + significant(unit.factor, all_digits) + "*" + name +
@@ -422,7 +418,7 @@ namespace ThermoContact
     names.units.push_back(unit_of(kind_of(assignment.path)));
     try
       {
-        return rename_variables(assignment.path, text, names, others);
+        return Expression(assignment.path, text, names).with_variables(others);
       }
     catch (const InputError &error)
       {
@@ -534,10 +530,35 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** Whether only files in SI units have it. */
+    bool
+    is_of_si_alone(const DeclaredEntry &entry)
+    {
+      return section_of(entry.path) == "Rod" ||
+             entry.path == "Contact/Stiffness";
+    }
+
+
+
+    template <typename Condition>
+    void
+    remove_if(const Condition &condition, std::vector<DeclaredEntry> &entries)
+    {
+      entries.erase(std::remove_if(entries.begin(), entries.end(), condition),
+                    entries.end());
+    }
+  } // namespace
+
+
+
   void
   add_units(const std::vector<Assignment> &assignments,
             std::vector<DeclaredEntry>    &entries)
   {
+    if (!is_in_si(assignments))
+      return remove_if(is_of_si_alone, entries);
     for (DeclaredEntry &entry : entries)
       if (const Assignment *const given =
             last_assignment(assignments, entry.path))
@@ -561,13 +582,10 @@ namespace ThermoContact
             last_assignment(assignments, entry.path);
           given != nullptr && given->value != entry.value)
         entry.remark = given->value;
-    entries.erase(std::remove_if(entries.begin(),
-                                 entries.end(),
-                                 [](const DeclaredEntry &entry) {
-                                   return entry.path.rfind("Rod/", 0) == 0 ||
-                                          entry.path == "Contact/Stiffness" ||
-                                          entry.value == entry.default_value;
-                                 }),
-                  entries.end());
+    remove_if(
+      [](const DeclaredEntry &entry) {
+        return is_of_si_alone(entry) || entry.value == entry.default_value;
+      },
+      entries);
   }
 } // namespace ThermoContact

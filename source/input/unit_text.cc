@@ -18,38 +18,23 @@ namespace ThermoContact
 {
   namespace
   {
-    /** The units that UDUNITS-2 knows. */
-    class UnitSystem
+    using Unit = std::unique_ptr<ut_unit, void (*)(ut_unit *)>;
+
+    /** Null for one that UDUNITS-2 does not know. */
+    Unit
+    parse_unit(const std::string &text)
     {
-    public:
-      UnitSystem()
-        : messages(ut_set_error_message_handler(ut_ignore))
-        , system(ut_read_xml(nullptr), ut_free_system)
-      {
-        if (!system)
+      static const auto system = []() {
+        ut_set_error_message_handler(ut_ignore);
+        std::unique_ptr<ut_system, void (*)(ut_system *)> units(
+          ut_read_xml(nullptr), ut_free_system);
+        if (!units)
           throw ComputationError(
             "UDUNITS-2 does not find its list of units\n  remedy:  install "
             "libudunits2-data, or set UDUNITS2_XML_PATH to udunits2.xml");
-      }
-
-      std::unique_ptr<ut_unit, void (*)(ut_unit *)>
-      unit(const std::string &text) const
-      {
-        return {ut_parse(system.get(), text.c_str(), UT_UTF8), ut_free};
-      }
-
-    private:
-      const ut_error_message_handler                          messages;
-      const std::unique_ptr<ut_system, void (*)(ut_system *)> system;
-    };
-
-
-
-    const UnitSystem &
-    units()
-    {
-      static const UnitSystem system;
-      return system;
+        return units;
+      }();
+      return {ut_parse(system.get(), text.c_str(), UT_UTF8), ut_free};
     }
 
 
@@ -102,7 +87,7 @@ namespace ThermoContact
   bool
   is_unit(const std::string &text)
   {
-    return !has_factor(text) && units().unit(text) != nullptr;
+    return !has_factor(text) && parse_unit(text) != nullptr;
   }
 
 
@@ -114,10 +99,9 @@ namespace ThermoContact
   {
     if (!is_unit(unit))
       return std::nullopt;
-    const auto from = units().unit(unit), to = units().unit(other);
+    const Unit from = parse_unit(unit), to = parse_unit(other);
     // for UDUNITS-2 hertz can be converted to seconds
-    const std::unique_ptr<ut_unit, void (*)(ut_unit *)> ratio(
-      ut_divide(from.get(), to.get()), ut_free);
+    const Unit ratio(ut_divide(from.get(), to.get()), ut_free);
     if (!ratio || ut_is_dimensionless(ratio.get()) == 0)
       return std::nullopt;
     const std::unique_ptr<cv_converter, void (*)(cv_converter *)> converter(

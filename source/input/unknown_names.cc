@@ -13,14 +13,6 @@ namespace ThermoContact
 {
   namespace
   {
-    std::string
-    name_of(const std::string &path)
-    {
-      return path.substr(path.rfind('/') + 1);
-    }
-
-
-
     /** The sections, in the order of declaration. */
     std::vector<std::string>
     declared_sections()
@@ -130,6 +122,14 @@ namespace ThermoContact
   {
     const auto slash = path.rfind('/');
     return slash == std::string::npos ? "" : path.substr(0, slash);
+  }
+
+
+
+  std::string
+  name_of(const std::string &path)
+  {
+    return path.substr(path.rfind('/') + 1);
   }
 
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/parallel_file.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/writable_file.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/output/checkpoint.h>
 
@@ -20,7 +20,6 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 namespace ThermoContact

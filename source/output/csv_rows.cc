@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/text.h>
-#include <thermocontact/input/probe_positions.h>
+#include <thermocontact/input/parameters.h>
 #include <thermocontact/output/csv_rows.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/space/point_values.h>
 
-#include <deal.II/base/utilities.h>
-
-#include <limits>
 
 namespace ThermoContact
 {
@@ -24,15 +21,6 @@ namespace ThermoContact
     });
     return columns;
   }
-
-
-
-  EventRow::EventRow(const ContactEvent &event, const ContactEvent *const begin)
-    : ContactEvent(event)
-    , duration(event.kind == ContactEvent::end && begin != nullptr ?
-                 event.time - begin->time :
-                 std::numeric_limits<double>::quiet_NaN())
-  {}
 
 
 
@@ -87,18 +75,6 @@ namespace ThermoContact
 
 
 
-  std::vector<std::array<double, 3>>
-  probe_positions(const Parameters &parameters)
-  {
-    if (dealii::Utilities::trim(parameters.output.probes).empty())
-      return {};
-    return parse_probe_positions(parameters.output.probes,
-                                 parameters.dimension,
-                                 parameters.mesh.width);
-  }
-
-
-
   std::string
   probe_comments(const Parameters &parameters)
   {
@@ -106,7 +82,7 @@ namespace ThermoContact
     unsigned int      n = 0;
     const OutputUnits units(parameters);
     const Conversion &length = units.of("position");
-    for (const auto &position : probe_positions(parameters))
+    for (const auto &position : parameters.probe_positions())
       {
         std::vector<std::string> words;
         for (unsigned int d = 0; d < parameters.dimension; ++d)

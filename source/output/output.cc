@@ -3,9 +3,11 @@
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/input/parameters.h>
 #include <thermocontact/output/output.h>
 
 #include <filesystem>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -21,7 +23,7 @@ namespace ThermoContact
     probe_places(const Parameters &parameters)
     {
       std::vector<Place<dim>> places;
-      for (const auto &coordinates : probe_positions(parameters))
+      for (const auto &coordinates : parameters.probe_positions())
         {
           Point<dim> position;
           std::copy_n(coordinates.begin(), dim, position.begin_raw());
@@ -183,7 +185,10 @@ namespace ThermoContact
       poincare_file.add(record);
     const auto &events = simulation.events();
     for (unsigned int &i = n_written_events; i < events.size(); ++i)
-      events_file.add(EventRow(events[i], i > 0 ? &events[i - 1] : nullptr));
+      events_file.add({events[i],
+                       events[i].kind == ContactEvent::end && i > 0 ?
+                         events[i].time - events[i - 1].time :
+                         std::numeric_limits<double>::quiet_NaN()});
     for (const StepAttempt &attempt : simulation.history().attempts)
       steps_file.add(attempt);
     if (space_time_output && is_due(of_space_time, record.time))

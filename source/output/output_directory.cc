@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/version.h>
+#include <thermocontact/base/writable_file.h>
 #include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/si_scene.h>
@@ -19,7 +19,6 @@
 #include <cstring>
 #include <filesystem>
 #include <sstream>
-#include <vector>
 
 namespace ThermoContact
 {
@@ -127,17 +126,6 @@ namespace ThermoContact
 
 
 
-    void
-    make_ready(const fs::path &directory)
-    {
-      if (fs::exists(directory))
-        remove_earlier_run(directory);
-      else
-        fs::create_directories(directory);
-    }
-
-
-
     /** Calls @p action on rank 0; what it returns or throws is a fault. */
     template <typename Action>
     void
@@ -181,8 +169,10 @@ namespace ThermoContact
   {
     on_first_rank(directory, communicator, [&]() {
       const std::string fault = find_fault(directory);
-      if (fault.empty())
-        make_ready(directory);
+      if (fault.empty() && fs::exists(directory))
+        remove_earlier_run(directory);
+      else if (fault.empty())
+        fs::create_directories(directory);
       return fault;
     });
   }
@@ -228,15 +218,8 @@ namespace ThermoContact
     std::string fault;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        std::vector<DeclaredEntry> entries  = declared_entries(prm);
-        std::set<std::string>      left_out = omit;
-        if (is_in_si(assignments))
-          add_units(assignments, entries);
-        else
-          for (const DeclaredEntry &entry : entries)
-            if (entry.path.rfind("Rod/", 0) == 0 ||
-                entry.path == "Contact/Stiffness")
-              left_out.insert(entry.path);
+        std::vector<DeclaredEntry> entries = declared_entries(prm);
+        add_units(assignments, entries);
         for (DeclaredEntry &entry : entries)
           if (entry.path == "Output/Directory")
             {
@@ -264,7 +247,7 @@ namespace ThermoContact
         const std::string  path = directory + "/used.prm";
         std::ostringstream text;
         text << "# thermocontact " << version() << ": every entry as used\n";
-        write_entries(entries, left_out, text);
+        write_entries(entries, omit, text);
         if (fault.empty())
           fault = write_atomically(path, text.str());
       }

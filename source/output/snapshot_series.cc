@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/writable_file.h>
 #include <thermocontact/output/snapshot_series.h>
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/atomic_file.h>
+#include <thermocontact/base/writable_file.h>
 #include <thermocontact/output/space_time_output.h>
 #include <thermocontact/output/vtu_cells.h>
 

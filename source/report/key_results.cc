@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/report/key_results.h>
 
 #include <algorithm>
@@ -64,9 +65,10 @@ namespace ThermoContact
 
     /**
      * The number, from 1, of the steady state that is reached: the nearest one,
-     * if the temperature of the contact end differs from its by at most 1e-3 of
-     * the difference of the outer temperatures, and the displacement by at most
-     * 1e-3 of the gap or of the largest one of these states.
+     * if the temperature of the contact end is as near to its as that of a
+     * state that is reached, in parts of the difference of the outer
+     * temperatures, and the displacement in parts of the gap or of the largest
+     * one of these states.
      */
     double
     reached_state(const Scene &scene, const RunHistory &history)
@@ -79,7 +81,8 @@ namespace ThermoContact
       const auto         is_near =
         [](const double value, const double rest, const double scale) {
           // what the scene does not have is NaN
-          return std::isnan(rest) || std::abs(value - rest) <= 1e-3 * scale;
+          return std::isnan(rest) ||
+                 std::abs(value - rest) <= Tolerances::reached_state * scale;
         };
       double largest = scene.contact.law->is_active() ? scene.contact.gap : 0.;
       for (const SteadyState &any : states)

@@ -42,8 +42,7 @@ namespace ThermoContact
     if (history.attempts.empty())
       return; // the initial state
     report_tenth(history.record);
-    if (log.has_live_line())
-      update_live_line(history.record);
+    update_live_line(history.record);
   }
 
 

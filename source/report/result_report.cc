@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/text.h>
-#include <thermocontact/output/output_page.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/result_report.h>
 #include <thermocontact/report/scene_report.h>

@@ -3,15 +3,12 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/machine_memory.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/scene_report.h>
 #include <thermocontact/scene/coarser_scenes.h>
-#include <thermocontact/scene/scene_terms.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace ThermoContact
@@ -312,7 +309,7 @@ namespace ThermoContact
             {"theta_A = " +
                (scene.sources.has_driven_temperature ?
                   as_written("Boundary/Fixed end temperature",
-                             heat.fixed_end_drive->text()) :
+                             heat.fixed_end_drive->expression.text()) :
                   units.text("temperature", heat.fixed_end_temperature)),
              exchange.empty() ? heat.exchange->description() :
                                 "k = " + exchange,
@@ -331,7 +328,7 @@ namespace ThermoContact
     if (scene.sources.has_moving_end)
       log.line("  fixed end u_A = " +
                as_written("Boundary/Fixed end displacement",
-                          scene.fixed_end_motion->text()));
+                          scene.fixed_end_motion->expression.text()));
     if (scene.fields.has_displacement)
       {
         const SceneContact &contact = scene.contact;

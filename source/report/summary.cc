@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/version.h>
+#include <thermocontact/base/writable_file.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/result_report.h>
 #include <thermocontact/report/summary.h>
-#include <thermocontact/scene/scene_terms.h>
 
 #include <deal.II/base/utilities.h>
 

@@ -44,32 +44,21 @@ namespace ThermoContact
 
 
 
+    /** @param factor of the tolerance or of the step size */
     CoarserScene
-    with_tolerance(const Parameters &parameters,
-                   const double      factor,
-                   const double      step_factor,
-                   const double      weight)
+    with_steps(const Parameters &parameters,
+               const double      factor,
+               const double      step_factor,
+               const double      weight)
     {
-      CoarserScene scene{parameters, "", weight};
-      double      &tolerance = scene.parameters.time.tolerance;
-      tolerance *= factor;
+      CoarserScene    scene{parameters, "", weight};
+      TimeParameters &time = scene.parameters.time;
+      double &accuracy     = time.step_size ? *time.step_size : time.tolerance;
+      accuracy *= factor;
       scale_limits_of_steps(step_factor, scene.parameters);
-      scene.words = "Time/Tolerance = " + significant(tolerance, 6);
-      return scene;
-    }
-
-
-
-    CoarserScene
-    with_step_size(const Parameters &parameters,
-                   const double      factor,
-                   const double      weight)
-    {
-      CoarserScene scene{parameters, "", weight};
-      double      &size = *scene.parameters.time.step_size;
-      size *= factor;
-      scale_limits_of_steps(factor, scene.parameters);
-      scene.words = "Time/Step size = " + significant(size, 6);
+      scene.words =
+        (time.step_size ? "Time/Step size = " : "Time/Tolerance = ") +
+        significant(accuracy, 6);
       return scene;
     }
 
@@ -143,17 +132,17 @@ namespace ThermoContact
           largest_tolerance * (1. + Tolerances::rounding_of_data);
         // near the largest tolerance larger ones may not change the steps
         if (100. * time.tolerance > largest)
-          scenes.push_back(with_tolerance(parameters, 0.1, 0.5, 1.5));
+          scenes.push_back(with_steps(parameters, 0.1, 0.5, 1.5));
         if (10. * time.tolerance <= largest)
-          scenes.push_back(with_tolerance(parameters, 10., 2., 0.5));
+          scenes.push_back(with_steps(parameters, 10., 2., 0.5));
         if (100. * time.tolerance <= largest)
-          scenes.push_back(with_tolerance(parameters, 100., 4., 0.05));
+          scenes.push_back(with_steps(parameters, 100., 4., 0.05));
         return scenes;
       }
     if (time.n_steps() < 8)
-      return {with_step_size(parameters, 0.5, 2.)};
-    return {with_step_size(parameters, 2., 1.),
-            with_step_size(parameters, 4., 1. / 3.)};
+      return {with_steps(parameters, 0.5, 0.5, 2.)};
+    return {with_steps(parameters, 2., 2., 1.),
+            with_steps(parameters, 4., 4., 1. / 3.)};
   }
 
 

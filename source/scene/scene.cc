@@ -5,25 +5,12 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/parameter_file.h>
-#include <thermocontact/scene/refusal.h>
 #include <thermocontact/scene/scene.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace ThermoContact
 {
   namespace
   {
-    SceneFields
-    resolve_fields(const ModelParameters &model)
-    {
-      return {model.fields != "displacement", model.fields != "temperature"};
-    }
-
-
-
     Material
     resolve_material(const ModelParameters &model, const SceneFields &fields)
     {
@@ -242,10 +229,10 @@ namespace ThermoContact
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
       const double h = mesh.contact_spacing();
-      // of the mesh, and of an obstacle beside it that has one for all
-      // pressures
-      const bool   has_stiffness = law.is_linear() && !law.is_rigid();
-      const double stiffness = 1. + (has_stiffness ? h / law.tangent(1.) : 0.);
+      // of the mesh, and of an obstacle beside it that has one
+      const double stiffness =
+        1. +
+        h / law.compliance().value_or(std::numeric_limits<double>::infinity());
       return scheme.needs_massless_contact ||
              (parameters.dimension > 1 && law.is_rigid()) ||
              model.viscosity < std::sqrt(model.inertia * stiffness) * h;
@@ -338,28 +325,32 @@ namespace ThermoContact
     {
       const SolverParameters &solver = parameters.solver;
       const unsigned int      dim    = parameters.dimension;
-      const double            tolerance =
-        solver.linear_tolerance.value_or(Tolerances::default_residual);
+      LinearSolver            result{false,
+                          false,
+                          solver.linear_tolerance.value_or(
+                            Tolerances::default_residual),
+                          needs_factors,
+                          needs_factors};
       if (solver.linear_solver != "automatic")
-        return {solver.linear_solver == "iterative",
-                false,
-                tolerance,
-                "Solver/Linear solver = " + solver.linear_solver,
-                needs_factors};
-      if (!needs_factors.empty())
-        return {false, dim == 1, tolerance, needs_factors, needs_factors};
-      const double n_unknowns =
-        parameters.mesh.n_nodes(dim) * fields.n_components(dim);
-      const double limit = largest_for_factors(parameters, contact);
-      return {n_unknowns > limit,
-              false,
-              tolerance,
-              text(significant(n_unknowns, 3),
-                   " unknowns in ",
-                   dim,
-                   " dimensions, direct up to ",
-                   significant(limit, 3)),
-              needs_factors};
+        {
+          result.is_iterative = solver.linear_solver == "iterative";
+          result.reason = "Solver/Linear solver = " + solver.linear_solver;
+        }
+      else if (!needs_factors.empty())
+        result.is_along_rod = dim == 1;
+      else
+        {
+          const double n_unknowns =
+            parameters.mesh.n_nodes(dim) * fields.n_components(dim);
+          const double limit  = largest_for_factors(parameters, contact);
+          result.is_iterative = n_unknowns > limit;
+          result.reason       = text(significant(n_unknowns, 3),
+                               " unknowns in ",
+                               dim,
+                               " dimensions, direct up to ",
+                               significant(limit, 3));
+        }
+      return result;
     }
   } // namespace
 
@@ -367,7 +358,8 @@ namespace ThermoContact
 
   Scene::Scene(const Parameters &parameters)
     : parameters(parameters)
-    , fields(resolve_fields(parameters.model))
+    , fields{parameters.model.fields != "displacement",
+             parameters.model.fields != "temperature"}
     , geometry(ThermoContact::geometry(parameters.mesh.geometry)
                  .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, fields))
@@ -412,4 +404,62 @@ namespace ThermoContact
                                                  is_fixed_point,
                                                  has_prescribed_start)))
   {}
+
+
+
+  std::vector<std::string>
+  scene_fields(const Scene &scene)
+  {
+    std::vector<std::string> fields;
+    if (scene.fields.has_temperature)
+      fields.emplace_back("temperature");
+    if (scene.fields.has_displacement)
+      fields.emplace_back("displacement");
+    return fields;
+  }
+
+
+
+  std::vector<std::string>
+  scene_terms(const Scene &scene)
+  {
+    const Material          &material         = scene.material;
+    const bool               has_temperature  = scene.fields.has_temperature;
+    const bool               has_displacement = scene.fields.has_displacement;
+    std::vector<std::string> terms;
+    const auto add_if = [&terms](const bool has, const std::string &word) {
+      if (has)
+        terms.push_back(word);
+    };
+    add_if(has_temperature, "heat conduction");
+    add_if(has_temperature && scene.heat.has_exchange(), "heat exchange");
+    add_if(has_temperature && scene.heat.has_lateral_exchange(),
+           "lateral heat exchange");
+    add_if(has_displacement && material.has_inertia(), "inertia");
+    add_if(has_displacement, "elasticity");
+    add_if(has_displacement && material.has_viscosity(), "viscosity");
+    add_if(material.has_thermal_stress(), "thermal stress");
+    add_if(material.has_heating(), "thermoelastic heating");
+    const ContactLaw &law = *scene.contact.law;
+    add_if(law.is_active(),
+           law.is_rigid() ? "rigid contact" :
+                            scene.parameters.contact.condition);
+    add_if(law.damping() > 0., "damped contact");
+    add_if(scene.contact.is_two_sided(), "two stops");
+    add_if(scene.contact.has_massless_nodes, "massless contact nodes");
+    add_if(scene.has_lumped_mass && (has_temperature || material.has_inertia()),
+           "lumped mass");
+    add_if(scene.has_midpoint_mass && material.has_inertia(), "midpoint mass");
+    add_if(scene.sources.has_heat_source, "heat source");
+    add_if(scene.sources.has_body_force, "body force");
+    add_if(scene.sources.has_end_traction, "end traction");
+    add_if(scene.sources.has_end_heat_flux, "end heat flux");
+    add_if(scene.sources.has_varying_obstacle,
+           "varying temperature of the obstacle");
+    add_if(scene.sources.has_driven_temperature,
+           "varying temperature of the fixed end");
+    add_if(scene.sources.has_moving_end, "moving fixed end");
+    add_if(scene.sources.has_moving_obstacle, "moving obstacle");
+    return terms;
+  }
 } // namespace ThermoContact

@@ -1,19 +1,36 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/parameter_file.h>
-#include <thermocontact/input/probe_positions.h>
-#include <thermocontact/scene/refusal.h>
+#include <thermocontact/input/parameters.h>
 #include <thermocontact/scene/scene_checks.h>
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ThermoContact
 {
   namespace
   {
+    /**
+     * Throws for an entry whose value a pattern accepts but the program does
+     * not.
+     */
+    template <typename Value>
+    [[noreturn]] void
+    refuse(const std::string &path,
+           const Value       &value,
+           const std::string &allowed,
+           const std::string &remedy)
+    {
+      throw InputError(text(
+        path, " = ", value, "\n  allowed: ", allowed, "\n  remedy:  ", remedy));
+    }
+
+
+
     /** A value of an entry that many scenes cannot have. */
     struct Refusal
     {
@@ -242,15 +259,62 @@ namespace ThermoContact
 
 
 
+    /**
+     * Whether somewhere on the end the rate of @p motion has no limit at $t=0$,
+     * as that of sqrt(t). It has one where an enclosure of the rate over the
+     * start is finite. What that leaves open, such as $t^{3/2}$, grows towards
+     * zero or does not, in the middle, or else in quarters of the end: a
+     * condition on the place may have both of its branches.
+     *
+     * @param y, z of the end, or of a part of it
+     */
+    bool
+    has_unbounded_rate(const Expression &motion,
+                       const double      end_time,
+                       const Interval   &y,
+                       const Interval   &z,
+                       const unsigned    n_divisions = 4)
+    {
+      constexpr double  smallest = std::numeric_limits<double>::epsilon();
+      const IntervalJet start({0., smallest * end_time}, 1., 0.);
+      const IntervalJet everywhere[] = {IntervalJet(1.),
+                                        {y, 0., 0.},
+                                        {z, 0., 0.},
+                                        start};
+      if (motion.evaluate(everywhere).first.is_finite())
+        return false;
+      const TimeFunction middle(motion,
+                                dealii::Point<3>(1., y.middle(), z.middle()));
+      const auto         rate = [&](const double part) {
+        return std::abs(middle.derivatives(part * end_time).first);
+      };
+      // of a rate with a limit 1; 1.3 of log(t), 90 of that of sqrt(t)
+      if (const double near = rate(smallest);
+          near > 1.2 * rate(std::pow(smallest, 0.75)))
+        return true;
+      if (n_divisions > 0 && y.width() > 0.)
+        for (const Interval &part_y :
+             {Interval(y.low, y.middle()), Interval(y.middle(), y.high)})
+          for (const Interval &part_z :
+               {Interval(z.low, z.middle()), Interval(z.middle(), z.high)})
+            if (has_unbounded_rate(
+                  motion, end_time, part_y, part_z, n_divisions - 1))
+              return true;
+      return false;
+    }
+
+
+
     /** What moves the obstacle, or the fixed end. */
     void
     check_drives(const Scene &scene)
     {
       const TimeParameters &time = scene.parameters.time;
       // of both
-      const auto check_rate = [&](const Refusal      &refusal,
-                                  const TimeFunction &motion) {
-        if (motion.starts_with_unbounded_rate(time.end_time))
+      const auto check_rate = [&](const Refusal    &refusal,
+                                  const Expression &motion,
+                                  const double      width) {
+        if (has_unbounded_rate(motion, time.end_time, {0., width}, {0., width}))
           refuse(refusal.path,
                  refusal.value,
                  "a velocity that stays finite at t = 0",
@@ -269,27 +333,25 @@ namespace ThermoContact
           const Refusal gap{"Contact/Gap",
                             quote(scene.gap_expression->text()),
                             "an expression without t"};
-          const double  half = 0.5 * scene.parameters.mesh.width;
-          check_rate(gap,
-                     TimeFunction(*scene.gap_expression,
-                                  dealii::Point<3>(1., half, half)));
+          check_rate(gap, *scene.gap_expression, scene.parameters.mesh.width);
           check_start(gap, "before an obstacle that rests");
         }
       if (!scene.sources.has_moving_end)
         return;
       const TimeFunction &motion = *scene.fixed_end_motion;
       const Refusal       end{"Boundary/Fixed end displacement",
-                        quote(motion.text()),
+                        quote(motion.expression.text()),
                         "0"};
       const double        start = motion.value(0.);
-      if (std::abs(start) >
-          Tolerances::rounding_of_data * motion.largest_value(time.end_time))
+      const Interval      all   = motion.enclosure({0., time.end_time}).value;
+      if (std::abs(start) > Tolerances::rounding_of_data *
+                              (all.is_finite() ? all.magnitude() : 0.))
         refuse(end.path,
                end.value,
                text("zero at t = 0, where it is ", start),
                "subtract that: displacements are relative to where the end is "
                "at the start");
-      check_rate(end, motion);
+      check_rate(end, motion.expression, 0.);
       end.since(!scene.scheme.needs_resting_end.empty(),
                 name_of_scheme(scene),
                 take_default_scheme(scene.scheme.needs_resting_end));
@@ -342,8 +404,8 @@ namespace ThermoContact
       solver.since(!scene.scheme.is_of_paper,
                    name_of_scheme(scene),
                    iteration + "belongs to Time/Scheme = " + scheme_of_paper());
-      solver.since(scene.contact.law->is_rigid() ||
-                     !scene.contact.law->is_linear(),
+      solver.since(scene.contact.law->is_active() &&
+                     !scene.contact.law->compliance(),
                    "Contact/Condition = " + parameters.contact.condition,
                    iteration + "needs an elastic obstacle");
       solver.since(!scene.fields.has_temperature ||
@@ -536,9 +598,7 @@ namespace ThermoContact
     check_mass_matrix(scene);
     check_contact(scene);
     check_mesh(scene);
-    parse_probe_positions(parameters.output.probes,
-                          parameters.dimension,
-                          parameters.mesh.width);
+    parameters.probe_positions();
     check_step_sizes(scene);
     check_start(scene);
     check_exchange(scene);

@@ -8,8 +8,9 @@
 
 namespace ThermoContact
 {
-  ErrorNorm::ErrorNorm(const double temperature_energy)
+  ErrorNorm::ErrorNorm(const double temperature_energy, const double heating)
     : temperature_energy(temperature_energy)
+    , heating(heating)
     , max_thermal(0.)
     , max_mechanical(0.)
     , first_thermal(0.)
@@ -49,7 +50,8 @@ namespace ThermoContact
     if (first_mechanical == 0. &&
         std::isfinite(energy.elastic + energy.kinetic))
       first_mechanical = std::max(energy.elastic, energy.kinetic);
-    const auto ratio = [](const double part, const double whole) {
+    const double mechanical = mechanical_energy(energy);
+    const auto   ratio      = [](const double part, const double whole) {
       return part == 0. ? 0. : part / whole;
     };
     // of displacements that a stage solves for, in their energy, and of that
@@ -61,15 +63,17 @@ namespace ThermoContact
     const double elastic_error =
       is_rounding && error.elastic <= smallest_elastic ? 0. : error.elastic;
     const double thermal =
-      std::max(max_thermal == 0. ? first_thermal : max_thermal, energy.thermal);
+      std::max({max_thermal == 0. ? first_thermal : max_thermal,
+                energy.thermal,
+                heating * heating * mechanical});
     const double thermal_error =
       error.thermal <= Tolerances::rounding_of_sum *
                          Tolerances::rounding_of_sum *
                          (temperature_energy + thermal) ?
         0. :
         error.thermal;
-    return std::sqrt(ratio(thermal_error, thermal) +
-                     ratio(elastic_error + error.kinetic + error.obstacle,
-                           mechanical_energy(energy)));
+    return std::sqrt(
+      ratio(thermal_error, thermal) +
+      ratio(elastic_error + error.kinetic + error.obstacle, mechanical));
   }
 } // namespace ThermoContact

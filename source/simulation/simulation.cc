@@ -54,7 +54,7 @@ namespace ThermoContact
                  DimensionTraits<dim>::has_cheap_factors ?
                    StepLadder{4, false} :
                    StepLadder{1, true})
-    , error_norm(body_.energy.steady_profile_energy())
+    , error_norm(body_.energy.steady_profile_energy(), scene_.material.heating)
     , energy_monitor(scene_)
     , spatial_error_monitor(scene_, discretization())
   {

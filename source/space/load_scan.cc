@@ -35,7 +35,7 @@ namespace ThermoContact
       const Expression &
       expression() const
       {
-        return at_places.front().expression();
+        return at_places.front().expression;
       }
     };
 
@@ -89,15 +89,15 @@ namespace ThermoContact
           for (const Expression &component : source->components())
             add(component, is_on_end);
       };
-      add_source(data.heat_source(), false);
-      add_source(data.body_force(), false);
-      add_source(data.end_traction(), true);
-      add_source(data.end_heat_flux(), true);
-      add_source(data.obstacle_warming(), true);
+      add_source(data.heat_source.get(), false);
+      add_source(data.body_force.get(), false);
+      add_source(data.end_traction.get(), true);
+      add_source(data.end_heat_flux.get(), true);
+      add_source(data.obstacle_warming.get(), true);
       if (scene.sources.has_driven_temperature)
-        add(scene.heat.fixed_end_drive->expression(), true, "", true);
+        add(scene.heat.fixed_end_drive->expression, true, "", true);
       if (scene.sources.has_moving_end)
-        add(scene.fixed_end_motion->expression(),
+        add(scene.fixed_end_motion->expression,
             true,
             no_velocity + "end that jumps has no velocity",
             true);
@@ -166,6 +166,7 @@ namespace ThermoContact
                                                     "");
           if (!enclosed.is_resolved)
             {
+              history.is_complete = false;
               if (time.has_error_control())
                 warnings.push_back(text(
                   load.expression().path(),

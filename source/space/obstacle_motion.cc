@@ -40,7 +40,7 @@ namespace ThermoContact
       derivatives[i] = derivatives.front();
     const auto fail = [&](const std::string &fault, const std::string &remedy) {
       throw ComputationError(text("Contact/Gap = ",
-                                  quote(gaps.front().text()),
+                                  quote(gaps.front().expression.text()),
                                   ": ",
                                   fault,
                                   " at t = ",

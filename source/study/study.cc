@@ -6,14 +6,13 @@
 #include <thermocontact/study/study.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace ThermoContact
@@ -27,7 +26,6 @@ namespace ThermoContact
       StudyProgress(StudyTable &table, Log &log)
         : table(table)
         , log(log)
-        , start(std::chrono::steady_clock::now())
         , n_before(table.size())
       {}
 
@@ -35,18 +33,15 @@ namespace ThermoContact
       void
       update()
       {
-        const unsigned int n_runs  = table.plan().n_runs();
+        const unsigned int n_runs  = table.plan.n_runs();
         const unsigned int n_known = table.size();
         for (const unsigned int run : table.read_on())
           if (const std::string failure = table.failure(run); !failure.empty())
-            log.line("  " + table.plan().description(run) + ": " + failure);
+            log.line("  " + table.plan.description(run) + ": " + failure);
         if (table.size() == n_known)
           return;
-        const double seconds = std::chrono::duration<double>(
-                                 std::chrono::steady_clock::now() - start)
-                                 .count();
-        const double left =
-          seconds / (table.size() - n_before) * (n_runs - table.size());
+        const double left = since_start.wall_time() /
+                            (table.size() - n_before) * (n_runs - table.size());
         const std::string line = text(
           "  run ", table.size(), '/', n_runs, "  ", clock_time(left), " left");
         log.live_line(line);
@@ -55,10 +50,10 @@ namespace ThermoContact
       }
 
     private:
-      StudyTable                                 &table;
-      Log                                        &log;
-      const std::chrono::steady_clock::time_point start;
-      const unsigned int                          n_before;
+      StudyTable        &table;
+      Log               &log;
+      const Timer        since_start;
+      const unsigned int n_before;
     };
 
 
@@ -74,7 +69,7 @@ namespace ThermoContact
       if (Utilities::MPI::this_mpi_process(communicator) == last)
         try
           {
-            StudyRun run = runner.execute(*plan.reference(), 1, "");
+            StudyRun run = runner.execute(*plan.reference, 1, "");
             result       = {run.failure, std::move(run.trajectory)};
           }
         catch (const Interruption &)
@@ -95,7 +90,7 @@ namespace ThermoContact
     std::string
     missing_rows(const StudyTable &table)
     {
-      const unsigned int n_lost = table.plan().n_runs() - table.size();
+      const unsigned int n_lost = table.plan.n_runs() - table.size();
       return n_lost == 0 ? "" :
                            text("study.csv: the rows of ",
                                 n_lost,
@@ -117,13 +112,13 @@ namespace ThermoContact
     const MPI_Comm     communicator = MPI_COMM_WORLD;
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
-    const StudyPlan   &plan    = table.plan();
+    const StudyPlan   &plan    = table.plan;
     const SignalWatch  signals;
     StudyRunner        runner(plan, signals);
 
     const std::vector<unsigned int> missing = table.missing_runs();
     Trajectory                      reference;
-    if (plan.reference() && !missing.empty())
+    if (plan.reference && !missing.empty())
       reference = run_reference(plan, runner);
     StudyProgress progress(table, log);
 
@@ -141,7 +136,7 @@ namespace ThermoContact
                                         parameters.keep_files ?
                                                        text(directory, "/run-", number) :
                                                        "");
-          if (plan.reference() && run.failure.empty())
+          if (plan.reference && run.failure.empty())
             run.error = run.trajectory.compare(reference);
           fault = table.append(number, run);
           if (rank == 0)

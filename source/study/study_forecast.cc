@@ -3,10 +3,9 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/machine_memory.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/forecast/expected_memory.h>
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/space/load_scan.h>
-#include <thermocontact/study/study_forecast.h>
+#include <thermocontact/study/study.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +36,7 @@ namespace ThermoContact
       double                 bytes_of_reference = 0.;
       bool                   has_bodies         = false;
       double                 steps              = 0.;
+      unsigned int           n_unsearched       = 0; ///< for breaks of loads
       unsigned int           n_refused          = 0;
       std::string            refused; ///< the first ones, and why
     };
@@ -53,15 +53,14 @@ namespace ThermoContact
 
 
 
-    /** What the scene of a run costs; throws if the run cannot be run. */
-    ExpectedCost
-    expected_cost(const Scene &scene)
+    /** Throws if the run of the scene cannot be run. */
+    LoadHistory
+    loads_of(const Scene &scene)
     {
       const unsigned int dim = scene.parameters.dimension;
-      return expected_cost(scene,
-                           dim == 1 ? loads_of<1>(scene) :
-                           dim == 2 ? loads_of<2>(scene) :
-                                      loads_of<3>(scene));
+      return dim == 1 ? loads_of<1>(scene) :
+             dim == 2 ? loads_of<2>(scene) :
+                        loads_of<3>(scene);
     }
 
 
@@ -69,14 +68,15 @@ namespace ThermoContact
     StudyForecast
     read_scenes(const StudyTable &table, const std::vector<unsigned int> &runs)
     {
-      const StudyPlan &plan = table.plan();
-      SceneReader      reader(plan.scene_assignments());
+      const StudyPlan &plan = table.plan;
+      SceneReader      reader(plan.assignments);
       StudyForecast    forecast;
       const auto       read = [&](const Overrides &overrides) {
         plan.read_scene(overrides, reader);
         forecast.has_bodies |= reader.scene().dimension > 1;
         return Scene(reader.scene());
       };
+      LoadHistory loads; // of the last run that was searched
       for (const unsigned int run : runs)
         try
           {
@@ -84,7 +84,11 @@ namespace ThermoContact
             if (!table.has(run))
               forecast.runs.push_back(
                 {plan.description(run), expected_memory(scene, 1)});
-            forecast.steps += expected_cost(scene).steps;
+            if (loads.is_complete)
+              loads = loads_of(scene);
+            else // a search takes long, and finds nothing
+              ++forecast.n_unsearched;
+            forecast.steps += expected_cost(scene, loads).steps;
           }
         catch (const InputError &error)
           {
@@ -92,9 +96,8 @@ namespace ThermoContact
               forecast.refused +=
                 "\n  " + plan.description(run) + ": " + error.what();
           }
-      if (plan.reference())
-        forecast.bytes_of_reference =
-          expected_memory(read(*plan.reference()), 1);
+      if (plan.reference)
+        forecast.bytes_of_reference = expected_memory(read(*plan.reference), 1);
       return forecast;
     }
 
@@ -163,11 +166,11 @@ namespace ThermoContact
     bool
     has_bodies(const StudyPlan &plan)
     {
-      const auto &varied = plan.varied();
-      return SceneReader(plan.scene_assignments()).scene().dimension > 1 ||
+      const auto &varied = plan.varied;
+      return SceneReader(plan.assignments).scene().dimension > 1 ||
              std::find(varied.begin(), varied.end(), "Dimension") !=
                varied.end() ||
-             plan.reference();
+             plan.reference;
     }
   } // namespace
 
@@ -177,7 +180,7 @@ namespace ThermoContact
   check_study_memory(const StudyTable &table)
   {
     std::vector<unsigned int> runs = table.missing_runs();
-    if (runs.empty() || !has_bodies(table.plan()))
+    if (runs.empty() || !has_bodies(table.plan))
       return "";
     runs.resize(std::min<std::size_t>(runs.size(), max_checked));
     return describe_memory(read_scenes(table, runs));
@@ -188,14 +191,14 @@ namespace ThermoContact
   void
   check_any_run(const StudyTable &table)
   {
-    const StudyPlan &plan = table.plan();
-    SceneReader      reader(plan.scene_assignments());
+    const StudyPlan &plan = table.plan;
+    SceneReader      reader(plan.assignments);
     std::string      first;
     for (unsigned int run = 0; run < plan.n_runs(); ++run)
       try
         {
           plan.read_scene(plan.overrides(run), reader);
-          expected_cost(Scene(reader.scene()));
+          loads_of(Scene(reader.scene()));
           return;
         }
       catch (const InputError &error)
@@ -213,7 +216,7 @@ namespace ThermoContact
               const StudyParameters &parameters,
               Log                   &log)
   {
-    const unsigned int n_runs = table.plan().n_runs();
+    const unsigned int n_runs = table.plan.n_runs();
     log.line(
       text("  study     ", n_runs, " runs, reference: ", parameters.reference));
     std::vector<unsigned int> runs(std::min(n_runs, max_checked));
@@ -230,6 +233,10 @@ namespace ThermoContact
         log.line(lines);
     if (runs.size() < n_runs)
       log.line(text("  checked   the first ", runs.size(), " runs"));
+    if (forecast.n_unsearched > 0)
+      log.line(text("  searched  for breaks of loads in all runs but the last ",
+                    forecast.n_unsearched,
+                    ": before, they change too fast to be seen"));
     if (forecast.n_refused > 0)
       throw InputError(text("Study/Vary: ",
                             forecast.n_refused,

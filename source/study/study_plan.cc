@@ -15,7 +15,6 @@
 #include <cmath>
 #include <set>
 #include <sstream>
-#include <tuple>
 
 namespace ThermoContact
 {
@@ -133,27 +132,161 @@ namespace ThermoContact
 
 
 
+    StudyPlan::Variation
+    read_variation(const std::string &entry, const std::string &text)
+    {
+      const auto fail = [&](const std::string &fault) {
+        refuse_notation(entry, text, fault);
+      };
+      const auto equal_sign = text.find('=');
+      if (equal_sign == std::string::npos)
+        fail("no '='");
+      StudyPlan::Variation variation = {
+        dealii::Utilities::trim(text.substr(0, equal_sign)), {}};
+      for (const std::string &value :
+           split_at(text.substr(equal_sign + 1), "|"))
+        if (value.find("..") == std::string::npos)
+          variation.values.push_back(value);
+        else
+          for (const std::string &one : range_of_values(value))
+            variation.values.push_back(one);
+      if (variation.path.empty() || variation.path.back() == '/')
+        fail("no entry before '='");
+      if (variation.path.rfind("Study/", 0) == 0 ||
+          variation.path == "Output/Directory")
+        fail("an entry that is the study's own");
+      if (variation.path.rfind("Scales/", 0) == 0 ||
+          variation.path == "Output/SI")
+        fail("units, which all rows of study.csv have in common,");
+      for (const std::string &value : variation.values)
+        if (value.empty())
+          fail("an empty value");
+        else if (const auto comma = value.find(',');
+                 variation.path != "Output/Probes" && comma < value.size() &&
+                 parse_number(value.substr(0, comma)))
+          fail("a ',' behind a number, '|' separates values,");
+        else if (value.find(':') < value.find('?') &&
+                 value.find('/') > value.find(':') &&
+                 parse_number(value.substr(0, value.find(':'))))
+          fail("a ':', which makes no range, write first .. last (n),");
+      return variation;
+    }
+
+
+
+    /** The axes of a set. @param entry Vary or Reference, for messages */
+    std::vector<StudyPlan::Axis>
+    read_set(const std::string &entry, const std::string &set)
+    {
+      std::vector<StudyPlan::Axis> axes;
+      std::set<std::string>        paths;
+      for (const std::string &text : split_at(set, ";"))
+        {
+          StudyPlan::Axis axis;
+          for (const std::string &part : split_entries(text))
+            {
+              axis.push_back(read_variation(entry, part));
+              const auto n = axis.back().values.size();
+              if (n != axis.front().values.size())
+                refuse_notation(entry,
+                                text,
+                                std::to_string(axis.front().values.size()) +
+                                  " values of the first and " +
+                                  std::to_string(n) +
+                                  " of another entry that goes with it");
+            }
+          for (const StudyPlan::Variation &variation : axis)
+            if (!paths.insert(variation.path).second)
+              throw InputError("Study/" + entry + ": " + quote(variation.path) +
+                               " twice in one run\n  remedy:  name each entry "
+                               "once");
+          axes.push_back(axis);
+        }
+      return axes;
+    }
+
+
+
+    double
+    n_runs_of(const std::vector<StudyPlan::Axis> &set)
+    {
+      double n = 1.;
+      for (const StudyPlan::Axis &axis : set)
+        n *= axis.front().values.size();
+      return n;
+    }
+
+
+
+    std::vector<std::vector<StudyPlan::Axis>>
+    read_sets(const std::string &vary)
+    {
+      std::vector<std::vector<StudyPlan::Axis>> sets;
+      double                                    n_all = 0.;
+      for (const std::string &set : split_at(vary, ";;"))
+        {
+          sets.push_back(read_set("Vary", set));
+          n_all += n_runs_of(sets.back());
+          if (n_all > StudyPlan::max_runs)
+            throw InputError(text("Study/Vary: ",
+                                  n_all,
+                                  " runs or more\n  allowed: at most ",
+                                  StudyPlan::max_runs,
+                                  "\n  remedy:  fewer values, or several "
+                                  "studies"));
+        }
+      return sets;
+    }
+
+
+
+    std::vector<std::string>
+    paths_of(const std::vector<std::vector<StudyPlan::Axis>> &sets)
+    {
+      std::vector<std::string> paths;
+      for (const auto &set : sets)
+        for (const StudyPlan::Axis &axis : set)
+          for (const auto &[path, values] : axis)
+            if (std::find(paths.begin(), paths.end(), path) == paths.end())
+              paths.push_back(path);
+      return paths;
+    }
+
+
+
+    std::optional<Overrides>
+    read_reference(const std::string &text)
+    {
+      if (text == "none")
+        return {};
+      Overrides reference;
+      for (const StudyPlan::Axis &axis : read_set("Reference", text))
+        for (const auto &[path, values] : axis)
+          {
+            if (values.size() > 1)
+              throw InputError("Study/Reference: several values of " +
+                               quote(path) +
+                               "\n  allowed: one value per entry");
+            reference.emplace_back(path, values[0]);
+          }
+      return reference;
+    }
+
+
+
     /** What an error means, which is one of nondimensional quantities. */
     void
     check_scales_of_errors(const ScalesParameters &a,
                            const ScalesParameters &b,
                            const std::string      &what)
     {
-      const auto members = [](const ScalesParameters &s) {
-        return std::tie(s.length,
-                        s.time,
-                        s.displacement,
-                        s.stress,
-                        s.area,
-                        s.temperature,
-                        s.reference_temperature);
-      };
-      if (members(a) != members(b))
-        throw InputError("Study/Reference: " + quote(what) +
-                         " makes another rod, and no errors are measured "
-                         "between two\n  allowed: entries that leave the "
-                         "scales as they are\n  remedy:  Study/Reference = "
-                         "none");
+      for (const ScalesParameters::Scale &scale : ScalesParameters::all())
+        if (a.*scale.value != b.*scale.value)
+          throw InputError("Study/Reference: " + quote(what) +
+                           " makes another rod, and no errors are measured "
+                           "between two\n  allowed: entries that leave the "
+                           "scales as they are\n  remedy:  Study/Reference = "
+                           "none");
     }
 
 
@@ -174,138 +307,25 @@ namespace ThermoContact
   StudyPlan::StudyPlan(const std::vector<Assignment> &assignments,
                        const StudyParameters         &parameters)
     : assignments(assignments)
+    , sets(read_sets(parameters.vary))
+    , varied(paths_of(sets))
+    , reference(read_reference(parameters.reference))
   {
-    read_sets(parameters.vary);
-    if (parameters.reference != "none")
-      read_reference(parameters.reference);
-    else if (parameters.target_error > 0.)
+    if (!reference && parameters.target_error > 0.)
       throw InputError("Study/Target error: there is no reference to "
                        "measure errors against\n  remedy:  Study/Reference "
                        "= Time/Tolerance = 1e-9, or another run that is "
                        "much more accurate");
-    check_values();
-    if (reference_)
-      check_reference();
-  }
-
-
-
-  StudyPlan::Variation
-  StudyPlan::read_variation(const std::string &entry, const std::string &text)
-  {
-    const auto fail = [&](const std::string &fault) {
-      refuse_notation(entry, text, fault);
-    };
-    const auto equal_sign = text.find('=');
-    if (equal_sign == std::string::npos)
-      fail("no '='");
-    Variation variation = {dealii::Utilities::trim(text.substr(0, equal_sign)),
-                           {}};
-    for (const std::string &value : split_at(text.substr(equal_sign + 1), "|"))
-      if (value.find("..") == std::string::npos)
-        variation.values.push_back(value);
-      else
-        for (const std::string &one : range_of_values(value))
-          variation.values.push_back(one);
-    if (variation.path.empty() || variation.path.back() == '/')
-      fail("no entry before '='");
-    if (variation.path.rfind("Study/", 0) == 0 ||
-        variation.path == "Output/Directory")
-      fail("an entry that is the study's own");
-    if (variation.path.rfind("Scales/", 0) == 0 ||
-        variation.path == "Output/SI")
-      fail("units, which all rows of study.csv have in common,");
-    for (const std::string &value : variation.values)
-      if (value.empty())
-        fail("an empty value");
-      else if (const auto comma = value.find(',');
-               variation.path != "Output/Probes" && comma < value.size() &&
-               parse_number(value.substr(0, comma)))
-        fail("a ',' behind a number, '|' separates values,");
-      else if (value.find(':') < value.find('?') &&
-               value.find('/') > value.find(':') &&
-               parse_number(value.substr(0, value.find(':'))))
-        fail("a ':', which makes no range, write first .. last (n),");
-    return variation;
-  }
-
-
-
-  std::vector<StudyPlan::Axis>
-  StudyPlan::read_set(const std::string &entry, const std::string &set)
-  {
-    std::vector<Axis>     axes;
-    std::set<std::string> paths;
-    for (const std::string &text : split_at(set, ";"))
-      {
-        Axis axis;
-        for (const std::string &part : split_entries(text))
-          {
-            axis.push_back(read_variation(entry, part));
-            const auto n = axis.back().values.size();
-            if (n != axis.front().values.size())
-              refuse_notation(entry,
-                              text,
-                              std::to_string(axis.front().values.size()) +
-                                " values of the first and " +
-                                std::to_string(n) +
-                                " of another entry that goes with it");
-          }
-        for (const Variation &variation : axis)
-          if (!paths.insert(variation.path).second)
-            throw InputError("Study/" + entry + ": " + quote(variation.path) +
-                             " twice in one run\n  remedy:  name each entry "
-                             "once");
-        axes.push_back(axis);
-      }
-    return axes;
-  }
-
-
-
-  void
-  StudyPlan::read_sets(const std::string &vary)
-  {
     double n_all = 0.;
-    for (const std::string &set : split_at(vary, ";;"))
+    for (const auto &set : sets)
       {
         first_runs.push_back(n_all);
-        sets.push_back(read_set("Vary", set));
-        double n = 1.;
-        for (const Axis &axis : sets.back())
-          {
-            n *= axis.front().values.size();
-            for (const auto &[path, values] : axis)
-              if (std::find(varied_.begin(), varied_.end(), path) ==
-                  varied_.end())
-                varied_.push_back(path);
-          }
-        n_all += n;
-        if (n_all > max_runs)
-          throw InputError(text("Study/Vary: ",
-                                n_all,
-                                " runs or more\n  allowed: at most ",
-                                max_runs,
-                                "\n  remedy:  fewer values, or several "
-                                "studies"));
+        n_all += n_runs_of(set);
       }
     first_runs.push_back(n_all);
-  }
-
-
-
-  void
-  StudyPlan::read_reference(const std::string &text)
-  {
-    reference_.emplace();
-    for (const Axis &axis : read_set("Reference", text))
-      for (const auto &[path, values] : axis)
-        {
-          if (values.size() > 1)
-            throw InputError("Study/Reference: several values of " +
-                             quote(path) + "\n  allowed: one value per entry");
-          reference_->emplace_back(path, values[0]);
-        }
+    check_values();
+    if (reference)
+      check_reference();
   }
 
 
@@ -316,7 +336,7 @@ namespace ThermoContact
     SceneReader            reader(assignments);
     const double           own_end_time = reader.scene().time.end_time;
     const ScalesParameters own_scales   = reader.scene().scales;
-    for (const std::string &path : varied_)
+    for (const std::string &path : varied)
       if (is_constant_path(path) &&
           std::none_of(assignments.begin(),
                        assignments.end(),
@@ -338,7 +358,7 @@ namespace ThermoContact
                   is_constant |= is_constant_path(variation.path);
                 }
               reader.read("Study/Vary", together);
-              if (reference_)
+              if (reference)
                 check_scales_of_errors(own_scales,
                                        reader.scene().scales,
                                        together.front().first + " = " +
@@ -350,7 +370,7 @@ namespace ThermoContact
         if (!varies_end)
           longest = std::max(longest, own_end_time);
       }
-    for (const std::string &path : varied_)
+    for (const std::string &path : varied)
       own_values.push_back(reader.own_value(path));
   }
 
@@ -363,7 +383,7 @@ namespace ThermoContact
     const ScalesParameters own_scales = reader.scene().scales;
     try
       {
-        read_scene(*reference_, reader);
+        read_scene(*reference, reader);
       }
     catch (const InputError &error)
       {
@@ -372,7 +392,7 @@ namespace ThermoContact
     check_scales_of_errors(own_scales, reader.scene().scales, "an entry of it");
     if (reader.scene().time.end_time < longest)
       throw InputError("Study/Reference: it ends at t = " +
-                       find_override(*reference_, "Time/End time")
+                       find_override(*reference, "Time/End time")
                          .value_or(reader.own_value("Time/End time")) +
                        ", before the longest run\n  remedy:  give it the "
                        "largest Time/End time of all runs");
@@ -413,11 +433,11 @@ namespace ThermoContact
   {
     const Overrides          present = overrides(run);
     std::vector<std::string> values;
-    for (unsigned int i = 0; i < varied_.size(); ++i)
+    for (unsigned int i = 0; i < varied.size(); ++i)
       values.push_back(without_unit(
         {"",
-         varied_[i],
-         find_override(present, varied_[i]).value_or(own_values[i])}));
+         varied[i],
+         find_override(present, varied[i]).value_or(own_values[i])}));
     return values;
   }
 
@@ -437,8 +457,8 @@ namespace ThermoContact
   void
   StudyPlan::read_scene(const Overrides &overrides, SceneReader &reader) const
   {
-    reader.read(reference_ && overrides == *reference_ ? "Study/Reference" :
-                                                         "Study/Vary",
+    reader.read(reference && overrides == *reference ? "Study/Reference" :
+                                                       "Study/Vary",
                 overrides);
     for (const auto &unused : unused_entries(reader.scene()))
       if (const auto value = find_override(overrides, unused.path))

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
-#include <thermocontact/study/study_report.h>
+#include <thermocontact/base/writable_file.h>
+#include <thermocontact/study/study.h>
 
 #include <deal.II/base/convergence_table.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -32,7 +31,7 @@ namespace ThermoContact
         for (const auto &[path, value] : plan.overrides(run))
           values[path].insert(value);
       std::string refined;
-      for (const std::string &path : plan.varied())
+      for (const std::string &path : plan.varied)
         if ((path == "Time/Step size" || path == "Time/Tolerance" ||
              path == "Mesh/Cells") &&
             values[path].size() > 1 &&
@@ -79,7 +78,7 @@ namespace ThermoContact
       const std::string key =
         refined.empty() ? "run" : (grows ? "" : "1/") + refined;
       std::vector<std::pair<std::string, std::string>> errors; // name, column
-      if (study.plan().reference())
+      if (study.plan.reference)
         for (unsigned int q = 0; q < Trajectory::energy; ++q)
           {
             const std::string name = Trajectory::names[q];
@@ -122,14 +121,14 @@ namespace ThermoContact
     text_tables(const StudyTable &study)
     {
       std::ostringstream text;
-      for (unsigned int set = 0; set < study.plan().n_sets(); ++set)
+      for (unsigned int set = 0; set < study.plan.sets.size(); ++set)
         {
           std::vector<unsigned int> of_set;
-          for (unsigned int run = 0; run < study.plan().n_runs(); ++run)
-            if (study.plan().set_of(run) == set)
+          for (unsigned int run = 0; run < study.plan.n_runs(); ++run)
+            if (study.plan.set_of(run) == set)
               of_set.push_back(run);
-          const std::string refined = refined_entry(study.plan(), of_set);
-          for (const auto &[name, runs] : group(study.plan(), of_set, refined))
+          const std::string refined = refined_entry(study.plan, of_set);
+          for (const auto &[name, runs] : group(study.plan, of_set, refined))
             {
               text << (name.empty() ? "scene of the file" : name) << '\n';
               std::vector<unsigned int> done;
@@ -167,10 +166,10 @@ namespace ThermoContact
                    const std::string &title,
                    const std::string &directory)
     {
-      std::vector<std::string> names = study.plan().varied();
+      std::vector<std::string> names = study.plan.varied;
       names.push_back("status");
       for (const std::string &name : key_result_names())
-        for (unsigned int i = 0; i < study.plan().n_runs(); ++i)
+        for (unsigned int i = 0; i < study.plan.n_runs(); ++i)
           if (parse_number(study.words(i, name)))
             {
               names.push_back(name);
@@ -186,7 +185,7 @@ namespace ThermoContact
           line += "--- | ";
         }
       page += '\n' + line + '\n';
-      for (unsigned int run = 0; run < study.plan().n_runs(); ++run)
+      for (unsigned int run = 0; run < study.plan.n_runs(); ++run)
         {
           page += std::filesystem::exists(text(directory, "/run-", run)) ?
                     text("| [", run, "](run-", run, "/) | ") :
@@ -206,43 +205,34 @@ namespace ThermoContact
 
 
 
-    /** The run of least time that meets the target; nothing if none does. */
-    std::optional<unsigned int>
-    cheapest(const StudyTable &study, const double target)
-    {
-      std::optional<unsigned int> best;
-      for (unsigned int run = 0; run < study.plan().n_runs(); ++run)
-        if (study.failure(run).empty() &&
-            study.number(run, "error_displacement_end") <=
-              study.units().of("length")(target) &&
-            (!best || study.number(run, "loop_seconds") <
-                        study.number(*best, "loop_seconds")))
-          best = run;
-      return best;
-    }
-
-
-
+    /** Of the run of least time that meets the target. */
     std::string
     describe_cheapest(const StudyTable &study, const double target)
     {
-      const auto best = cheapest(study, target);
+      std::optional<unsigned int> best;
+      for (unsigned int run = 0; run < study.plan.n_runs(); ++run)
+        if (study.failure(run).empty() &&
+            study.number(run, "error_displacement_end") <=
+              study.units.of("length")(target) &&
+            (!best || study.number(run, "loop_seconds") <
+                        study.number(*best, "loop_seconds")))
+          best = run;
       if (!best)
         return text("  cheapest  No run has an error of displacement_end of at "
                     "most ",
-                    study.units().text("length", target),
+                    study.units.text("length", target),
                     '.');
       std::vector<std::string> entries;
-      for (const std::string &path : study.plan().varied())
+      for (const std::string &path : study.plan.varied)
         entries.push_back(path + " = " + study.words(*best, path));
       return text("  cheapest  The cheapest run with an error of "
                   "displacement_end of at most ",
-                  study.units().text("length", target),
+                  study.units.text("length", target),
                   " has ",
                   join_words(entries),
                   ": error ",
                   study.number(*best, "error_displacement_end"),
-                  study.units().is_si() ? " m" : "",
+                  study.units.is_si() ? " m" : "",
                   ", ",
                   study.words(*best, "solves"),
                   " solves, ",
@@ -278,19 +268,16 @@ namespace ThermoContact
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       {
         unsigned int n_failed = 0;
-        for (unsigned int run = 0; run < study.plan().n_runs(); ++run)
+        for (unsigned int run = 0; run < study.plan.n_runs(); ++run)
           n_failed += !study.failure(run).empty();
-        log.line(text("  study     ",
-                      study.plan().n_runs(),
-                      " runs, ",
-                      n_failed,
-                      " failed"));
+        log.line(text(
+          "  study     ", study.plan.n_runs(), " runs, ", n_failed, " failed"));
         if (target > 0.)
           log.line(describe_cheapest(study, target));
         if (n_failed > 0)
           fault = text(n_failed,
                        " of ",
-                       study.plan().n_runs(),
+                       study.plan.n_runs(),
                        " runs failed: the reasons are above and in study.csv");
       }
     throw_everywhere<ComputationError>(fault, MPI_COMM_WORLD);

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/atomic_file.h>
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/csv_columns.h>
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/writable_file.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/study/study_table.h>
-
-#include <deal.II/base/utilities.h>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -18,7 +16,6 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
-#include <sstream>
 
 namespace ThermoContact
 {
@@ -51,8 +48,8 @@ namespace ThermoContact
     make_columns(const StudyPlan &plan)
     {
       CsvColumns<StudyRow> columns = {{"run", &StudyRow::number}};
-      for (unsigned int e = 0; e < plan.varied().size(); ++e)
-        columns.emplace_back(plan.varied()[e], [e](const StudyRow &row) {
+      for (unsigned int e = 0; e < plan.varied.size(); ++e)
+        columns.emplace_back(plan.varied[e], [e](const StudyRow &row) {
           return row.entries[e];
         });
       columns.emplace_back("status", [](const StudyRow &row) {
@@ -105,8 +102,8 @@ namespace ThermoContact
       Conversions conversions =
         OutputUnits(parameters).of_columns("study.csv", make_columns(plan));
       if (!conversions.empty() && parameters.rod.length > 0.)
-        for (unsigned int i = 0; i < plan.varied().size(); ++i)
-          conversions[i + 1].unit = unit_of_entry(plan.varied()[i]);
+        for (unsigned int i = 0; i < plan.varied.size(); ++i)
+          conversions[i + 1].unit = unit_of_entry(plan.varied[i]);
       return conversions;
     }
   } // namespace
@@ -116,16 +113,14 @@ namespace ThermoContact
   StudyTable::StudyTable(const StudyPlan   &plan,
                          const std::string &file_name,
                          const Parameters  &parameters)
-    : plan_(plan)
+    : names(names_of(make_columns(plan)))
+    , plan(plan)
+    , units(parameters)
     , file_name(file_name)
     , parameters(parameters)
-    , units_(parameters)
     , head(csv_comments(parameters.title) +
            csv_head(make_columns(plan), conversions_of(plan, parameters)))
-  {
-    for (const auto &column : make_columns(plan))
-      names_.push_back(column.name);
-  }
+  {}
 
 
 
@@ -139,10 +134,10 @@ namespace ThermoContact
     scene.scales.time_unit        = parameters.scales.time_unit;
     scene.scales.temperature_unit = parameters.scales.temperature_unit;
     std::string row;
-    append_csv_row(make_columns(plan_),
-                   {run, plan_.entries(run), result},
+    append_csv_row(make_columns(plan),
+                   {run, plan.entries(run), result},
                    row,
-                   conversions_of(plan_, scene));
+                   conversions_of(plan, scene));
     // one call, so that rows of several ranks do not mix
     const int file  = open(file_name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
     const ssize_t n = file < 0 ? -1 : write(file, row.data(), row.size());
@@ -173,7 +168,7 @@ namespace ThermoContact
         do
           std::getline(file, line);
         while (file && !line.empty() && line[0] == '#');
-        if (split_row(line) != names_)
+        if (split_row(line) != names)
           fail("its columns are not those of this study");
         n_read = file.tellg();
       }
@@ -182,14 +177,14 @@ namespace ThermoContact
       {
         n_read                               = file.tellg();
         const std::vector<std::string> words = split_row(line);
-        if (words.size() != names_.size())
+        if (words.size() != names.size())
           continue;
         const double number = parse_number(words[0]).value_or(-1.);
-        if (!(number >= 0. && number < plan_.n_runs() &&
+        if (!(number >= 0. && number < plan.n_runs() &&
               number == std::floor(number)))
           fail("run " + words[0] + " is none of this study's");
         const unsigned int             run     = number;
-        const std::vector<std::string> entries = plan_.entries(run);
+        const std::vector<std::string> entries = plan.entries(run);
         if (!std::equal(entries.begin(), entries.end(), words.begin() + 1))
           fail("run " + words[0] + " has other entries in this study");
         rows[run] = words;
@@ -205,14 +200,7 @@ namespace ThermoContact
   {
     std::string text = head;
     for (const auto &[run, words] : rows)
-      {
-        for (const std::string &word : words)
-          {
-            append_field(text, word);
-            text += ',';
-          }
-        text.back() = '\n';
-      }
+      text += csv_row(words);
     n_read = text.size();
     return write_atomically(file_name, text);
   }
@@ -223,7 +211,7 @@ namespace ThermoContact
   StudyTable::missing_runs() const
   {
     std::vector<unsigned int> runs;
-    for (unsigned int run = 0; run < plan_.n_runs(); ++run)
+    for (unsigned int run = 0; run < plan.n_runs(); ++run)
       if (!has(run))
         runs.push_back(run);
     return broadcast(MPI_COMM_WORLD, runs);
@@ -234,8 +222,8 @@ namespace ThermoContact
   const std::string &
   StudyTable::words(const unsigned int run, const std::string &name) const
   {
-    const auto column = std::find(names_.begin(), names_.end(), name);
-    return rows.at(run)[column - names_.begin()];
+    const auto column = std::find(names.begin(), names.end(), name);
+    return rows.at(run)[column - names.begin()];
   }
 
 
@@ -243,9 +231,9 @@ namespace ThermoContact
   std::string
   StudyTable::unit(const std::string &name) const
   {
-    const Conversions conversions = conversions_of(plan_, parameters);
-    const auto        column = std::find(names_.begin(), names_.end(), name);
-    return conversions.empty() ? "" : conversions[column - names_.begin()].unit;
+    const Conversions conversions = conversions_of(plan, parameters);
+    const auto        column      = std::find(names.begin(), names.end(), name);
+    return conversions.empty() ? "" : conversions[column - names.begin()].unit;
   }
 
 

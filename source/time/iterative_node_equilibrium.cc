@@ -28,7 +28,7 @@ namespace ThermoContact
     for (double &entry : diagonal)
       entry *= factor;
     if (this->takes_heat)
-      heat_mass = std::make_unique<const HeatMass<dim>>(body);
+      heat_mass = std::make_unique<const HeatSystem<dim>>(body.equations);
   }
 
 
@@ -116,14 +116,12 @@ namespace ThermoContact
           b(i) -= stiffness * penetration[i];
         inverse(i) = is_held(i) ? 1. : 1. / (diagonal[i] + spring(i));
       }
-    if (b.linfty_norm() > 0.)
-      conjugate_gradients("the equilibrium of the contact nodes",
-                          *this,
-                          x,
-                          b,
-                          DiagonalMatrix<dealii::Vector<double>>(inverse),
-                          tolerance(),
-                          10000);
+    conjugate_gradients("the equilibrium of the contact nodes",
+                        *this,
+                        x,
+                        b,
+                        inverse,
+                        tolerance());
     std::vector<double> change(x.begin(), x.end());
     for (unsigned int i = 0; i < n; ++i)
       change[i] += held[i];

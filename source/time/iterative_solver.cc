@@ -269,7 +269,7 @@ namespace ThermoContact
     std::vector<double>  none(at_rest.contact_pressure.size(), 0.);
     std::vector<double> &found = is_free ? none : pressure;
     found.resize(none.size(), 0.);
-    const auto           largest = [&found]() {
+    const auto largest = [&found]() {
       double result = 0.;
       for (const double p : found)
         result = std::max(result, std::abs(p));

@@ -467,7 +467,7 @@ namespace ThermoContact
       {
         // the terms may cancel in a steady state, and leave rounding
         Vector flow(scratch);
-        body.equations.conduction().vmult(flow, known.temperature);
+        body.equations.conduction.vmult(flow, known.temperature);
         size = std::max(size, tau * norm(flow));
         flow.copy_locally_owned_data_from(known.temperature);
         scale_by(hierarchies.levels()
@@ -537,7 +537,7 @@ namespace ThermoContact
     // than the time of its motion, it is balanced already, and an error of its
     // size is one of u/tau in the velocity: then the part that displaces by u
     // in a unit of time, that of diffusion.
-    body.equations.stiffness().vmult(rows, known.displacement);
+    body.equations.stiffness.vmult(rows, known.displacement);
     const double slow     = tau + material.viscosity;
     const Sizes  internal = momentum_sizes(rows);
     raise_to(sizes,

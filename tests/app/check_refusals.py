@@ -123,7 +123,8 @@ SCENES = [
          f"{height},0),0)" for height in (1, 0)))
       for zeros in ("+".join(f"0*max(0,t+{n})" for n in range(1, 211)),)],
     ("Boundary/Fixed end displacement", (), "Boundary/Fixed end displacement=0.01*sqrt(t)",
-     "Boundary/Fixed end displacement=0.01*t^1.5"),
+     "Boundary/Fixed end displacement=0.01*t^1.5",
+     ("Boundary/Fixed end displacement=0.01*sin(2*pi*3140*t)", "Time/End time=3600")),
     ("Boundary/Fixed end displacement", ("Time/End time=2",),
      "Boundary/Fixed end displacement=t/(t-1.1)",
      "Boundary/Fixed end displacement=t/(t+1.1)"),

@@ -37,6 +37,11 @@ SCENES = [
     (GAP, ("Time/End time=2",), GAP + "=0.1+t/(t-1.1)", GAP + "=0.1+t/(t+1.1)"),
     (GAP, (), GAP + "=0.1*t/0", GAP + "=0.1*t/1"),
     (GAP, (), GAP + "=0.1+0.1*sqrt(t)", GAP + "=0.1+0.1*t^1.5"),
+    # a velocity without a limit at one side of the end alone, or but in its middle
+    (GAP, ("Dimension=2", "Mesh/Cells=1"), GAP + "=0.1+if(y>0.09,0.1*sqrt(t),t)",
+     GAP + "=0.1+if(y>0.09,0.1*t^1.5,t)"),
+    (GAP, ("Dimension=2", "Mesh/Cells=1"), GAP + "=0.1+sqrt(t)*(y-0.05)",
+     GAP + "=0.1+t^1.5*(y-0.05)"),
     (GAP, (), GAP + "=0.1+t*rand_seed(1)", GAP + "=0.1+t*0.5"),
     (GAP, EULER + ("Time/Start=paper",), GAP + "=0.1+t", GAP + "=0.1",
      (GAP + "=0.1+t", "Time/Start=automatic")),

@@ -32,11 +32,11 @@
 //    momentum does not count: 1e-4 is too much.
 //    Rigid: nodes that touch at t = 0 with 0.2, stop, and are let go at once
 //    begin contact with 0.2 and end it with 0 there.
-//    Two stops, the rear one at -0.15, t = 1 + x: u = x - 1.6 x^2 meets the front at
-//    1/8 and the rear at 3/4, its mirror image the rear first, at (1 - 0.2)/3.2 = 1/4.
-//    Nodes in contact at one time: those with pressure, and those nearer to the
-//    obstacle than 1e-5 of the largest displacement 0.1, as above: 0.9e-6 but
-//    not 1.1e-6; 1e-17 is rounding.
+//    Two stops, the rear one at -0.15, t = 1 + x: u = x - 1.6 x^2 meets the
+//    front at 1/8 and the rear at 3/4, its mirror image the rear first, at (1 -
+//    0.2)/3.2 = 1/4. Nodes in contact at one time: those with pressure, and
+//    those nearer to the obstacle than 1e-5 of the largest displacement 0.1, as
+//    above: 0.9e-6 but not 1.1e-6; 1e-17 is rounding.
 
 #include <thermocontact/contact/event_locator.h>
 #include <thermocontact/method/bracketed_root.h>

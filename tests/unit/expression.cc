@@ -243,10 +243,8 @@ namespace
   test_other_variables()
   {
     const auto rename = [](const std::string &text) {
-      return rename_variables("Sources/Heat source",
-                              text,
-                              names,
-                              {"(2*x)", "(0.5*t)"});
+      return Expression("Sources/Heat source", text, names)
+        .with_variables({"(2*x)", "(0.5*t)"});
     };
     const double variables[] = {1., 3.};
     deallog << rename("3*x + t") << " = "

@@ -2,8 +2,8 @@
 //
 // Signals, each in a child process. The first SIGTERM, SIGINT or SIGHUP is
 // noted, the second one ends the process by itself. What the caller ignores is
-// neither, also after a library has taken it over and IgnoredSignals has given
-// it back; SIGQUIT is not watched.
+// neither, also after a library has taken it over and it is ignored again;
+// SIGQUIT is not watched.
 
 #include <thermocontact/base/interruption.h>
 
@@ -26,9 +26,10 @@ namespace
     if (child == 0)
       {
         std::signal(signal, is_ignored ? SIG_IGN : SIG_DFL);
-        const IgnoredSignals ignored;
+        const std::vector<int> ignored = ignored_signals();
         std::signal(signal, SIG_DFL); // as MPI does with some
-        ignored.restore();
+        for (const int one : ignored)
+          std::signal(one, SIG_IGN);
         const SignalWatch watch;
         std::raise(signal);
         if (watch.signal() != (is_ignored ? 0 : signal))

@@ -21,7 +21,7 @@
 //    of the tolerance of max |u(1)| at most, (C3.1), although the impulse alone
 //    would allow more.
 
-#include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/forecast/forecast.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <deal.II/base/mpi.h>

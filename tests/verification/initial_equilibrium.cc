@@ -55,7 +55,7 @@ namespace
     const State          state = initial_state(body, unused, 0.01, warnings);
     const ContactEnd<2> &end   = body.contact_end();
     Vector               force(state.velocity);
-    body.equations.stiffness().vmult(force, state.velocity);
+    body.equations.stiffness.vmult(force, state.velocity);
     std::vector<double> forces, velocities;
     end.get_values(Field::displacement, force, forces);
     end.get_values(Field::displacement, state.velocity, velocities);

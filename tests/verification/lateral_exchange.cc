@@ -16,7 +16,7 @@
 //    separately; forecast to 1e-10, the second unstable; runs from 0.02 below
 //    and above its c reach the first and the third: theta(1) to 1e-6.
 
-#include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/forecast/forecast.h>
 
 #include <deal.II/dofs/dof_tools.h>
 

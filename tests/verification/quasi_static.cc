@@ -12,6 +12,11 @@
 //    0.25, ..., 2, in contact and out of it: rates 1 +-0.02 between b = 1e-3,
 //    1e-4, 1e-5, and +-0.15 between 1e-2 and 1e-3, which is not small against
 //    (zeta pi/4)^2 = 0.025, where the first mode begins to oscillate.
+// 4. A cold rod with b = zeta = 0 under the body force cos(3 t), which changes
+//    its strain, 1 at most, by 9/2 t^2 at first, and its temperature by a times
+//    that: rounding of the strain, 1e-16, over a step. What counts is the error
+//    in parts of a, the temperature that the strain makes: tolerance 1e-7
+//    against 1e-9, within 20 tolerances at t = 1.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -159,6 +164,33 @@ namespace
                 << ' ' << within(worst, bound) << std::endl;
       }
   }
+
+
+
+  void
+  check_cold_rod()
+  {
+    const auto temperature = [](const std::string &tolerance) {
+      Simulation<1> simulation(
+        read_parameters("",
+                        {"Model/Inertia=0",
+                         "Model/Viscosity=0",
+                         "Contact/Condition=none",
+                         "Boundary/Fixed end temperature=0",
+                         "Initial values/Temperature=0",
+                         "Sources/Body force=cos(3*t)",
+                         "Time/End time=1",
+                         "Time/Tolerance=" + tolerance}),
+        MPI_COMM_SELF);
+      simulation.run();
+      return simulation.record().temperature_mean /
+             simulation.parameters().model.coupling;
+    };
+    deallog << "cold rod: error of the temperature in parts of a "
+            << within(std::abs(temperature("1e-7") - temperature("1e-9")),
+                      20e-7)
+            << std::endl;
+  }
 } // namespace
 
 
@@ -182,4 +214,5 @@ main_quasi_static()
                            "Time/Step size=0.05"});
     }
   check_inertia_limit();
+  check_cold_rod();
 }

@@ -19,7 +19,7 @@
 //    -0.375 by (M3.1), g_2 = 0.2, eps = 1/2: p = -(0.375 - 0.2)/1.5 = -7/60, to
 //    1e-6, as the forecast says.
 
-#include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/forecast/forecast.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <deal.II/base/mpi.h>

@@ -19,16 +19,13 @@ namespace ThermoContact
   void
   append_field(std::string &row, const std::string_view words);
 
+  /** A row of words. */
+  std::string
+  csv_row(const std::vector<std::string> &words);
+
   /** The comment lines at the top of every table: title, versions. */
   std::string
   csv_comments(const std::string &title);
-
-  /**
-   * The comment line above the names that tells their units, fields as in a
-   * row; nothing if there are no conversions.
-   */
-  std::string
-  csv_units(const Conversions &conversions);
 
   /** The fields of a row without its line break: what append_field() wrote. */
   std::vector<std::string>
@@ -81,20 +78,27 @@ namespace ThermoContact
   template <typename Record>
   using CsvColumns = std::vector<CsvColumn<Record>>;
 
-  /** The line of names, below that of their units if there are any. */
+  template <typename Record>
+  std::vector<std::string>
+  names_of(const CsvColumns<Record> &columns)
+  {
+    std::vector<std::string> names;
+    for (const auto &column : columns)
+      names.push_back(column.name);
+    return names;
+  }
+
+  /** The line of names, below a comment of their units if there are any. */
   template <typename Record>
   std::string
   csv_head(const CsvColumns<Record> &columns,
            const Conversions        &conversions = Conversions())
   {
-    std::string head = csv_units(conversions);
-    for (const auto &column : columns)
-      {
-        append_field(head, column.name);
-        head += ',';
-      }
-    head.back() = '\n';
-    return head;
+    std::vector<std::string> units;
+    for (const Conversion &conversion : conversions)
+      units.push_back(conversion.unit);
+    return (units.empty() ? "" : "# units: " + csv_row(units)) +
+           csv_row(names_of(columns));
   }
 
   /** Appends the row of @p record; nothing is allocated but by @p text. */

@@ -43,21 +43,11 @@ namespace ThermoContact
 
 
   /**
-   * The signals among these that the caller ignores, as nohup does, when it is
-   * made. Libraries that start with MPI let them end the program again.
+   * The signals among these that the caller ignores, as nohup does. Libraries
+   * that start with MPI let them end the program again.
    */
-  class IgnoredSignals
-  {
-  public:
-    IgnoredSignals();
-
-    /** Ignores them again. */
-    void
-    restore() const;
-
-  private:
-    std::vector<int> signals;
-  };
+  std::vector<int>
+  ignored_signals();
 
 
 

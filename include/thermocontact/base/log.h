@@ -55,13 +55,6 @@ namespace ThermoContact
     void
     failure(const std::string &text);
 
-    /** True if standard output is a terminal that shows what is printed. */
-    bool
-    has_live_line() const
-    {
-      return has_live_line_;
-    }
-
     /**
      * Shows @p text, cut to the width of the terminal, in place of the last
      * live line. Without a terminal it does nothing.
@@ -72,8 +65,8 @@ namespace ThermoContact
   private:
     const bool    is_writer;
     const bool    is_quiet;
-    const bool    has_live_line_;
-    bool          is_live; ///< a live line is on the screen
+    const bool    has_live_line; ///< standard output is a terminal
+    bool          is_live;       ///< a live line is on the screen
     std::ofstream file;
     std::string   early_lines; ///< before there is a file
 

@@ -9,22 +9,12 @@
 
 namespace ThermoContact
 {
-  /** How something that one rank does may end. */
-  enum class Outcome : int
-  {
-    done,
-    wrong_input, ///< InputError
-    failed       ///< ComputationError
-  };
-
-
-
   /**
-   * Tells @p outcome of rank 0 to the others, which sleep until then and stay
-   * alive if they are asked to end. Collective.
+   * Tells the exit status of rank 0 to the others, which sleep until then and
+   * stay alive if they are asked to end. Collective.
    */
-  Outcome
-  share_outcome(const Outcome outcome, const MPI_Comm communicator);
+  int
+  share_status(const int status, const MPI_Comm communicator);
 
 
 
@@ -43,28 +33,24 @@ namespace ThermoContact
       try
         {
           action();
-          share_outcome(Outcome::done, communicator);
+          share_status(0, communicator);
           return;
         }
       catch (const InputError &)
         {
-          share_outcome(Outcome::wrong_input, communicator);
+          share_status(2, communicator);
           throw;
         }
       catch (const ComputationError &)
         {
-          share_outcome(Outcome::failed, communicator);
+          share_status(1, communicator);
           throw;
         }
-    switch (share_outcome(Outcome::done, communicator))
-      {
-        case Outcome::done:
-          return;
-        case Outcome::wrong_input:
-          throw InputError("rank 0 tells what is wrong");
-        case Outcome::failed:
-          throw ComputationError("rank 0 tells what has failed");
-      }
+    const int status = share_status(0, communicator);
+    if (status == 2)
+      throw InputError("rank 0 tells what is wrong");
+    if (status == 1)
+      throw ComputationError("rank 0 tells what has failed");
   }
 } // namespace ThermoContact
 

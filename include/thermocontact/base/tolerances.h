@@ -154,6 +154,12 @@ namespace ThermoContact
     /** Areas this close are meant to be one: three digits. */
     inline constexpr double same_area = 1e-3;
 
+    // ---- results
+
+    /** A steady state is reached after seven of the times of the approach:
+     * exp(-7). */
+    inline constexpr double reached_state = 1e-3;
+
     // ---- what is worth a warning, or a step
 
     /** Estimated errors below that say nothing on the next step size. */

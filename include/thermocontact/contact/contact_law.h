@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -122,6 +123,18 @@ namespace ThermoContact
     tangent(const double /*pressure*/) const
     {
       return 0.;
+    }
+
+    /**
+     * $\varepsilon$ of an obstacle that gives way by the same for all
+     * pressures; nothing of all others.
+     */
+    std::optional<double>
+    compliance() const
+    {
+      return is_active() && !is_rigid() && is_linear() ?
+               std::optional<double>(tangent(1.)) :
+               std::nullopt;
     }
 
     /**

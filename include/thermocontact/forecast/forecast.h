@@ -3,8 +3,6 @@
 #ifndef thermocontact_forecast_forecast_h
 #define thermocontact_forecast_forecast_h
 
-#include <thermocontact/forecast/first_impact.h>
-#include <thermocontact/forecast/steady_state.h>
 #include <thermocontact/method/load_history.h>
 #include <thermocontact/scene/scene.h>
 
@@ -15,6 +13,114 @@
 
 namespace ThermoContact
 {
+  /**
+   * The end of a body at rest, doc/model.md (M3.1), (M5.2); NaN: no such field.
+   */
+  struct SteadyState
+  {
+    double displacement_end = 0.;
+    double contact_force    = 0.; ///< per unit cross-section
+    double temperature_end  = 0.;
+    bool   in_contact       = false;
+
+    /** Small disturbances do not grow without oscillating, (M5.3). */
+    bool is_stable = true;
+  };
+
+
+
+  /** Where a scene comes to rest, as far as that is known in closed form. */
+  struct SteadyForecast
+  {
+    /**
+     * By falling temperature of the end, if that of the obstacle is below. One,
+     * but for a heat exchange that depends on the contact.
+     */
+    std::vector<SteadyState> states;
+
+    /** Why there is none, or how it is approached; may be empty. */
+    std::string remark;
+  };
+
+
+
+  /**
+   * The steady state (M3.1) that a run tends to, which does not depend on the
+   * initial values, or, with a heat exchange that depends on the contact, all
+   * of them, (M5.2). None with sources, with free lateral faces, and for a body
+   * that nothing damps.
+   */
+  SteadyForecast
+  steady_state(const Scene &scene);
+
+
+
+  /** The one with the nearest temperature of the end, or displacement. */
+  unsigned int
+  nearest_state(const std::vector<SteadyState> &states,
+                const SteadyState              &state);
+
+
+
+  /** What the rod does at its first impact, estimated. */
+  struct FirstImpact
+  {
+    double time        = 0.;
+    double velocity    = 0.; ///< $u_t(1)>0$ just before
+    double penetration = 0.; ///< largest of the contact; 0: rigid obstacle
+    double force       = 0.; ///< largest of the contact; none if rigid
+  };
+
+
+
+  /**
+   * Estimates the first impact of a rod that its initial values throw against
+   * the obstacle, or its temperatures move there, within the time of a few
+   * waves, by a Simulation on a few cells, doc/model.md (M8.4).
+   *
+   * @return nothing where that would not be honest: no inertia or no obstacle,
+   *   a damped one or one behind, more than one dimension, sources, initial
+   *   contact, no impact before the end time or within these waves
+   */
+  std::optional<FirstImpact>
+  first_impact(const Scene &scene);
+
+
+
+  /**
+   * Memory of all processes of a run, bytes, in two and three dimensions within
+   * a factor of about two, doc/bodies.md: what a process takes before it
+   * computes anything, and what the body takes; of the direct solver mostly the
+   * factors of the step sizes that are kept. A rod takes next to nothing.
+   */
+  double
+  expected_memory(const Scene &scene, const unsigned int n_ranks);
+
+  /**
+   * Processor time of all ranks, seconds, in two and three dimensions within a
+   * factor of about two, doc/bodies.md; as measured on the processors of
+   * doc/performance.md.
+   *
+   * @param n_steps of the run
+   */
+  double
+  expected_cpu_seconds(const Scene &scene, const double n_steps);
+
+  /**
+   * Refuses a body that would not fit if its forecast were twice too large.
+   *
+   * @param available bytes, the same on all ranks: so is the decision
+   * @param share of the processes that have to do with these
+   * @throw InputError with the remedy
+   */
+  void
+  check_memory(const Scene       &scene,
+               const unsigned int n_ranks,
+               const double       available,
+               const double       share);
+
+
+
   /**
    * Names and values of the times that the terms of a scene act on,
    * doc/model.md (M8.1): only those that it has.

@@ -3,7 +3,7 @@
 #ifndef thermocontact_input_command_line_h
 #define thermocontact_input_command_line_h
 
-#include <thermocontact/input/parameter_file.h>
+#include <thermocontact/input/parameter_text.h>
 
 #include <string>
 #include <vector>

@@ -55,13 +55,6 @@ namespace ThermoContact
   class Expression
   {
   public:
-    /** Where a variable is named. */
-    struct NamedVariable
-    {
-      unsigned int index;
-      std::size_t  position; ///< in the text
-    };
-
     /**
      * @param path of the entry, for messages
      * @param begin, end of what is read in the text
@@ -106,12 +99,9 @@ namespace ThermoContact
       return named.empty();
     }
 
-    /** In the order of the text. */
-    const std::vector<NamedVariable> &
-    named_variables() const
-    {
-      return named;
-    }
+    /** Its text with @p others for the names of its variables. */
+    std::string
+    with_variables(const std::vector<std::string> &others) const;
 
     /** The files of tables whose rows end before an argument that these values
      * of the variables give them. */
@@ -157,10 +147,17 @@ namespace ThermoContact
 
     class Reader;
 
+    /** Where a variable is named. */
+    struct NamedVariable
+    {
+      unsigned int index;
+      std::size_t  position; ///< in the text
+    };
+
     std::string                path_;
     std::string                text_;
     std::vector<std::string>   variable_names;
-    std::vector<NamedVariable> named;
+    std::vector<NamedVariable> named; ///< in the order of the text
     std::vector<Part>          parts; ///< the whole at the end
 
     /** Which copies of the expression share, since they only read it. */
@@ -181,35 +178,9 @@ namespace ThermoContact
 
 
 
-  /** True for a word of letters, digits and '_' that means nothing else. */
-  bool
-  can_name_constant(const std::string &name);
-
   /** The names in a text, whatever they mean. */
   std::vector<std::string>
   identifiers_in(const std::string &text);
-
-  /**
-   * The values of constants, each of which is a number or an expression in
-   * others.
-   *
-   * @param texts names and what stands for them
-   * @throw InputError if one cannot be read, or depends on itself
-   */
-  std::map<std::string, double>
-  evaluate_constants(const std::map<std::string, std::string> &texts);
-
-  /**
-   * The expression with @p others for the names of its variables, for which its
-   * values are not looked at.
-   *
-   * @throw InputError as Expression, if it cannot be read
-   */
-  std::string
-  rename_variables(const std::string              &path,
-                   const std::string              &text,
-                   const ExpressionNames          &names,
-                   const std::vector<std::string> &others);
 
   /**
    * Components of a vector that @p text separates by ';'.

@@ -49,6 +49,12 @@ namespace ThermoContact
       return high - low;
     }
 
+    double
+    middle() const
+    {
+      return 0.5 * (low + high);
+    }
+
     /** Largest absolute value. */
     double
     magnitude() const

@@ -33,12 +33,6 @@ namespace ThermoContact
                   const bool         is_smooth,
                   const bool         has_units);
 
-    const std::string &
-    file_name() const
-    {
-      return file_name_;
-    }
-
     /** The first argument and the last that it knows. */
     Interval
     range() const
@@ -46,18 +40,10 @@ namespace ThermoContact
       return {arguments.front(), arguments.back()};
     }
 
-    /** Of the first column and of the values, as the header has them. */
-    const std::string &
-    unit_of_arguments() const
-    {
-      return argument_unit;
-    }
+    const std::string file_name;
 
-    const std::string &
-    unit_of_values() const
-    {
-      return value_unit;
-    }
+    /** Of the first column and of the values, as the header has them. */
+    std::string unit_of_arguments, unit_of_values;
 
     double
     evaluate(const double argument) const;
@@ -69,8 +55,6 @@ namespace ThermoContact
     evaluate(const IntervalJet &argument) const;
 
   private:
-    const std::string   file_name_;
-    std::string         argument_unit, value_unit;
     std::vector<double> arguments, values, slopes;
 
     /** The cubic between rows @p i and @p i + 1, or of a line. */
@@ -84,9 +68,6 @@ namespace ThermoContact
 
     void
     read(const std::string &column, const bool has_units);
-
-    void
-    set_slopes(const bool is_smooth);
   };
 
 

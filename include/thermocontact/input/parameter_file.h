@@ -75,6 +75,17 @@ namespace ThermoContact
   write_entries(const std::vector<DeclaredEntry> &entries,
                 const std::set<std::string>      &omit,
                 std::ostream                     &output);
+
+
+
+  /**
+   * Writes the reference of all entries as a page of Markdown that GitHub and
+   * Doxygen render alike: a section for each subsection, a row for each entry
+   * with name, default, allowed values and meaning. Present values do not
+   * matter. The page of the present program is doc/parameters.md.
+   */
+  void
+  write_parameter_reference(const ParameterHandler &prm, std::ostream &output);
 } // namespace ThermoContact
 
 #endif

@@ -12,8 +12,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
 #include <map>
 #include <optional>
@@ -235,7 +234,7 @@ namespace ThermoContact
     std::string directory;
     double      fields_interval  = 0.1;
     double      contact_interval = 0.;
-    std::string probes; ///< read by parse_probe_positions()
+    std::string probes; ///< read by probe_positions()
     double      space_time_interval = 0.;
     double      period              = 0.;    ///< of poincare.csv
     bool        land_on_times       = false; ///< steps end on output times
@@ -351,15 +350,6 @@ namespace ThermoContact
     RodParameters           rod;
     StudyParameters         study;
 
-    Parameters();
-    Parameters(const Parameters &); // these are compiled once
-    Parameters(Parameters &&);
-    Parameters &
-    operator=(const Parameters &);
-    Parameters &
-    operator=(Parameters &&);
-    ~Parameters();
-
     /**
      * What an expression of the entry @p path may name; theta_A is none of the
      * variables. It is evaluated with gap and pressure, or else with x, y, z
@@ -367,6 +357,17 @@ namespace ThermoContact
      */
     ExpressionNames
     names(const std::string &path) const;
+
+    /**
+     * Reads Output/Probes: positions separated by ';', the coordinates of each
+     * by
+     * ',', e.g. "0.25; 0.5; 1" or, in two dimensions, "0.5, 0.05; 1, 0.1".
+     *
+     * @return the coordinates of each position, 0 beyond the dimension
+     * @throw InputError if a position is malformed or not in the body
+     */
+    std::vector<std::array<double, 3>>
+    probe_positions() const;
 
     /**
      * Binds every member to an entry of @p prm. Parsing or `prm.set` then

@@ -20,6 +20,10 @@ namespace ThermoContact
   ConversionsByKind
   conversions_by_kind(const ScalesParameters &scales);
 
+  /** The one of a kind; as it is, of one without a scale. */
+  const Conversion &
+  conversion_of(const std::string_view kind, const ConversionsByKind &all);
+
 
 
   /**
@@ -70,7 +74,6 @@ namespace ThermoContact
 
   private:
     ConversionsByKind conversions;
-    const Conversion  as_it_is;
     bool              has_si_entries; ///< of section Rod
   };
 } // namespace ThermoContact

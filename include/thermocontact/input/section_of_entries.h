@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -150,6 +151,35 @@ namespace ThermoContact
   private:
     dealii::ParameterHandler &prm;
   };
+
+
+
+  /** The names of all kinds, separated by '|', as a Selection has them. */
+  template <typename Kind>
+  std::string
+  names_of(const std::vector<Kind> &kinds)
+  {
+    std::string names;
+    for (const Kind &kind : kinds)
+      names += (names.empty() ? "" : "|") + kind.name;
+    return names;
+  }
+
+
+
+  /** The names of all kinds with what is to be said of each. */
+  template <typename Kind, typename Say>
+  std::string
+  in_words(const std::vector<Kind> &kinds, const Say &say)
+  {
+    std::string words;
+    for (unsigned int i = 0; i < kinds.size(); ++i)
+      words += (i == 0                ? "" :
+                i + 1 == kinds.size() ? " or " :
+                                        ", ") +
+               kinds[i].name + say(kinds[i]);
+    return words;
+  }
 } // namespace ThermoContact
 
 #endif

@@ -139,7 +139,8 @@ namespace ThermoContact
   /**
    * Gives @p entries, whose values are those of the scene, the values that a
    * file in SI units has, as used.prm shows them: the nondimensional ones, and
-   * entries that follow from others, become remarks.
+   * entries that follow from others, become remarks. Of another file those that
+   * files in SI units alone have are removed.
    */
   void
   add_units(const std::vector<Assignment> &assignments,
@@ -152,6 +153,16 @@ namespace ThermoContact
   void
   remove_units(const std::vector<Assignment> &assignments,
                std::vector<DeclaredEntry>    &entries);
+
+
+
+  /**
+   * What is said of numbers of a file in SI units that hardly are in the SI
+   * base unit that they are read in, with the unit that was probably meant. A
+   * number with its unit is not doubted.
+   */
+  std::vector<std::string>
+  implausible_numbers(const std::vector<Assignment> &assignments);
 } // namespace ThermoContact
 
 #endif

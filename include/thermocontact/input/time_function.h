@@ -8,6 +8,7 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <cmath>
 
 namespace ThermoContact
 {
@@ -25,54 +26,51 @@ namespace ThermoContact
     explicit TimeFunction(
       const Expression         &expression,
       const dealii::Point<dim> &place = dealii::Point<dim>())
-      : expression_(expression)
+      : expression(expression)
       , place{}
     {
       for (unsigned int d = 0; d < dim; ++d)
         this->place[d] = place[d];
     }
 
-    const Expression &
-    expression() const
-    {
-      return expression_;
-    }
-
-    /** As it was written. */
-    const std::string &
-    text() const
-    {
-      return expression_.text();
-    }
+    const Expression expression;
 
     double
-    value(const double time) const;
+    value(const double time) const
+    {
+      return evaluate(time);
+    }
 
     /** With the derivatives in time; one that is not finite is 0. */
     TimeDerivatives
-    derivatives(const double time) const;
+    derivatives(const double time) const
+    {
+      TimeDerivatives result = evaluate(NumberJet(time, 1., 0.));
+      for (double *const derivative : {&result.first, &result.second})
+        if (!std::isfinite(*derivative))
+          *derivative = 0.;
+      return result;
+    }
 
     /** What it does at all times of @p span. */
     IntervalJet
-    enclosure(const Interval &span) const;
-
-    /** Whether the first derivative has no limit at the start, as of sqrt(t):
-     * whether it grows towards zero on scales far below $T$. */
-    bool
-    starts_with_unbounded_rate(const double end_time) const;
-
-    /** The largest absolute value at many times of $[0,T]$. */
-    double
-    largest_value(const double end_time) const;
+    enclosure(const Interval &span) const
+    {
+      return evaluate(IntervalJet(span, 1., 0.));
+    }
 
   private:
-    Expression            expression_;
     std::array<double, 3> place;
 
     /** Evaluates at the place and @p time. */
     template <typename Number>
     Number
-    evaluate(const Number &time) const;
+    evaluate(const Number &time) const
+    {
+      const std::array<Number, 4> variables = {
+        {Number(place[0]), Number(place[1]), Number(place[2]), time}};
+      return expression.evaluate(variables.data());
+    }
   };
 } // namespace ThermoContact
 

@@ -14,6 +14,10 @@ namespace ThermoContact
   std::string
   section_of(const std::string &path);
 
+  /** "Entry" of it. */
+  std::string
+  name_of(const std::string &path);
+
   /** "; did you mean NAME?" with the nearest of those, or nothing. */
   std::string
   did_you_mean(const std::string &name, const std::vector<std::string> &known);

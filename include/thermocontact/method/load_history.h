@@ -50,6 +50,8 @@ namespace ThermoContact
     /** In order, none within another; steps elsewhere may be of any length. */
     std::vector<LoadStretch> stretches;
 
+    bool is_complete = true; ///< false: a load is too fast to be searched
+
     /** Loads that all steps see the same way need no stretches. */
     bool
     is_empty() const
@@ -82,10 +84,6 @@ namespace ThermoContact
     /** The break at @p time, or nullptr. */
     const LoadBreak *
     break_at(const double time) const;
-
-    /** True if @p time lies between the old and the new value of a break. */
-    bool
-    is_within_break(const double time) const;
 
     /**
      * The largest step from @p time on, not above @p size, that is no longer

@@ -16,22 +16,17 @@ namespace ThermoContact
   public:
     /**
      * @param name of the file
-     * @param listed_in the file whose table on the output_page has the columns
+     * @param listed_in the file whose table on the output_page has the columns;
+     *   empty: it has one of its own
      */
     CsvFile(const std::string        &name,
             const CsvColumns<Record> &columns,
             const OutputUnits        &units,
-            const std::string        &listed_in)
+            const std::string        &listed_in = "")
       : name(name)
       , columns(columns)
-      , conversions(units.of_columns(listed_in, columns))
-    {}
-
-    /** The same for a file that has a table of its own. */
-    CsvFile(const std::string        &name,
-            const CsvColumns<Record> &columns,
-            const OutputUnits        &units)
-      : CsvFile(name, columns, units, name)
+      , conversions(
+          units.of_columns(listed_in.empty() ? name : listed_in, columns))
     {}
 
     /**

@@ -8,7 +8,6 @@
 #include <thermocontact/simulation/measurements.h>
 #include <thermocontact/time/step_controller.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -26,10 +25,6 @@ namespace ThermoContact
   struct EventRow : ContactEvent
   {
     double duration; ///< NaN of a begin
-
-    /** @param begin the event before, if @p event is an end; else null */
-    explicit EventRow(const ContactEvent       &event = ContactEvent(),
-                      const ContactEvent *const begin = nullptr);
   };
 
   /** The columns of events.csv; with two stops one more. */
@@ -51,11 +46,7 @@ namespace ThermoContact
   CsvColumns<ProbeRow>
   probe_columns(const unsigned int n_places);
 
-  /** The coordinates of each place of Output/Probes; none: there are none. */
-  std::vector<std::array<double, 3>>
-  probe_positions(const Parameters &parameters);
-
-  /** They as comment lines. */
+  /** The places of Output/Probes as comment lines. */
   std::string
   probe_comments(const Parameters &parameters);
 } // namespace ThermoContact

@@ -8,7 +8,8 @@
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
 
-#include <chrono>
+#include <deal.II/base/timer.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -84,7 +85,7 @@ namespace ThermoContact
     std::optional<SnapshotSeries> contact_face;       ///< if there is one
     std::optional<SnapshotSeries> obstacle;           ///< if it moves
     const std::shared_ptr<dealii::Function<dim>> gap; ///< of an obstacle
-    std::chrono::steady_clock::time_point        last_lists;
+    Timer                                        since_lists;
 
     /** All, as far as they are there. */
     std::vector<SnapshotSeries *>

@@ -5,12 +5,28 @@
 
 #include <thermocontact/base/csv_columns.h>
 #include <thermocontact/input/quantity_units.h>
-#include <thermocontact/output/output_page.h>
 
 #include <string>
 
 namespace ThermoContact
 {
+  /**
+   * The page doc/output.md: what is in each file of an output directory. The
+   * only list of columns, keys and arrays with their kinds of quantities, by
+   * which they have their units: a heading of the second level is the name of a
+   * file, a row of its table has a name, its kind and its meaning.
+   */
+  extern const char *const output_page;
+
+  /**
+   * The kind of quantity, as QuantityUnits has them, of a column, key or array.
+   * A '*' in a name of the page stands for what the scene chooses.
+   */
+  const std::string &
+  kind_of(const std::string &file, const std::string &name);
+
+
+
   /** The units of the quantities of a scene, and those of columns and keys. */
   class OutputUnits : public QuantityUnits
   {

@@ -9,7 +9,6 @@
 #include <thermocontact/space/point_values.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ThermoContact

@@ -3,7 +3,7 @@
 #ifndef thermocontact_report_key_results_h
 #define thermocontact_report_key_results_h
 
-#include <thermocontact/forecast/steady_state.h>
+#include <thermocontact/forecast/forecast.h>
 #include <thermocontact/simulation/run_history.h>
 
 #include <map>

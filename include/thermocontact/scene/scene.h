@@ -15,7 +15,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace ThermoContact
@@ -424,6 +423,16 @@ namespace ThermoContact
              material.has_viscosity();
     }
   };
+
+
+
+  /** The fields that a scene has. */
+  std::vector<std::string>
+  scene_fields(const Scene &scene);
+
+  /** The terms that a scene contains, in words. */
+  std::vector<std::string>
+  scene_terms(const Scene &scene);
 } // namespace ThermoContact
 
 #endif

@@ -11,9 +11,9 @@ namespace ThermoContact
    * Measures the error estimate of a step relative to the solution so far,
    * doc/discretisation.md (D3.4):
    * @f[
-   *   \left( \frac{\|e_\theta\|^2}{\max\|\hat\theta\|^2} +
+   *   \left( \frac{\|e_\theta\|^2}{\max(\|\hat\theta\|^2,\,a^2E)} +
    *   \frac{\|\nabla e_u\|^2 + b\|e_v\|^2 + \varepsilon e_p^2}
-   *        {\max(\|\nabla u\|^2, b\|v\|^2)} \right)^{1/2} .
+   *        {E} \right)^{1/2} , \qquad E=\max(\|\nabla u\|^2, b\|v\|^2) .
    * @f]
    * The maxima are over all accepted states and the one that the step has
    * reached; a field that is zero takes its scale from the first attempt at a
@@ -26,8 +26,11 @@ namespace ThermoContact
   class ErrorNorm
   {
   public:
-    /** @param temperature_energy $\frac12\|\theta_s\|^2$ */
-    explicit ErrorNorm(const double temperature_energy);
+    /**
+     * @param temperature_energy $\frac12\|\theta_s\|^2$
+     * @param heating $a$ of the heat equation
+     */
+    ErrorNorm(const double temperature_energy, const double heating);
 
     /** Takes a state that is accepted into the maxima. */
     void
@@ -63,6 +66,7 @@ namespace ThermoContact
 
   private:
     const double temperature_energy;
+    const double heating;
     double       max_thermal;
     double       max_mechanical;
 

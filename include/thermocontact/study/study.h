@@ -29,6 +29,71 @@ namespace ThermoContact
             StudyTable            &table,
             Log                   &log);
 
+
+
+  /**
+   * What the runs that have no row in @p table yet take of the memory of the
+   * machine whose ranks have the least: each rank there has one under way, the
+   * largest ones at the same time if it comes to the worst; or the reference,
+   * alone. With a warning if that is more than there is. Collective on
+   * MPI_COMM_WORLD; the table of rank 0 counts.
+   *
+   * @return lines for the screen; nothing if there are no such runs, or rods
+   * @throw InputError if it would not be enough were the forecast twice too
+   *   large
+   */
+  std::string
+  check_study_memory(const StudyTable &table);
+
+
+
+  /**
+   * Refuses a study of which no run can be run.
+   *
+   * @throw InputError with the message of the first one
+   */
+  void
+  check_any_run(const StudyTable &table);
+
+
+
+  /**
+   * What `--check` says of a study: its runs, their steps altogether, and that
+   * each can be run. All ranks have read the rows of @p table, whose runs take
+   * no memory any more.
+   *
+   * @throw InputError naming the runs that cannot
+   */
+  void
+  check_study(const StudyTable      &table,
+              const StudyParameters &parameters,
+              Log                   &log);
+
+
+
+  /**
+   * Writes study.txt, tables with observed orders for the entry that is
+   * refined: the one of step size, tolerance and number of cells that was named
+   * last; and study.md, one table of what was varied and of the key results.
+   * Rank 0 writes; collective.
+   *
+   * @param title heading of study.md
+   * @param study with the rows of all runs
+   * @throw ComputationError naming a file that cannot be written
+   */
+  void
+  write_study_tables(const std::string &directory,
+                     const std::string &title,
+                     const StudyTable  &study);
+
+  /**
+   * Tells how many runs failed, and the cheapest one whose largest error of the
+   * displacement of the end is at most @p target, if that is not 0. Collective.
+   *
+   * @throw ComputationError if a run failed
+   */
+  void
+  report_study(const StudyTable &study, const double target, Log &log);
 } // namespace ThermoContact
 
 #endif

@@ -40,12 +40,6 @@ namespace ThermoContact
       return first_runs.back();
     }
 
-    unsigned int
-    n_sets() const
-    {
-      return sets.size();
-    }
-
     /** Number of the set that @p run belongs to, from 0. */
     unsigned int
     set_of(const unsigned int run) const;
@@ -58,43 +52,13 @@ namespace ThermoContact
     std::string
     description(const unsigned int run) const;
 
-    /** Paths of all entries that are varied, in the order of their names'
-     * first use. */
-    const std::vector<std::string> &
-    varied() const
-    {
-      return varied_;
-    }
-
-    /** Values of the entries varied() in @p run. */
+    /** Values of the entries varied in @p run. */
     std::vector<std::string>
     entries(const unsigned int run) const;
 
-    /** What the reference overrides; none: there is no reference. */
-    const std::optional<Overrides> &
-    reference() const
-    {
-      return reference_;
-    }
-
     /** Of the scene that the runs override: what read_scene() needs. */
-    const std::vector<Assignment> &
-    scene_assignments() const
-    {
-      return assignments;
-    }
+    const std::vector<Assignment> assignments;
 
-    /**
-     * Reads and checks the scene with @p overrides.
-     *
-     * @param reader of scene_assignments(); it has the scene then
-     * @throw InputError if an entry is overridden twice or without effect, or
-     *   the scene cannot be run
-     */
-    void
-    read_scene(const Overrides &overrides, SceneReader &reader) const;
-
-  private:
     /** An entry and the values that it is to have, one after the other. */
     struct Variation
     {
@@ -105,26 +69,29 @@ namespace ThermoContact
     /** Entries that vary together: as many values of each. */
     using Axis = std::vector<Variation>;
 
-    const std::vector<Assignment>  assignments;
-    std::vector<std::vector<Axis>> sets;
-    std::vector<unsigned int> first_runs; ///< of the sets; at last their end
-    std::vector<std::string>  varied_;
-    std::vector<std::string>  own_values; ///< the scene's, of varied_
-    std::optional<Overrides>  reference_;
+    const std::vector<std::vector<Axis>> sets;
+
+    /** Paths of all entries that are varied, in the order of their names'
+     * first use. */
+    const std::vector<std::string> varied;
+
+    /** What the reference overrides; none: there is no reference. */
+    const std::optional<Overrides> reference;
+
+    /**
+     * Reads and checks the scene with @p overrides.
+     *
+     * @param reader of the assignments; it has the scene then
+     * @throw InputError if an entry is overridden twice or without effect, or
+     *   the scene cannot be run
+     */
+    void
+    read_scene(const Overrides &overrides, SceneReader &reader) const;
+
+  private:
+    std::vector<unsigned int> first_runs;   ///< of the sets; at last their end
+    std::vector<std::string>  own_values;   ///< the scene's, of those varied
     double                    longest = 0.; ///< largest Time/End time
-
-    static Variation
-    read_variation(const std::string &entry, const std::string &text);
-
-    /** The axes of a set. @param entry Vary or Reference, for messages */
-    static std::vector<Axis>
-    read_set(const std::string &entry, const std::string &set);
-
-    void
-    read_sets(const std::string &vary);
-
-    void
-    read_reference(const std::string &text);
 
     /** Each value by itself. */
     void

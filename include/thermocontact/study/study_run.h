@@ -53,7 +53,7 @@ namespace ThermoContact
     StudyRunner(const StudyPlan &plan, const SignalWatch &signals)
       : plan(plan)
       , signals(signals)
-      , reader(plan.scene_assignments())
+      , reader(plan.assignments)
     {}
 
     /**

@@ -81,11 +81,7 @@ namespace ThermoContact
     missing_runs() const;
 
     /** The names of all columns. */
-    const std::vector<std::string> &
-    names() const
-    {
-      return names_;
-    }
+    const std::vector<std::string> names;
 
     /** The unit of a column; empty: none. */
     std::string
@@ -103,26 +99,15 @@ namespace ThermoContact
     std::string
     failure(const unsigned int run) const;
 
-    const StudyPlan &
-    plan() const
-    {
-      return plan_;
-    }
+    const StudyPlan &plan;
 
     /** Of the scene that the study varies. */
-    const OutputUnits &
-    units() const
-    {
-      return units_;
-    }
+    const OutputUnits units;
 
   private:
-    const StudyPlan                                 &plan_;
     const std::string                                file_name;
     const Parameters                                 parameters;
-    const OutputUnits                                units_;
     const std::string                                head;
-    std::vector<std::string>                         names_;
     std::map<unsigned int, std::vector<std::string>> rows;
     std::uint64_t                                    n_read = 0; ///< bytes
   };

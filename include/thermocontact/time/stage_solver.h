@@ -119,8 +119,8 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &counters &taus &has_response &contact_springs
-        &has_refused_blocks &told_rounding;
+      archive &counters &taus &has_response &contact_springs &has_refused_blocks
+        &told_rounding;
     }
   };
 
