@@ -169,16 +169,6 @@ namespace ThermoContact
 
 
 
-  bool
-  LoadHistory::is_within_break(const double time) const
-  {
-    const auto next = first_after(breaks, time);
-    return next != breaks.begin() && time > std::prev(next)->time &&
-           time < std::prev(next)->new_time;
-  }
-
-
-
   const LoadBreak *
   LoadHistory::break_at(const double time) const
   {

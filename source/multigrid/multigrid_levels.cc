@@ -112,12 +112,13 @@ namespace ThermoContact
     {
       for (LevelVector<Number> *vector : {&of_field.mass,
                                           &of_field.stiffness,
-                                          &of_field.exchange,
                                           &of_field.right,
                                           &of_field.solution,
                                           &of_field.residual,
                                           &of_field.update})
         *vector = products.make_vector(field);
+      if (field == Field::temperature)
+        of_field.exchange = of_field.right;
     }
   } // namespace
 
@@ -201,7 +202,7 @@ namespace ThermoContact
         // row sums of K + kB, of which those of K are zero
         Vector ones(body.discretization.make_vector(field)), sums(ones);
         ones = 1.;
-        body.equations.conduction().vmult(sums, ones);
+        body.equations.conduction.vmult(sums, ones);
         for (unsigned int i = 0; i < sums.locally_owned_size(); ++i)
           if (sums.local_element(i) >
               Tolerances::rounding_of_data * fine.stiffness.local_element(i))

@@ -131,7 +131,7 @@ namespace ThermoContact
         {
           const ContactNode<dim> &node = body.contact_end().nodes()[i];
           const double            given =
-            body.data.initial_fields().value(node.position, component);
+            body.data.initial_fields->value(node.position, component);
           double &projected = state.displacement.begin()[entry];
           for (const int side : {1, -1})
             {
@@ -264,11 +264,11 @@ namespace ThermoContact
     {
       H1Projection<dim> projection(discretization,
                                    body.equations.matrix_free());
-      projection.project(body.data.initial_fields(),
+      projection.project(*body.data.initial_fields,
                          state.temperature,
                          state.displacement);
       Vector unused(state.temperature);
-      projection.project(body.data.initial_velocity(), unused, state.velocity);
+      projection.project(*body.data.initial_velocity, unused, state.velocity);
     }
     check_values(body, state, warnings);
     check_overlap(body, state);

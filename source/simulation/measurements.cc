@@ -33,12 +33,12 @@ namespace ThermoContact
       return;
     Vector ones(mean_weights);
     ones = 1.;
-    body.equations.heat_mass().vmult(mean_weights, ones);
+    body.equations.heat_mass.vmult(mean_weights, ones);
     mean_weights /= ones * mean_weights;
     if (!body.scene.heat.has_lateral_exchange())
       return;
     lateral_weights.reinit(mean_weights);
-    body.equations.lateral_exchange().vmult(lateral_weights, ones);
+    body.equations.lateral_exchange.vmult(lateral_weights, ones);
     lateral_weights /= body.discretization.geometry().cross_section();
     lateral_sum = ones * lateral_weights;
   }
@@ -69,7 +69,7 @@ namespace ThermoContact
   double
   Measurements<dim>::mean_traction()
   {
-    const Function<dim> *const traction = body.data.end_traction();
+    const Function<dim> *const traction = body.data.end_traction.get();
     if (traction == nullptr)
       return 0.;
     const auto &nodes = body.contact_end().nodes();
@@ -164,7 +164,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < contact_values.size(); ++i)
       contact_values[i] =
         body.scene.heat.flux(state.exchange_coefficient[i], contact_values[i]);
-    if (const Function<dim> *warming = body.data.obstacle_warming())
+    if (const Function<dim> *warming = body.data.obstacle_warming.get())
       for (unsigned int i = 0; i < contact_values.size(); ++i)
         contact_values[i] -=
           state.exchange_coefficient[i] *

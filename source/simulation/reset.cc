@@ -94,12 +94,12 @@ namespace ThermoContact
 
 
   template <int dim>
-  const HeatMass<dim> &
+  const HeatSystem<dim> &
   Reset<dim>::provide_heat_mass()
   {
     if (!heat_mass)
       {
-        heat_mass = std::make_unique<const HeatMass<dim>>(body);
+        heat_mass = std::make_unique<const HeatSystem<dim>>(body.equations);
         counters_.factorizations += heat_mass->has_factors();
       }
     return *heat_mass;
@@ -308,7 +308,7 @@ namespace ThermoContact
   Reset<dim>::rate_of_forces(const State &state)
   {
     Vector rate(state.velocity);
-    body.equations.stiffness().vmult(rate, state.velocity);
+    body.equations.stiffness.vmult(rate, state.velocity);
     rate *= -1.;
     const double end_time = body.scene.parameters.time.end_time;
     if (body.loads.has_sources() && end_time > 0.)
@@ -372,7 +372,7 @@ namespace ThermoContact
     std::vector<double> rate_load;
     end.get_all_values(Field::displacement, rate_of_forces(state), rate_load);
     for (unsigned int i = 0; i < p.size(); ++i)
-      if (p[i] * node_laws[i].side < 0. && end.is_two_sided())
+      if (end.side_of(p[i] * node_laws[i].side) < 0)
         node_laws[i].side = -node_laws[i].side; // it has gone to the other side
     const std::vector<double> acceleration =
       static_nodes->solve_rates(rate_load,
@@ -498,7 +498,7 @@ namespace ThermoContact
     Vector      heat(change), inside(change);
     for (const unsigned int entry : entries)
       change.begin()[entry] = rise;
-    body.equations.heat_mass().vmult(heat, change);
+    body.equations.heat_mass.vmult(heat, change);
     heat *= -1.;
     body.equations.zero_constrained(Field::temperature, heat);
     provide_heat_mass().solve(inside, heat);
@@ -509,7 +509,7 @@ namespace ThermoContact
     excess -= body.energy.steady_profile();
     excess.add(0.5, change);
     state.temperature += change;
-    body.equations.heat_mass().vmult(heat, change);
+    body.equations.heat_mass.vmult(heat, change);
     double work = 0.;
     for (const unsigned int entry : entries)
       work += heat.begin()[entry] * excess.begin()[entry];

@@ -246,15 +246,9 @@ namespace ThermoContact
                                     const int            side,
                                     std::vector<double> &penetrations) const
   {
-    if (side > 0 && !state.known_penetration.empty())
-      {
-        penetrations = state.known_penetration;
-        return;
-      }
     get_values(Field::displacement, state.displacement, penetrations);
     for (unsigned int i = 0; i < n_nodes(); ++i)
-      penetrations[i] =
-        side > 0 ? penetrations[i] - state.gap[i] : -penetrations[i] - rear_gap;
+      penetrations[i] = penetration(state, i, side, penetrations[i]);
   }
 
 
@@ -267,8 +261,7 @@ namespace ThermoContact
   {
     get_values(Field::displacement, state.velocity, velocities);
     for (unsigned int i = 0; i < n_nodes(); ++i)
-      velocities[i] =
-        side > 0 ? velocities[i] - state.gap_rate[i] : -velocities[i];
+      velocities[i] = velocity_into(state, i, side, velocities[i]);
   }
 
 

@@ -103,31 +103,32 @@ namespace ThermoContact
     if (scene.sources.has_driven_temperature)
       {
         set(Field::temperature, temperature.rates, heat_lift);
-        equations.heat_mass().vmult(heat_product, heat_lift);
-        heat_load -= heat_product;
+        equations.heat_mass.add(-1., heat_lift, heat_load, heat_product);
       }
     if (!scene.sources.has_moving_end)
       return;
     if (material.has_inertia())
       {
         set(Field::displacement, displacement.accelerations, momentum_lift);
-        equations.momentum_mass().vmult(momentum_product, momentum_lift);
-        momentum_load.add(-material.inertia, momentum_product);
+        equations.momentum_mass.add(-material.inertia,
+                                    momentum_lift,
+                                    momentum_load,
+                                    momentum_product);
         // what the known velocity of the end says is in that term
         for (const unsigned int entry : entries_[Field::displacement])
           known.velocity.begin()[entry] = 0.;
       }
     set(Field::displacement, displacement.rates, momentum_lift);
     if (material.has_viscosity())
-      {
-        equations.viscous_stiffness().vmult(momentum_product, momentum_lift);
-        momentum_load.add(-material.viscosity, momentum_product);
-      }
+      equations.viscous_stiffness.add(-material.viscosity,
+                                      momentum_lift,
+                                      momentum_load,
+                                      momentum_product);
     if (material.has_heating())
-      {
-        equations.divergence().vmult(heat_product, momentum_lift);
-        heat_load.add(-material.heating, heat_product);
-      }
+      equations.divergence.add(-material.heating,
+                               momentum_lift,
+                               heat_load,
+                               heat_product);
   }
 
 
@@ -160,13 +161,13 @@ namespace ThermoContact
     const std::vector<unsigned int> &end    = entries_[Field::temperature];
     Vector                           excess = state.temperature;
     excess -= energy.steady_profile();
-    equations.heat_mass().vmult(heat_product, temperature_rate);
+    equations.heat_mass.vmult(heat_product, temperature_rate);
     double sum = dot(end, heat_product, excess);
-    equations.conduction().vmult(heat_product, excess);
+    equations.conduction.vmult(heat_product, excess);
     sum += dot(end, heat_product, excess);
     if (scene.material.has_heating())
       {
-        equations.divergence().vmult(heat_product, state.velocity);
+        equations.divergence.vmult(heat_product, state.velocity);
         sum += scene.material.heating * dot(end, heat_product, excess);
       }
     // what the surroundings give is part of the state of rest
@@ -212,8 +213,10 @@ namespace ThermoContact
     if (!scene.sources.has_moving_end)
       return;
     set_velocity(time, momentum_lift);
-    equations.viscous_stiffness().vmult(momentum_product, momentum_lift);
-    momentum_load.add(-scene.material.viscosity, momentum_product);
+    equations.viscous_stiffness.add(-scene.material.viscosity,
+                                    momentum_lift,
+                                    momentum_load,
+                                    momentum_product);
   }
 
 

@@ -3,7 +3,6 @@
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/energy.h>
-#include <thermocontact/space/steady_profile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +38,7 @@ namespace ThermoContact
   {
     if (!discretization.has_field(Field::temperature))
       return;
-    set_steady_profile(
-      scene, discretization, stage_operator, loads, steady_profile_);
+    set_steady_profile();
     steady_end.assign(discretization.contact_end().n_nodes(),
                       heat.steady_temperature(1.));
     if (heat.has_lateral_exchange())
@@ -48,7 +46,7 @@ namespace ThermoContact
                                               steady_profile_,
                                               steady_end);
     if (material.has_thermal_stress())
-      stage_operator.thermal_stress().vmult(steady_stress, steady_profile_);
+      stage_operator.thermal_stress.vmult(steady_stress, steady_profile_);
   }
 
 
@@ -58,48 +56,31 @@ namespace ThermoContact
   Energy<dim>::kinetic_energy(const Vector &velocity,
                               const Vector *subtracted) const
   {
-    return material.has_inertia() ?
-             0.5 * material.inertia *
-               momentum_form(stage_operator.momentum_mass(),
-                             velocity,
-                             subtracted) :
-             0.;
+    return material.has_inertia() ? 0.5 * material.inertia *
+                                      form(Field::displacement,
+                                           stage_operator.momentum_mass,
+                                           velocity,
+                                           subtracted) :
+                                    0.;
   }
 
 
 
   template <int dim>
   double
-  Energy<dim>::heat_form(const LinearMap &map,
-                         const Vector    &vector,
-                         const Vector    *subtracted) const
+  Energy<dim>::form(const Field::Block field,
+                    const LinearMap   &map,
+                    const Vector      &vector,
+                    const Vector      *subtracted) const
   {
-    if (!discretization.has_field(Field::temperature))
+    if (!discretization.has_field(field))
       return 0.;
-    const double form =
-      subtracted == nullptr ?
-        map.form(vector, heat_product) :
-        map.form_of_difference(vector, *subtracted, heat_scratch, heat_product);
-    return form / discretization.geometry().cross_section();
-  }
-
-
-
-  template <int dim>
-  double
-  Energy<dim>::momentum_form(const LinearMap &map,
-                             const Vector    &vector,
-                             const Vector    *subtracted) const
-  {
-    if (!discretization.has_field(Field::displacement))
-      return 0.;
-    const double form = subtracted == nullptr ?
-                          map.form(vector, momentum_product) :
-                          map.form_of_difference(vector,
-                                                 *subtracted,
-                                                 momentum_scratch,
-                                                 momentum_product);
-    return form / discretization.geometry().cross_section();
+    const bool is_heat = field == Field::temperature;
+    return map.form(vector,
+                    subtracted,
+                    is_heat ? heat_scratch : momentum_scratch,
+                    is_heat ? heat_product : momentum_product) /
+           discretization.geometry().cross_section();
   }
 
 
@@ -111,14 +92,7 @@ namespace ThermoContact
     const MPI_Comm communicator = discretization.communicator();
     if (Utilities::MPI::n_mpi_processes(communicator) == 1)
       return terms;
-    const std::vector<double> values =
-      broadcast(communicator,
-                std::vector<double>{terms.thermal,
-                                    terms.kinetic,
-                                    terms.elastic,
-                                    terms.obstacle,
-                                    terms.coupling});
-    return {values[0], values[1], values[2], values[3], values[4]};
+    return broadcast(communicator, terms);
   }
 
 
@@ -128,12 +102,14 @@ namespace ThermoContact
   Energy<dim>::energy(const State &state) const
   {
     EnergyTerms terms;
-    terms.thermal = 0.5 * heat_form(stage_operator.heat_mass(),
-                                    state.temperature,
-                                    &steady_profile_);
+    terms.thermal = 0.5 * form(Field::temperature,
+                               stage_operator.heat_mass,
+                               state.temperature,
+                               &steady_profile_);
     terms.kinetic = kinetic_energy(state.velocity);
     terms.elastic =
-      0.5 * momentum_form(stage_operator.stiffness(), state.displacement);
+      0.5 *
+      form(Field::displacement, stage_operator.stiffness, state.displacement);
     const std::vector<double> &pressure =
       elastic_pressures(state, end_pressure);
     for (unsigned int i = 0; i < pressure.size(); ++i)
@@ -154,11 +130,13 @@ namespace ThermoContact
                                  const std::vector<double> &pressure) const
   {
     EnergyTerms terms;
-    terms.thermal =
-      0.5 * heat_form(stage_operator.heat_mass(), difference.temperature);
-    terms.kinetic = kinetic_energy(difference.velocity);
-    terms.elastic =
-      0.5 * momentum_form(stage_operator.stiffness(), difference.displacement);
+    terms.thermal              = 0.5 * form(Field::temperature,
+                               stage_operator.heat_mass,
+                               difference.temperature);
+    terms.kinetic              = kinetic_energy(difference.velocity);
+    terms.elastic              = 0.5 * form(Field::displacement,
+                               stage_operator.stiffness,
+                               difference.displacement);
     const ContactEnd<dim> &end = discretization.contact_end();
     end.get_values(Field::displacement,
                    difference.displacement,
@@ -177,17 +155,22 @@ namespace ThermoContact
   double
   Energy<dim>::dissipation_rate(const State &state) const
   {
-    double rate = heat_form(stage_operator.conduction(),
-                            state.temperature,
-                            &steady_profile_);
+    double rate = form(Field::temperature,
+                       stage_operator.conduction,
+                       state.temperature,
+                       &steady_profile_);
     if (material.has_viscosity())
-      rate += material.viscosity *
-              momentum_form(stage_operator.viscous_stiffness(), state.velocity);
+      rate += material.viscosity * form(Field::displacement,
+                                        stage_operator.viscous_stiffness,
+                                        state.velocity);
     if (!heat.exchange->is_constant())
       {
         heat_scratch = state.temperature;
         heat_scratch -= steady_profile_;
-        rate += exchange_dissipation(state, heat_scratch);
+        rate += mean_of_end(heat_scratch,
+                            [&](const unsigned int i, const double value) {
+                              return state.exchange_coefficient[i] * value;
+                            });
       }
     return rate;
   }
@@ -198,39 +181,24 @@ namespace ThermoContact
   double
   Energy<dim>::lateral_dissipation_rate(const State &state) const
   {
-    return heat.has_lateral_exchange() ?
-             heat_form(stage_operator.lateral_exchange(),
-                       state.temperature,
-                       &steady_profile_) :
-             0.;
+    return heat.has_lateral_exchange() ? form(Field::temperature,
+                                              stage_operator.lateral_exchange,
+                                              state.temperature,
+                                              &steady_profile_) :
+                                         0.;
   }
 
 
 
   template <int dim>
+  template <typename Power>
   double
-  Energy<dim>::exchange_dissipation(const State  &state,
-                                    const Vector &excess) const
+  Energy<dim>::mean_of_end(const Vector &excess, const Power &power) const
   {
     const ContactEnd<dim> &end = discretization.contact_end();
     end.get_values(Field::temperature, excess, end_temperature);
     for (unsigned int i = 0; i < end_temperature.size(); ++i)
-      end_temperature[i] *= state.exchange_coefficient[i] * end_temperature[i];
-    return end.mean(end_temperature);
-  }
-
-
-
-  template <int dim>
-  double
-  Energy<dim>::exchange_work(const State &state, const Vector &excess) const
-  {
-    const ContactEnd<dim> &end = discretization.contact_end();
-    end.get_values(Field::temperature, excess, end_temperature);
-    for (unsigned int i = 0; i < end_temperature.size(); ++i)
-      end_temperature[i] *=
-        -heat.flux(state.exchange_coefficient[i] - heat.reference_coefficient,
-                   steady_end[i]);
+      end_temperature[i] *= power(i, end_temperature[i]);
     return end.mean(end_temperature);
   }
 
@@ -241,13 +209,15 @@ namespace ThermoContact
   Energy<dim>::numerical_dissipation(const State &old_state,
                                      const State &state) const
   {
-    const double sum = 0.5 * heat_form(stage_operator.heat_mass(),
-                                       state.temperature,
-                                       &old_state.temperature) +
+    const double sum = 0.5 * form(Field::temperature,
+                                  stage_operator.heat_mass,
+                                  state.temperature,
+                                  &old_state.temperature) +
                        kinetic_energy(state.velocity, &old_state.velocity) +
-                       0.5 * momentum_form(stage_operator.stiffness(),
-                                           state.displacement,
-                                           &old_state.displacement);
+                       0.5 * form(Field::displacement,
+                                  stage_operator.stiffness,
+                                  state.displacement,
+                                  &old_state.displacement);
     return sum + contact_dissipation(old_state, state);
   }
 
@@ -272,7 +242,13 @@ namespace ThermoContact
             rate += heat_scratch * heat_product;
           }
         if (!heat.exchange->is_constant())
-          rate += area * exchange_work(state, heat_scratch);
+          rate +=
+            area *
+            mean_of_end(heat_scratch, [&](const unsigned int i, const double) {
+              return -heat.flux(state.exchange_coefficient[i] -
+                                  heat.reference_coefficient,
+                                steady_end[i]);
+            });
       }
     return rate / area + work_of_motion(momentum_load, state, state.velocity);
   }
@@ -290,7 +266,7 @@ namespace ThermoContact
       {
         heat_scratch = state.temperature;
         heat_scratch -= steady_profile_;
-        stage_operator.divergence().vmult(heat_product, motion);
+        stage_operator.divergence.vmult(heat_product, motion);
         work += material.thermal_stress * (heat_scratch * heat_product);
       }
     if (discretization.has_field(Field::displacement) && loads.has_sources())
@@ -313,7 +289,8 @@ namespace ThermoContact
   double
   Energy<dim>::steady_profile_energy() const
   {
-    return 0.5 * heat_form(stage_operator.heat_mass(), steady_profile_);
+    return 0.5 *
+           form(Field::temperature, stage_operator.heat_mass, steady_profile_);
   }
 
 
@@ -362,27 +339,22 @@ namespace ThermoContact
     if (law.damping() == 0.)
       return state.contact_pressure;
     const ContactEnd<dim> &end = discretization.contact_end();
-    end.get_penetrations(state, 1, scratch);
-    end.get_penetrations(state, -1, rear_penetration);
-    end.get_velocities_into(state, 1, relative_velocity);
-    end.get_velocities_into(state, -1, rear_velocity);
+    end.get_values(Field::displacement, state.displacement, scratch);
+    end.get_values(Field::displacement, state.velocity, end_velocity);
     const double size   = state.displacement.linfty_norm();
-    const auto   stored = [&](const unsigned int i,
-                            const double       s,
-                            const double       v,
-                            const double       side) {
+    const auto   stored = [&](const unsigned int i, const int side) {
+      const double s = end.penetration(state, i, side, scratch[i]);
       if (material.is_static()) // velocities of what moves at once say nothing
         return law.pressure(s);
       return elastic_part(law,
                           std::max(side * state.contact_pressure[i], 0.),
                           s,
-                          v,
+                          end.velocity_into(state, i, side, end_velocity[i]),
                           Tolerances::rounding_of_penetration *
                             std::max(size, std::abs(state.gap[i])));
     };
     for (unsigned int i = 0; i < scratch.size(); ++i)
-      scratch[i] = stored(i, scratch[i], relative_velocity[i], 1.) -
-                   stored(i, rear_penetration[i], rear_velocity[i], -1.);
+      scratch[i] = stored(i, 1) - stored(i, -1);
     return scratch;
   }
 
@@ -399,11 +371,10 @@ namespace ThermoContact
     double                     rate    = 0.;
     for (unsigned int i = 0; i < elastic.size(); ++i)
       {
-        const double p = state.contact_pressure[i];
-        rate += end.share(i) * (p - elastic[i]) *
-                ((p < 0. || elastic[i] < 0.) && end.is_two_sided() ?
-                   -rear_velocity[i] :
-                   relative_velocity[i]);
+        const double p    = state.contact_pressure[i];
+        const int    side = end.side_of(std::min(p, elastic[i]));
+        rate += end.share(i) * (p - elastic[i]) * side *
+                end.velocity_into(state, i, side, end_velocity[i]);
       }
     return rate;
   }
@@ -418,7 +389,7 @@ namespace ThermoContact
     double                 power = 0.;
     for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
       if (const double p = state.contact_pressure[i];
-          p > 0. || !end.is_two_sided()) // the obstacle behind rests
+          end.side_of(p) > 0) // the obstacle behind rests
         power -= end.share(i) * p * state.gap_rate[i];
     return power;
   }
@@ -439,21 +410,18 @@ namespace ThermoContact
       elastic_pressures(old_state, old_end_pressure);
     const std::vector<double> &pressure =
       elastic_pressures(state, end_pressure);
-    end.get_penetrations(old_state, 1, old_front);
-    end.get_penetrations(old_state, -1, old_rear);
     double sum = 0.;
     for (unsigned int i = 0; i < pressure.size(); ++i)
       {
+        const int    side   = end.side_of(pressure[i]);
         const double change = end_displacement[i] - old_end_displacement[i];
-        sum += end.share(i) *
-               (pressure[i] < 0. && end.is_two_sided() ?
-                  law.numerical_dissipation(
-                    -change, old_rear[i], -old_pressure[i], -pressure[i]) :
-                  law.numerical_dissipation(change -
-                                              (state.gap[i] - old_state.gap[i]),
-                                            old_front[i],
-                                            old_pressure[i],
-                                            pressure[i]));
+        sum +=
+          end.share(i) *
+          law.numerical_dissipation(
+            side > 0 ? change - (state.gap[i] - old_state.gap[i]) : -change,
+            end.penetration(old_state, i, side, old_end_displacement[i]),
+            side * old_pressure[i],
+            side * pressure[i]);
       }
     return sum;
   }

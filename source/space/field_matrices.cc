@@ -1,29 +1,40 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/space/cell_matrices.h>
 #include <thermocontact/space/field_matrices.h>
-#include <thermocontact/space/lateral_exchange.h>
 #include <thermocontact/space/massless_contact.h>
-
-#include <deal.II/dofs/dof_tools.h>
 
 #include <deal.II/fe/fe_values.h>
 
-#include <deal.II/lac/block_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/trilinos_block_sparse_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <initializer_list>
+#include <limits>
 
 namespace ThermoContact
 {
   namespace
   {
-    /** Field matrices know nothing of the fixed end. */
-    AffineConstraints<double>
-    no_constraints()
+    using Fields = std::array<Field::Block, 2>;
+
+    /** Of rows and columns of a matrix. */
+    Fields
+    fields_of(const FieldMatrix::Kind kind)
     {
-      AffineConstraints<double> constraints;
-      constraints.close();
-      return constraints;
+      switch (kind)
+        {
+          case FieldMatrix::momentum_mass:
+          case FieldMatrix::stiffness:
+          case FieldMatrix::viscous_stiffness:
+            return {{Field::displacement, Field::displacement}};
+          case FieldMatrix::divergence:
+            return {{Field::temperature, Field::displacement}};
+          case FieldMatrix::thermal_stress:
+            return {{Field::displacement, Field::temperature}};
+          default:
+            return {{Field::temperature, Field::temperature}};
+        }
     }
 
 
@@ -125,78 +136,137 @@ namespace ThermoContact
     : scene(scene)
     , discretization(discretization)
   {
-    setup_matrix(false, mass);
-    setup_matrix(false, stiffness);
-    if (scene.material.has_thermal_stress())
-      setup_matrix(true, coupling);
-    if (scene.has_elastic_contact_nodes)
-      setup_matrix(false, viscous_stiffness);
-    if (scene.lateral_exchange > 0.)
-      setup_matrix(false, lateral_exchange);
-    start_rod();
+    const auto setup_if = [this](const bool                        is_there,
+                                 const std::initializer_list<Kind> kinds) {
+      for (const Kind kind : kinds)
+        if (is_there)
+          setup(kind);
+    };
+    const FiniteElement<dim> &fe = discretization.finite_element();
+    for (unsigned int i = 0; i < fe.dofs_per_cell; ++i)
+      places[scene.fields.has_temperature &&
+                 fe.system_to_component_index(i).first == 0 ?
+               Field::temperature :
+               Field::displacement]
+        .push_back(i);
+    setup_if(scene.fields.has_temperature, {heat_mass, conduction});
+    setup_if(scene.fields.has_displacement, {momentum_mass, stiffness});
+    setup_if(scene.material.has_thermal_stress(), {divergence, thermal_stress});
+    setup_if(scene.has_elastic_contact_nodes, {viscous_stiffness});
+    setup_if(scene.lateral_exchange > 0., {lateral_exchange});
+    if (dim == 1)
+      rod_entries.resize(
+        static_cast<std::size_t>(n_matrices) * discretization.n_active_cells() *
+        (discretization.degree() + 1) * (discretization.degree() + 1));
     assemble_mass();
     assemble_stiffness();
     if (scene.fields.has_temperature)
-      {
-        assemble_contact_end();
-        assemble_lateral_exchange();
-      }
-    if (rod_cells)
-      rod = rod_cells->make();
-    rod_cells.reset();
+      assemble_heat_exchange();
+    for (SparseMatrix &matrix : matrices)
+      if (matrix.m() > 0)
+        matrix.compress(VectorOperation::add);
+    if (dim == 1)
+      make_rod();
   }
 
 
 
   template <int dim>
   void
-  FieldMatrices<dim>::start_rod()
+  FieldMatrices<dim>::setup(const Kind kind)
   {
-    if constexpr (dim == 1)
-      {
-        if (Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
-          return;
-        rod_cells = std::make_unique<RodCells>(discretization);
-        if (!rod_cells->is_in_order())
-          rod_cells.reset();
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  FieldMatrices<dim>::setup_matrix(const bool         couples_fields,
-                                   BlockSparseMatrix &matrix) const
-  {
-    const unsigned int                   n = discretization.n_components();
-    dealii::Table<2, DoFTools::Coupling> couplings(n, n);
-    const bool has_temperature = discretization.has_field(Field::temperature);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
+    const auto [rows, columns] = fields_of(kind);
+    TrilinosWrappers::SparsityPattern pattern(
+      discretization.owned_by_block()[rows],
+      discretization.owned_by_block()[columns],
+      discretization.relevant_by_block()[rows],
+      discretization.communicator());
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
         {
-          const bool is_same_field = !has_temperature || (i == 0) == (j == 0);
-          couplings(i, j) =
-            is_same_field != couples_fields ? DoFTools::always : DoFTools::none;
+          const auto column_dofs = dofs(cell, columns);
+          for (const types::global_dof_index row : dofs(cell, rows))
+            pattern.add_entries(row, column_dofs.begin(), column_dofs.end());
         }
-    std::vector<IndexSet> owned, relevant;
-    for (const Field::Block field : all_fields)
-      if (discretization.has_field(field))
-        {
-          owned.push_back(discretization.owned_by_block()[field]);
-          relevant.push_back(discretization.relevant_by_block()[field]);
-        }
-    TrilinosWrappers::BlockSparsityPattern pattern(
-      owned, owned, relevant, discretization.communicator());
-    DoFTools::make_sparsity_pattern(discretization.dof_handler(),
-                                    couplings,
-                                    pattern,
-                                    AffineConstraints<double>(),
-                                    true,
-                                    Utilities::MPI::this_mpi_process(
-                                      discretization.communicator()));
     pattern.compress();
-    matrix.reinit(pattern);
+    matrices[kind].reinit(pattern);
+  }
+
+
+
+  template <int dim>
+  std::vector<types::global_dof_index>
+  FieldMatrices<dim>::dofs(
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const Field::Block                                    field) const
+  {
+    std::vector<types::global_dof_index> all(cell->get_fe().dofs_per_cell);
+    cell->get_dof_indices(all);
+    std::vector<types::global_dof_index> of_field;
+    for (const std::size_t place : places[field])
+      of_field.push_back(all[place] - discretization.first_dof(field));
+    return of_field;
+  }
+
+
+
+  template <int dim>
+  double &
+  FieldMatrices<dim>::rod_entry(const Kind         kind,
+                                const unsigned int cell,
+                                const unsigned int i,
+                                const unsigned int j)
+  {
+    const std::size_t n = discretization.degree() + 1;
+    return rod_entries
+      [((kind * discretization.n_active_cells() + cell) * n + j) * n + i];
+  }
+
+
+
+  template <int dim>
+  void
+  FieldMatrices<dim>::add(
+    const Kind                                            kind,
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const FullMatrix<double>                             &cell_matrix)
+  {
+    const auto [rows, columns] = fields_of(kind);
+    const bool is_sparse       = matrices[kind].m() > 0;
+    if (!discretization.has_field(rows) || !(is_sparse || dim == 1))
+      return;
+    FullMatrix<double> block(places[rows].size(), places[columns].size());
+    block.extract_submatrix_from(cell_matrix, places[rows], places[columns]);
+    if (is_sparse)
+      matrices[kind].add(dofs(cell, rows), dofs(cell, columns), block);
+    if (dim == 1 && kind < n_matrices)
+      for (unsigned int i = 0; i < block.m(); ++i)
+        for (unsigned int j = 0; j < block.n(); ++j)
+          rod_entry(kind, cell->active_cell_index(), i, j) += block(i, j);
+  }
+
+
+
+  template <int dim>
+  void
+  FieldMatrices<dim>::make_rod()
+  {
+    const RodLayout layout{discretization.n_active_cells(),
+                           discretization.degree()};
+    // The sizes of equal cells differ by the rounding of their vertices.
+    const double rounding =
+      4. * std::numeric_limits<double>::epsilon() * layout.n_cells;
+    rod_ =
+      std::make_unique<const RodMatrices>(layout,
+                                          rounding,
+                                          [this](const Kind         kind,
+                                                 const unsigned int cell,
+                                                 const unsigned int i,
+                                                 const unsigned int j) {
+                                            return rod_entry(kind, cell, i, j);
+                                          });
+    rod_entries = {};
   }
 
 
@@ -209,25 +279,22 @@ namespace ThermoContact
     const bool                is_lumped = scene.has_lumped_mass;
     const UpdateFlags         flags =
       update_values | update_quadrature_points | update_JxW_values;
-    FEValues<dim>                   fe_values(discretization.mapping(),
+    FEValues<dim> fe_values(discretization.mapping(),
                             fe,
                             mass_quadrature<dim>(fe.degree, is_lumped),
                             flags);
-    FEValues<dim>                   axial_values(discretization.mapping(),
+    FEValues<dim> axial_values(discretization.mapping(),
                                fe,
                                scene.has_midpoint_mass ?
-                                                   midpoint_quadrature<dim>() :
-                                                   massless_quadrature<dim>(fe.degree, is_lumped),
+                                 QMidpoint<dim>() :
+                                 massless_quadrature<dim>(fe.degree, is_lumped),
                                flags);
-    const AffineConstraints<double> unconstrained = no_constraints();
 
-    const unsigned int                   n = fe.dofs_per_cell;
-    FullMatrix<double>                   cell_mass(n, n);
-    std::vector<types::global_dof_index> dofs(n);
-    const unsigned int                   axial =
+    FullMatrix<double> cell_mass(fe.dofs_per_cell, fe.dofs_per_cell);
+    const unsigned int axial =
       scene.fields.has_displacement ?
-                          discretization.first_component(Field::displacement) :
-                          numbers::invalid_unsigned_int;
+        discretization.first_component(Field::displacement) :
+        numbers::invalid_unsigned_int;
 
     const auto integrate = [&](const FEValues<dim> &values,
                                const auto          &is_wanted) {
@@ -266,15 +333,9 @@ namespace ThermoContact
                 }
             }
           had_axial_rule = has_axial_rule;
-          cell->get_dof_indices(dofs);
-          unconstrained.distribute_local_to_global(cell_mass, dofs, mass);
-          if (rod_cells)
-            rod_cells->add_diagonal(RodMatrices::heat_mass,
-                                    RodMatrices::momentum_mass,
-                                    cell->active_cell_index(),
-                                    cell_mass);
+          for (const Kind kind : {heat_mass, momentum_mass})
+            add(kind, cell, cell_mass);
         }
-    mass.compress(VectorOperation::add);
   }
 
 
@@ -283,24 +344,20 @@ namespace ThermoContact
   void
   FieldMatrices<dim>::assemble_stiffness()
   {
-    const FiniteElement<dim>       &fe = discretization.finite_element();
-    FEValues<dim>                   fe_values(discretization.mapping(),
+    const FiniteElement<dim> &fe = discretization.finite_element();
+    FEValues<dim>             fe_values(discretization.mapping(),
                             fe,
                             QGauss<dim>(fe.degree + 1),
                             update_values | update_gradients |
                               update_quadrature_points | update_JxW_values);
-    const AffineConstraints<double> unconstrained = no_constraints();
 
-    const unsigned int                   n = fe.dofs_per_cell;
-    FullMatrix<double>                   cell_stiffness(n, n);
-    FullMatrix<double>                   cell_coupling(n, n);
-    std::vector<types::global_dof_index> dofs(n);
-    std::vector<CellBasis<dim>>          basis(n);
-    const bool               has_coupling = scene.material.has_thermal_stress();
-    const bool               has_viscous  = scene.has_elastic_contact_nodes;
-    const FullMatrix<double> extension =
-      has_viscous ? extension_to_contact_nodes(discretization) :
-                    FullMatrix<double>();
+    const unsigned int          n = fe.dofs_per_cell;
+    FullMatrix<double>          cell_stiffness(n, n), cell_coupling(n, n);
+    std::vector<CellBasis<dim>> basis(n);
+    const FullMatrix<double>    extension =
+      scene.has_elastic_contact_nodes ?
+           extension_to_contact_nodes(discretization) :
+           FullMatrix<double>();
 
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
@@ -314,139 +371,48 @@ namespace ThermoContact
                                basis,
                                cell_stiffness,
                                cell_coupling);
-          cell->get_dof_indices(dofs);
-          unconstrained.distribute_local_to_global(cell_stiffness,
-                                                   dofs,
-                                                   stiffness);
-          if (has_coupling)
-            unconstrained.distribute_local_to_global(cell_coupling,
-                                                     dofs,
-                                                     coupling);
-          if (rod_cells)
+          for (const Kind kind : {conduction, stiffness})
+            add(kind, cell, cell_stiffness);
+          if (scene.material.has_thermal_stress())
+            for (const Kind kind : {divergence, thermal_stress})
+              add(kind, cell, cell_coupling);
+          if (scene.has_elastic_contact_nodes && touches_contact_end<dim>(cell))
             {
-              const unsigned int index = cell->active_cell_index();
-              rod_cells->add_diagonal(RodMatrices::conduction,
-                                      RodMatrices::stiffness,
-                                      index,
-                                      cell_stiffness);
-              if (has_coupling)
-                {
-                  rod_cells->add(RodMatrices::divergence,
-                                 index,
-                                 Field::temperature,
-                                 Field::displacement,
-                                 cell_coupling);
-                  rod_cells->add(RodMatrices::thermal_stress,
-                                 index,
-                                 Field::displacement,
-                                 Field::temperature,
-                                 cell_coupling);
-                }
-            }
-          if (!has_viscous && !rod_cells)
-            continue;
-          FullMatrix<double> cell_viscous(cell_stiffness);
-          if (has_viscous && touches_contact_end<dim>(cell))
-            {
-              cell_viscous = 0.;
+              FullMatrix<double> cell_viscous(n, n);
               cell_viscous.triple_product(cell_stiffness,
                                           extension,
                                           extension,
                                           true);
+              add(viscous_stiffness, cell, cell_viscous);
             }
-          if (has_viscous)
-            unconstrained.distribute_local_to_global(cell_viscous,
-                                                     dofs,
-                                                     viscous_stiffness);
-          if (rod_cells && scene.fields.has_displacement)
-            rod_cells->add(RodMatrices::viscous_stiffness,
-                           cell->active_cell_index(),
-                           Field::displacement,
-                           Field::displacement,
-                           cell_viscous);
+          else
+            add(viscous_stiffness, cell, cell_stiffness);
         }
-    stiffness.compress(VectorOperation::add);
-    if (has_coupling)
-      coupling.compress(VectorOperation::add);
-    if (has_viscous)
-      viscous_stiffness.compress(VectorOperation::add);
   }
 
 
 
   template <int dim>
   void
-  FieldMatrices<dim>::assemble_contact_end()
+  FieldMatrices<dim>::assemble_heat_exchange()
   {
-    const FiniteElement<dim>       &fe = discretization.finite_element();
-    FEFaceValues<dim>               face_values(discretization.mapping(),
-                                  fe,
-                                  QGauss<dim - 1>(fe.degree + 1),
-                                  update_values | update_quadrature_points |
-                                    update_JxW_values);
-    const AffineConstraints<double> unconstrained = no_constraints();
-
-    FullMatrix<double> cell_matrix(fe.dofs_per_cell, fe.dofs_per_cell);
-    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
-    const auto &theta = face_values[discretization.temperature_extractor()];
-    for_each_contact_face<dim>(
-      discretization.dof_handler(),
-      [&](const auto &cell, const unsigned int f) {
-        face_values.reinit(cell, f);
-        cell_matrix = 0.;
-        for (const unsigned int q : face_values.quadrature_point_indices())
-          for (const unsigned int i : face_values.dof_indices())
-            for (const unsigned int j : face_values.dof_indices())
-              cell_matrix(i, j) +=
-                scene.exchange_coefficient * theta.value(i, q) *
-                theta.value(j, q) *
-                discretization.geometry().weight(face_values, q);
-        cell->get_dof_indices(dofs);
-        unconstrained.distribute_local_to_global(cell_matrix, dofs, stiffness);
-        if (rod_cells)
-          rod_cells->add_exchange(cell->active_cell_index(), cell_matrix);
-      });
-    stiffness.compress(VectorOperation::add);
+    const unsigned int     n = discretization.finite_element().dofs_per_cell;
+    HeatExchangeFaces<dim> faces(scene, discretization);
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        faces.visit(cell,
+                    [&](const CellMatrix &exchange, const bool is_lateral) {
+                      FullMatrix<double> cell_matrix(n, n);
+                      exchange.matrix.scatter_matrix_to(exchange.dofs,
+                                                        exchange.dofs,
+                                                        cell_matrix);
+                      for (const Kind kind : {conduction, heat_exchange})
+                        add(kind, cell, cell_matrix);
+                      if (is_lateral)
+                        add(lateral_exchange, cell, cell_matrix);
+                    });
   }
-
-
-
-  template <int dim>
-  void
-  FieldMatrices<dim>::assemble_lateral_exchange()
-  {
-    if (!(scene.lateral_exchange > 0.))
-      return;
-    const LateralExchange<dim> exchange(scene, discretization);
-    AffineConstraints<double>  unconstrained;
-    unconstrained.close();
-
-    const unsigned int n = discretization.finite_element().dofs_per_cell;
-    FullMatrix<double> cell_matrix(n, n);
-    std::vector<types::global_dof_index> dofs(n);
-    exchange.for_each_place(
-      [&](const auto &cell, const FEValuesBase<dim> &values) {
-        exchange.integrate(values, cell_matrix);
-        cell->get_dof_indices(dofs);
-        unconstrained.distribute_local_to_global(cell_matrix, dofs, stiffness);
-        unconstrained.distribute_local_to_global(cell_matrix,
-                                                 dofs,
-                                                 lateral_exchange);
-        if (rod_cells)
-          rod_cells->add_exchange(cell->active_cell_index(), cell_matrix);
-      });
-    stiffness.compress(VectorOperation::add);
-    lateral_exchange.compress(VectorOperation::add);
-  }
-
-
-
-  template void
-  FieldMatrices<1>::assemble_lateral_exchange();
-  template void
-  FieldMatrices<2>::assemble_lateral_exchange();
-  template void
-  FieldMatrices<3>::assemble_lateral_exchange();
 
 
 

@@ -10,7 +10,6 @@
 
 #include <deal.II/fe/fe_values.h>
 
-#include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
@@ -68,13 +67,13 @@ namespace ThermoContact
     /** A product with rows and columns of the identity for fixed entries. */
     struct FixedProduct
     {
-      FunctionMap::Product             product;
+      const LinearMap                 &product;
       const std::vector<unsigned int> &fixed;
 
       void
       vmult(Vector &y, const Vector &x) const
       {
-        product(y, x);
+        product.vmult(y, x);
         for (const unsigned int entry : fixed)
           y.local_element(entry) = x.local_element(entry);
       }
@@ -87,7 +86,7 @@ namespace ThermoContact
      * fixed, by conjugate gradients with the diagonal: once a run.
      */
     void
-    add_solution(const FunctionMap::Product      &product,
+    add_solution(const LinearMap                 &product,
                  Vector                           diagonal,
                  const std::vector<unsigned int> &fixed,
                  const Vector                    &rhs,
@@ -106,12 +105,11 @@ namespace ThermoContact
       for (const unsigned int entry : fixed)
         diagonal.local_element(entry) = 1.;
       Vector correction(rhs);
-      correction = 0.;
       conjugate_gradients("the projection of the initial values",
                           FixedProduct{product, fixed},
                           correction,
                           rhs,
-                          DiagonalMatrix<Vector>(diagonal),
+                          diagonal,
                           allowed / rhs.l2_norm(),
                           20000);
       values += correction;
@@ -327,24 +325,22 @@ namespace ThermoContact
           typename MatrixFreeOperator<dim>::MomentumFactors;
         const HeatFactors laplacian_of_heat{0., 1., true};
         if (discretization.has_field(Field::temperature))
-          add_solution(
-            [&](Vector &y, const Vector &x) {
-              products->heat(laplacian_of_heat, y, x);
-            },
-            products->heat_diagonal(laplacian_of_heat),
-            kept_entries(Field::temperature),
-            heat,
-            temperature);
+          add_solution({[&](Vector &y, const Vector &x) {
+                         products->heat(laplacian_of_heat, y, x);
+                       }},
+                       products->heat_diagonal(laplacian_of_heat),
+                       kept_entries(Field::temperature),
+                       heat,
+                       temperature);
         const MomentumFactors laplacian{0., 0., 1.};
         if (discretization.has_field(Field::displacement))
-          add_solution(
-            [&](Vector &y, const Vector &x) {
-              products->momentum(laplacian, y, x);
-            },
-            products->momentum_diagonal(laplacian),
-            kept_entries(Field::displacement),
-            momentum,
-            displacement);
+          add_solution({[&](Vector &y, const Vector &x) {
+                         products->momentum(laplacian, y, x);
+                       }},
+                       products->momentum_diagonal(laplacian),
+                       kept_entries(Field::displacement),
+                       momentum,
+                       displacement);
       }
   }
 

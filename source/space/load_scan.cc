@@ -89,11 +89,11 @@ namespace ThermoContact
           for (const Expression &component : source->components())
             add(component, is_on_end);
       };
-      add_source(data.heat_source(), false);
-      add_source(data.body_force(), false);
-      add_source(data.end_traction(), true);
-      add_source(data.end_heat_flux(), true);
-      add_source(data.obstacle_warming(), true);
+      add_source(data.heat_source.get(), false);
+      add_source(data.body_force.get(), false);
+      add_source(data.end_traction.get(), true);
+      add_source(data.end_heat_flux.get(), true);
+      add_source(data.obstacle_warming.get(), true);
       if (scene.sources.has_driven_temperature)
         add(scene.heat.fixed_end_drive->expression, true, "", true);
       if (scene.sources.has_moving_end)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/local_sums.h>
-#include <thermocontact/space/lateral_exchange.h>
+#include <thermocontact/space/cell_matrices.h>
 #include <thermocontact/space/loads.h>
 
 #include <deal.II/base/function.h>
@@ -45,12 +45,23 @@ namespace ThermoContact
       return;
     integrate_end_flux(
       Functions::ConstantFunction<dim>(scene.heat.obstacle_heat()));
-    const LateralExchange<dim> lateral(scene, discretization);
-    lateral.for_each_place(
-      [&](const auto &cell, const FEValuesBase<dim> &values) {
-        lateral.integrate(values, scene.heat.ambient_temperature, cell_load);
-        distribute(cell);
-      });
+    HeatExchangeFaces<dim> faces(scene, discretization);
+    if (scene.heat.has_lateral_exchange())
+      for (const auto &cell :
+           discretization.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          faces.visit(cell,
+                      [&](const CellMatrix &exchange, const bool is_lateral) {
+                        cell_load = 0.;
+                        for (unsigned int i = 0; i < exchange.dofs.size(); ++i)
+                          for (unsigned int j = 0;
+                               is_lateral && j < exchange.dofs.size();
+                               ++j)
+                            cell_load(exchange.dofs[i]) +=
+                              scene.heat.ambient_temperature *
+                              exchange.matrix(i, j);
+                        distribute(cell);
+                      });
     sources.compress(VectorOperation::add);
     add_sources(Field::temperature, outer_heat_);
   }
@@ -63,32 +74,32 @@ namespace ThermoContact
   {
     set_equal(heat, outer_heat_);
     set_zero(momentum);
-    if (!data.has_sources())
+    if (!has_sources())
       return;
 
     data.set_time(time);
-    if (data.heat_source() != nullptr || data.body_force() != nullptr ||
-        data.end_heat_flux() != nullptr || data.obstacle_warming() != nullptr)
+    if (data.heat_source || data.body_force || data.end_heat_flux ||
+        data.obstacle_warming)
       {
         sources = 0.;
-        if (data.end_heat_flux() != nullptr)
-          integrate_end_flux(*data.end_heat_flux());
-        if (data.obstacle_warming() != nullptr)
-          integrate_end_flux(*data.obstacle_warming(), exchange_coefficient);
-        if (data.heat_source() != nullptr || data.body_force() != nullptr)
+        if (data.end_heat_flux)
+          integrate_end_flux(*data.end_heat_flux);
+        if (data.obstacle_warming)
+          integrate_end_flux(*data.obstacle_warming, exchange_coefficient);
+        if (data.heat_source || data.body_force)
           integrate_volume();
         sources.compress(VectorOperation::add);
         add_sources(Field::temperature, heat);
         add_sources(Field::displacement, momentum);
       }
-    if (data.end_traction() != nullptr)
+    if (data.end_traction)
       for (const auto &[node, entry] :
            discretization.contact_end().entries(Field::displacement))
         {
           const ContactNode<dim> &n =
             discretization.contact_end().nodes()[node];
           momentum.begin()[entry] +=
-            n.weight * data.end_traction()->value(n.position);
+            n.weight * data.end_traction->value(n.position);
         }
   }
 
@@ -109,35 +120,19 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Loads<dim>::add_scalar(const FEValuesBase<dim> &values,
-                         const Function<dim>     &function)
+  Loads<dim>::add(const FEValuesBase<dim> &values,
+                  const Function<dim>     &function,
+                  const Field::Block       field)
   {
+    const unsigned int first = discretization.first_component(field);
     for (const unsigned int q : values.quadrature_point_indices())
-      {
-        const double f_JxW = function.value(values.quadrature_point(q)) *
-                             discretization.geometry().weight(values, q);
-        for (const unsigned int i : values.dof_indices())
-          cell_load(i) +=
-            f_JxW * values[discretization.temperature_extractor()].value(i, q);
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  Loads<dim>::add_vector(const FEValuesBase<dim> &values,
-                         const Function<dim>     &function)
-  {
-    for (const unsigned int q : values.quadrature_point_indices())
-      for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int c = 0; c < function.n_components; ++c)
         {
           const double f_JxW = function.value(values.quadrature_point(q), c) *
                                discretization.geometry().weight(values, q);
           for (const unsigned int i : values.dof_indices())
             cell_load(i) +=
-              f_JxW *
-              values[discretization.displacement_extractor()].value(i, q)[c];
+              f_JxW * values.shape_value_component(i, q, first + c);
         }
   }
 
@@ -151,7 +146,7 @@ namespace ThermoContact
                                [&](const auto &cell, const unsigned int f) {
                                  cell_load = 0.;
                                  face_values.reinit(cell, f);
-                                 add_scalar(face_values, flux);
+                                 add(face_values, flux, Field::temperature);
                                  cell_load *= factor;
                                  distribute(cell);
                                });
@@ -169,10 +164,10 @@ namespace ThermoContact
         {
           cell_load = 0.;
           fe_values.reinit(cell);
-          if (data.heat_source() != nullptr)
-            add_scalar(fe_values, *data.heat_source());
-          if (data.body_force() != nullptr)
-            add_vector(fe_values, *data.body_force());
+          if (data.heat_source)
+            add(fe_values, *data.heat_source, Field::temperature);
+          if (data.body_force)
+            add(fe_values, *data.body_force, Field::displacement);
           distribute(cell);
         }
   }

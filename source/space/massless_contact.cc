@@ -61,15 +61,6 @@ namespace ThermoContact
 
   template <int dim>
   Quadrature<dim>
-  midpoint_quadrature()
-  {
-    return QMidpoint<dim>();
-  }
-
-
-
-  template <int dim>
-  Quadrature<dim>
   massless_quadrature(const unsigned int degree, const bool is_lumped)
   {
     const QGaussLobatto<1> nodes(degree + 1);
@@ -144,7 +135,6 @@ namespace ThermoContact
 #define INSTANTIATE(dim)                                                   \
   template Quadrature<dim>    mass_quadrature<dim>(const unsigned int,     \
                                                 const bool);            \
-  template Quadrature<dim>    midpoint_quadrature<dim>();                  \
   template Quadrature<dim>    massless_quadrature<dim>(const unsigned int, \
                                                     const bool);        \
   template FullMatrix<double> extension_to_contact_nodes<dim>(             \

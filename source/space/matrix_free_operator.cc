@@ -182,26 +182,42 @@ namespace ThermoContact
 
 
   template <int dim>
+  template <typename Evaluation, typename OnCell>
   void
-  MatrixFreeOperator<dim>::heat(const HeatFactors &factors,
-                                Vector            &y,
-                                const Vector      &x) const
+  MatrixFreeOperator<dim>::apply(const Field::Block field,
+                                 Vector            &y,
+                                 const Vector      &x,
+                                 const OnCell      &on_cell) const
   {
     spaces.cells().template cell_loop<Vector, Vector>(
       [&](
         const auto &cells, Vector &dst, const Vector &src, const auto &range) {
-        Scalar theta(cells, spaces.index(Field::temperature));
+        Evaluation values(cells, spaces.index(field));
         for (unsigned int batch = range.first; batch < range.second; ++batch)
           {
-            theta.reinit(batch);
-            theta.read_dof_values(src);
-            heat_on_cell(factors, theta);
-            theta.distribute_local_to_global(dst);
+            values.reinit(batch);
+            values.read_dof_values(src);
+            if (on_cell(values))
+              values.distribute_local_to_global(dst);
           }
       },
       y,
       x,
       true);
+  }
+
+
+
+  template <int dim>
+  void
+  MatrixFreeOperator<dim>::heat(const HeatFactors &factors,
+                                Vector            &y,
+                                const Vector      &x) const
+  {
+    apply<Scalar>(Field::temperature, y, x, [&](Scalar &theta) {
+      heat_on_cell(factors, theta);
+      return true;
+    });
   }
 
 
@@ -212,21 +228,22 @@ namespace ThermoContact
                                     Vector                &y,
                                     const Vector          &x) const
   {
-    spaces.cells().template cell_loop<Vector, Vector>(
-      [&](
-        const auto &cells, Vector &dst, const Vector &src, const auto &range) {
-        Vectorial u(cells, spaces.index(Field::displacement));
-        for (unsigned int batch = range.first; batch < range.second; ++batch)
-          {
-            u.reinit(batch);
-            u.read_dof_values(src);
-            momentum_on_cell(factors, u);
-            u.distribute_local_to_global(dst);
-          }
-      },
-      y,
-      x,
-      true);
+    apply<Vectorial>(Field::displacement, y, x, [&](Vectorial &u) {
+      momentum_on_cell(factors, u);
+      return true;
+    });
+  }
+
+
+
+  template <int dim>
+  bool
+  MatrixFreeOperator<dim>::contact_stiffness_on_cell(Vectorial &u) const
+  {
+    const bool is_at_end = contact_cells.contain(u.get_current_cell_index());
+    if (is_at_end)
+      momentum_on_cell({0., 1.}, u);
+    return is_at_end;
   }
 
 
@@ -235,20 +252,9 @@ namespace ThermoContact
   void
   MatrixFreeOperator<dim>::contact_stiffness(Vector &y, const Vector &x) const
   {
-    const MatrixFree<dim> &cells = spaces.cells();
-    Vectorial              u(cells, spaces.index(Field::displacement));
-    y = 0.;
-    x.update_ghost_values();
-    for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
-      if (contact_cells.contain(batch))
-        {
-          u.reinit(batch);
-          u.read_dof_values(x);
-          momentum_on_cell({0., 1.}, u);
-          u.distribute_local_to_global(y);
-        }
-    x.zero_out_ghost_values();
-    y.compress(VectorOperation::add);
+    apply<Vectorial>(Field::displacement, y, x, [&](Vectorial &u) {
+      return contact_stiffness_on_cell(u);
+    });
   }
 
 
@@ -257,23 +263,36 @@ namespace ThermoContact
   void
   MatrixFreeOperator<dim>::lateral_exchange(Vector &y, const Vector &x) const
   {
-    const MatrixFree<dim> &cells = spaces.cells();
-    Scalar                 theta(cells, spaces.index(Field::temperature));
-    y = 0.;
-    x.update_ghost_values();
-    for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
-      if (contact_cells.exchange_laterally(batch))
-        {
-          theta.reinit(batch);
-          theta.read_dof_values(x);
-          VectorizedArray<double> *values = theta.begin_dof_values();
-          std::copy(values, values + theta.dofs_per_cell, input.begin());
-          std::fill(values, values + theta.dofs_per_cell, 0.);
-          contact_cells.add_lateral_exchange(batch, 1., input.begin(), values);
-          theta.distribute_local_to_global(y);
-        }
-    x.zero_out_ghost_values();
-    y.compress(VectorOperation::add);
+    apply<Scalar>(Field::temperature, y, x, [&](Scalar &theta) {
+      const unsigned int       batch  = theta.get_current_cell_index();
+      VectorizedArray<double> *values = theta.begin_dof_values();
+      std::copy(values, values + theta.dofs_per_cell, input.begin());
+      std::fill(values, values + theta.dofs_per_cell, 0.);
+      contact_cells.add_lateral_exchange(batch, 1., input.begin(), values);
+      return contact_cells.exchange_laterally(batch);
+    });
+  }
+
+
+
+  template <int dim>
+  template <int n_components, typename OnCell>
+  Vector
+  MatrixFreeOperator<dim>::diagonal(const Field::Block field,
+                                    const OnCell      &on_cell) const
+  {
+    Vector diagonal = spaces.make_vector(field);
+    MatrixFreeTools::compute_diagonal<dim,
+                                      -1,
+                                      0,
+                                      n_components,
+                                      double,
+                                      VectorizedArray<double>,
+                                      Vector>(spaces.cells(),
+                                              diagonal,
+                                              on_cell,
+                                              spaces.index(field));
+    return diagonal;
   }
 
 
@@ -282,30 +301,10 @@ namespace ThermoContact
   Vector
   MatrixFreeOperator<dim>::contact_stiffness_diagonal() const
   {
-    const MatrixFree<dim> &cells = spaces.cells();
-    Vectorial              u(cells, spaces.index(Field::displacement));
-    const unsigned int     n = u.dofs_per_cell;
-
-    AlignedVector<VectorizedArray<double>> diagonal(n);
-    Vector result = spaces.make_vector(Field::displacement);
-    for (unsigned int batch = 0; batch < cells.n_cell_batches(); ++batch)
-      if (contact_cells.contain(batch))
-        {
-          u.reinit(batch);
-          VectorizedArray<double> *values = u.begin_dof_values();
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              for (unsigned int j = 0; j < n; ++j)
-                values[j] = i == j ? 1. : 0.;
-              momentum_on_cell({0., 1.}, u);
-              diagonal[i] = values[i];
-            }
-          for (unsigned int i = 0; i < n; ++i)
-            values[i] = diagonal[i];
-          u.distribute_local_to_global(result);
-        }
-    result.compress(VectorOperation::add);
-    return result;
+    return diagonal<dim>(Field::displacement, [&](Vectorial &u) {
+      if (!contact_stiffness_on_cell(u))
+        std::fill_n(u.begin_dof_values(), u.dofs_per_cell, 0.);
+    });
   }
 
 
@@ -314,14 +313,8 @@ namespace ThermoContact
   Vector
   MatrixFreeOperator<dim>::heat_diagonal(const HeatFactors &factors) const
   {
-    Vector diagonal = spaces.make_vector(Field::temperature);
-    MatrixFreeTools::
-      compute_diagonal<dim, -1, 0, 1, double, VectorizedArray<double>, Vector>(
-        spaces.cells(),
-        diagonal,
-        [&](Scalar &theta) { heat_on_cell(factors, theta); },
-        spaces.index(Field::temperature));
-    return diagonal;
+    return diagonal<1>(Field::temperature,
+                       [&](Scalar &theta) { heat_on_cell(factors, theta); });
   }
 
 
@@ -331,19 +324,8 @@ namespace ThermoContact
   MatrixFreeOperator<dim>::momentum_diagonal(
     const MomentumFactors &factors) const
   {
-    Vector diagonal = spaces.make_vector(Field::displacement);
-    MatrixFreeTools::compute_diagonal<dim,
-                                      -1,
-                                      0,
-                                      dim,
-                                      double,
-                                      VectorizedArray<double>,
-                                      Vector>(
-      spaces.cells(),
-      diagonal,
-      [&](Vectorial &u) { momentum_on_cell(factors, u); },
-      spaces.index(Field::displacement));
-    return diagonal;
+    return diagonal<dim>(Field::displacement,
+                         [&](Vectorial &u) { momentum_on_cell(factors, u); });
   }
 
 
@@ -423,17 +405,6 @@ namespace ThermoContact
       theta,
       true);
   }
-
-
-
-  template void
-  MatrixFreeOperator<2>::divergence(Vector &, const Vector &) const;
-  template void
-  MatrixFreeOperator<3>::divergence(Vector &, const Vector &) const;
-  template void
-  MatrixFreeOperator<2>::thermal_stress(Vector &, const Vector &) const;
-  template void
-  MatrixFreeOperator<3>::thermal_stress(Vector &, const Vector &) const;
 
 
 

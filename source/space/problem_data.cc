@@ -66,120 +66,82 @@ namespace ThermoContact
 
 
 
-  template <int dim>
-  ProblemData<dim>::ProblemData(const Scene &scene)
-    : initial_fields_(initial_function<dim>(scene, false))
-    , initial_velocity_(initial_function<dim>(scene, true))
+  namespace
   {
-    const auto make_source = [&](const bool         acts,
-                                 const std::string &entry,
-                                 const std::string &text,
-                                 const unsigned int n_components) {
-      return acts ?
-               std::make_unique<ExpressionFunction<dim>>(
-                 read_entry(scene, "Sources/" + entry, text, n_components)) :
-               nullptr;
-    };
-    const SourceParameters &sources = scene.parameters.sources;
-    heat_source_                    = make_source(scene.sources.has_heat_source,
-                               "Heat source",
-                               sources.heat_source,
-                               1);
-    body_force_                     = make_source(scene.sources.has_body_force,
-                              "Body force",
-                              sources.body_force,
-                              dim);
-    end_traction_  = make_source(scene.sources.has_end_traction,
-                                "End traction",
-                                sources.end_traction,
-                                1);
-    end_heat_flux_ = make_source(scene.sources.has_end_heat_flux,
-                                 "End heat flux",
-                                 sources.end_heat_flux,
-                                 1);
-    if (!scene.sources.has_varying_obstacle)
-      return;
-    const Expression &temperature = *scene.heat.obstacle_drive;
-    obstacle_warming_ =
-      std::make_unique<ExpressionFunction<dim>>(std::vector<Expression>{
+    /** A source, or null where it does not act. */
+    template <int dim>
+    std::unique_ptr<ExpressionFunction<dim>>
+    source(const Scene       &scene,
+           const bool         acts,
+           const std::string &entry,
+           const std::string &text,
+           const unsigned int n_components = 1)
+    {
+      if (!acts)
+        return nullptr;
+      return std::make_unique<ExpressionFunction<dim>>(
+        read_entry(scene, "Sources/" + entry, text, n_components));
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<ExpressionFunction<dim>>
+    warming(const Scene &scene)
+    {
+      if (!scene.sources.has_varying_obstacle)
+        return nullptr;
+      const Expression &temperature = *scene.heat.obstacle_drive;
+      return std::make_unique<ExpressionFunction<dim>>(std::vector<Expression>{
         Expression(temperature.path(),
                    "(" + temperature.text() + ") - (" +
                      significant(scene.heat.obstacle_temperature, all_digits) +
                      ")",
                    scene.parameters.names(temperature.path()))});
-  }
+    }
+  } // namespace
 
 
 
   template <int dim>
-  const Function<dim> &
-  ProblemData<dim>::initial_fields() const
-  {
-    return *initial_fields_;
-  }
+  ProblemData<dim>::ProblemData(const Scene &scene)
+    : initial_fields(initial_function<dim>(scene, false))
+    , initial_velocity(initial_function<dim>(scene, true))
+    , heat_source(source<dim>(scene,
+                              scene.sources.has_heat_source,
+                              "Heat source",
+                              scene.parameters.sources.heat_source))
+    , body_force(source<dim>(scene,
+                             scene.sources.has_body_force,
+                             "Body force",
+                             scene.parameters.sources.body_force,
+                             dim))
+    , end_traction(source<dim>(scene,
+                               scene.sources.has_end_traction,
+                               "End traction",
+                               scene.parameters.sources.end_traction))
+    , end_heat_flux(source<dim>(scene,
+                                scene.sources.has_end_heat_flux,
+                                "End heat flux",
+                                scene.parameters.sources.end_heat_flux))
+    , obstacle_warming(warming<dim>(scene))
+  {}
 
 
 
   template <int dim>
-  const Function<dim> &
-  ProblemData<dim>::initial_velocity() const
+  std::vector<ExpressionFunction<dim> *>
+  ProblemData<dim>::sources() const
   {
-    return *initial_velocity_;
-  }
-
-
-
-  template <int dim>
-  const ExpressionFunction<dim> *
-  ProblemData<dim>::heat_source() const
-  {
-    return heat_source_.get();
-  }
-
-
-
-  template <int dim>
-  const ExpressionFunction<dim> *
-  ProblemData<dim>::body_force() const
-  {
-    return body_force_.get();
-  }
-
-
-
-  template <int dim>
-  const ExpressionFunction<dim> *
-  ProblemData<dim>::end_traction() const
-  {
-    return end_traction_.get();
-  }
-
-
-
-  template <int dim>
-  const ExpressionFunction<dim> *
-  ProblemData<dim>::end_heat_flux() const
-  {
-    return end_heat_flux_.get();
-  }
-
-
-
-  template <int dim>
-  const ExpressionFunction<dim> *
-  ProblemData<dim>::obstacle_warming() const
-  {
-    return obstacle_warming_.get();
-  }
-
-
-
-  template <int dim>
-  bool
-  ProblemData<dim>::has_sources() const
-  {
-    return heat_source_ || body_force_ || end_traction_ || end_heat_flux_ ||
-           obstacle_warming_;
+    std::vector<ExpressionFunction<dim> *> all;
+    for (const Data *source : {&heat_source,
+                               &body_force,
+                               &end_traction,
+                               &end_heat_flux,
+                               &obstacle_warming})
+      if (*source)
+        all.push_back(source->get());
+    return all;
   }
 
 
@@ -188,27 +150,23 @@ namespace ThermoContact
   bool
   ProblemData<dim>::is_along_axis() const
   {
-    for (const ExpressionFunction<dim> *function : {initial_fields_.get(),
-                                                    initial_velocity_.get(),
-                                                    heat_source_.get(),
-                                                    body_force_.get(),
-                                                    end_traction_.get(),
-                                                    end_heat_flux_.get(),
-                                                    obstacle_warming_.get()})
-      if (function != nullptr)
-        {
-          const std::vector<Expression> &components = function->components();
-          const std::size_t              n          = components.size();
-          for (std::size_t c = 0; c < n; ++c)
-            {
-              const bool is_across = n >= dim && c > n - dim;
-              if (components[c].depends_on("y") ||
-                  components[c].depends_on("z") ||
-                  (is_across && !(components[c].is_constant() &&
-                                  function->value(Point<dim>(), c) == 0.)))
-                return false;
-            }
-        }
+    std::vector<ExpressionFunction<dim> *> functions = sources();
+    functions.push_back(initial_fields.get());
+    functions.push_back(initial_velocity.get());
+    for (const ExpressionFunction<dim> *const function : functions)
+      {
+        const std::vector<Expression> &components = function->components();
+        const std::size_t              n          = components.size();
+        for (std::size_t c = 0; c < n; ++c)
+          {
+            const bool is_across = n >= dim && c > n - dim;
+            if (components[c].depends_on("y") ||
+                components[c].depends_on("z") ||
+                (is_across && !(components[c].is_constant() &&
+                                function->value(Point<dim>(), c) == 0.)))
+              return false;
+          }
+      }
     return true;
   }
 
@@ -218,13 +176,8 @@ namespace ThermoContact
   void
   ProblemData<dim>::set_time(const double time)
   {
-    for (ExpressionFunction<dim> *source : {heat_source_.get(),
-                                            body_force_.get(),
-                                            end_traction_.get(),
-                                            end_heat_flux_.get(),
-                                            obstacle_warming_.get()})
-      if (source != nullptr)
-        source->set_time(time);
+    for (ExpressionFunction<dim> *const source : sources())
+      source->set_time(time);
   }
 
 
@@ -236,7 +189,7 @@ namespace ThermoContact
   template std::unique_ptr<Function<3>>
   contact_gap(const SpatialScene &);
 
-  template class ProblemData<1>;
-  template class ProblemData<2>;
-  template class ProblemData<3>;
+  template struct ProblemData<1>;
+  template struct ProblemData<2>;
+  template struct ProblemData<3>;
 } // namespace ThermoContact

@@ -65,18 +65,6 @@ namespace ThermoContact
 
 
     template <int dim>
-    std::unique_ptr<const FieldMatrices<dim>>
-    make_matrices(const Scene &scene, const Discretization<dim> &discretization)
-    {
-      return scene.linear_solver.has_matrices() ?
-               std::make_unique<const FieldMatrices<dim>>(scene,
-                                                          discretization) :
-               nullptr;
-    }
-
-
-
-    template <int dim>
     std::unique_ptr<const MatrixFreeOperator<dim>>
     make_matrix_free(const Scene               &scene,
                      const Discretization<dim> &discretization)
@@ -87,6 +75,7 @@ namespace ThermoContact
             scene, discretization);
       return nullptr;
     }
+
   } // namespace
 
 
@@ -95,19 +84,22 @@ namespace ThermoContact
   ThermoviscoelasticOperator<dim>::ThermoviscoelasticOperator(
     const Scene               &scene,
     const Discretization<dim> &discretization,
-    const FieldMatrices<dim>  *shared)
+    const FieldMatrices<dim>  *matrices)
     : discretization(discretization)
     , material(scene.material)
     , has_own_viscous_stiffness(scene.has_elastic_contact_nodes())
     , is_along_rod(scene.linear_solver.is_along_rod)
-    , own_matrices(shared != nullptr ? nullptr :
-                                       make_matrices(scene, discretization))
-    , matrices(shared != nullptr ? shared : own_matrices.get())
+    , matrices(matrices)
     , matrix_free_(make_matrix_free(scene, discretization))
-    , maps(make_field_maps(scene, matrices, rod(), matrix_free_.get()))
     , heat_scratch(discretization.make_vector(Field::temperature))
     , momentum_scratch(discretization.make_vector(Field::displacement))
-  {}
+  {
+    FieldMaps &maps = *this;
+    if (matrices != nullptr)
+      maps = FieldMaps(*matrices);
+    else if constexpr (dim > 1)
+      maps = FieldMaps(*matrix_free_);
+  }
 
 
 
@@ -118,26 +110,32 @@ namespace ThermoContact
 
   template <int dim>
   SparseMatrix
-  ThermoviscoelasticOperator<dim>::heat_stage_matrix(const double tau) const
+  ThermoviscoelasticOperator<dim>::sum(
+    const Field::Block                                       field,
+    const std::vector<std::pair<double, FieldMatrix::Kind>> &terms) const
   {
-    return combine(matrices->mass.block(0, 0),
-                   1.,
-                   matrices->stiffness.block(0, 0),
-                   tau,
-                   Field::temperature);
+    SparseMatrix matrix;
+    matrix.copy_from((*matrices)[terms.front().second]);
+    matrix *= 0.;
+    for (const auto &[factor, kind] : terms)
+      matrix.add(factor, (*matrices)[kind]);
+
+    std::vector<types::global_dof_index> rows;
+    discretization.constrained(field).fill_index_vector(rows);
+    matrix.clear_rows(rows, 1.);
+    return matrix;
   }
 
 
 
   template <int dim>
   SparseMatrix
-  ThermoviscoelasticOperator<dim>::conduction_matrix() const
+  ThermoviscoelasticOperator<dim>::heat_stage_matrix(const double tau,
+                                                     const double mass) const
   {
-    return combine(matrices->mass.block(0, 0),
-                   0.,
-                   matrices->stiffness.block(0, 0),
-                   1.,
-                   Field::temperature);
+    return sum(Field::temperature,
+               {{mass, FieldMatrix::heat_mass},
+                {tau, FieldMatrix::conduction}});
   }
 
 
@@ -146,42 +144,15 @@ namespace ThermoContact
   SparseMatrix
   ThermoviscoelasticOperator<dim>::momentum_stage_matrix(const double tau) const
   {
-    const SparseMatrix &mass      = last_block(matrices->mass);
-    const SparseMatrix &stiffness = last_block(matrices->stiffness);
+    const double viscous = tau * material.viscosity;
     if (!has_own_viscous_stiffness)
-      return combine(mass,
-                     material.inertia,
-                     stiffness,
-                     tau * material.viscosity + tau * tau,
-                     Field::displacement);
-    SparseMatrix viscous_and_elastic;
-    viscous_and_elastic.copy_from(stiffness);
-    viscous_and_elastic *= tau * tau;
-    viscous_and_elastic.add(tau * material.viscosity,
-                            last_block(matrices->viscous_stiffness));
-    return combine(
-      mass, material.inertia, viscous_and_elastic, 1., Field::displacement);
-  }
-
-
-
-  template <int dim>
-  SparseMatrix
-  ThermoviscoelasticOperator<dim>::combine(const SparseMatrix &first,
-                                           const double        first_factor,
-                                           const SparseMatrix &second,
-                                           const double        second_factor,
-                                           const Field::Block  field) const
-  {
-    SparseMatrix matrix;
-    matrix.copy_from(first);
-    matrix *= first_factor;
-    matrix.add(second_factor, second);
-
-    std::vector<types::global_dof_index> rows;
-    discretization.constrained(field).fill_index_vector(rows);
-    matrix.clear_rows(rows, 1.);
-    return matrix;
+      return sum(Field::displacement,
+                 {{material.inertia, FieldMatrix::momentum_mass},
+                  {viscous + tau * tau, FieldMatrix::stiffness}});
+    return sum(Field::displacement,
+               {{tau * tau, FieldMatrix::stiffness},
+                {viscous, FieldMatrix::viscous_stiffness},
+                {material.inertia, FieldMatrix::momentum_mass}});
   }
 
 
@@ -209,13 +180,13 @@ namespace ThermoContact
     const IndexSet                none_of_heat(n);
     const IndexSet none_of_momentum(discretization.n_displacement_dofs());
     add_block(heat_stage_matrix(tau), 1., 0, 0, none_of_heat, matrix);
-    add_block(matrices->coupling.block(0, 1),
+    add_block((*matrices)[FieldMatrix::divergence],
               tau * material.heating,
               0,
               n,
               discretization.constrained(Field::temperature),
               matrix);
-    add_block(matrices->coupling.block(1, 0),
+    add_block((*matrices)[FieldMatrix::thermal_stress],
               -tau * material.thermal_stress,
               n,
               0,
@@ -244,25 +215,24 @@ namespace ThermoContact
       }
     if (discretization.has_field(Field::temperature))
       {
-        conduction().vmult(heat, known.temperature);
+        conduction.vmult(heat, known.temperature);
         heat.sadd(-1., heat_load);
         zero_constrained(Field::temperature, heat);
       }
     if (!discretization.has_field(Field::displacement))
       return;
-    stiffness().vmult(momentum_scratch, known.displacement);
     momentum.equ(tau, momentum_load);
-    momentum.add(-tau, momentum_scratch);
+    stiffness.add(-tau, known.displacement, momentum, momentum_scratch);
     if (material.has_thermal_stress())
-      {
-        thermal_stress().vmult(momentum_scratch, known.temperature);
-        momentum.add(tau * material.thermal_stress, momentum_scratch);
-      }
+      thermal_stress.add(tau * material.thermal_stress,
+                         known.temperature,
+                         momentum,
+                         momentum_scratch);
     if (material.has_inertia())
-      {
-        momentum_mass().vmult(momentum_scratch, known.velocity);
-        momentum.add(material.inertia, momentum_scratch);
-      }
+      momentum_mass.add(material.inertia,
+                        known.velocity,
+                        momentum,
+                        momentum_scratch);
     zero_constrained(Field::displacement, momentum);
   }
 
@@ -324,19 +294,18 @@ namespace ThermoContact
     const Vector &momentum_load,
     Vector       &residual) const
   {
-    const auto add =
-      [&](const double factor, const LinearMap &matrix, const Vector &x) {
-        matrix.vmult(momentum_scratch, x);
-        residual.add(factor, momentum_scratch);
-      };
-    residual = momentum_load;
-    add(-1., stiffness(), state.displacement);
+    Vector &product = momentum_scratch;
+    residual        = momentum_load;
+    stiffness.add(-1., state.displacement, residual, product);
     if (material.has_thermal_stress())
-      add(material.thermal_stress, thermal_stress(), state.temperature);
+      thermal_stress.add(material.thermal_stress,
+                         state.temperature,
+                         residual,
+                         product);
     if (velocity != nullptr && material.has_viscosity())
-      add(-material.viscosity, viscous_stiffness(), *velocity);
+      viscous_stiffness.add(-material.viscosity, *velocity, residual, product);
     if (acceleration != nullptr && material.has_inertia())
-      add(-material.inertia, momentum_mass(), *acceleration);
+      momentum_mass.add(-material.inertia, *acceleration, residual, product);
   }
 
 
@@ -350,33 +319,24 @@ namespace ThermoContact
     Vector       &heat,
     Vector       &momentum) const
   {
-    const auto subtract = [](const double     factor,
-                             const LinearMap &matrix,
-                             const Vector    &x,
-                             Vector          &product,
-                             Vector          &rows) {
-      matrix.vmult(product, x);
-      rows.add(-factor, product);
-    };
     if (discretization.has_field(Field::temperature))
       {
-        subtract(1., heat_mass(), temperature_rate, heat_scratch, heat);
-        subtract(tau, conduction(), temperature_rate, heat_scratch, heat);
+        heat_mass.add(-1., temperature_rate, heat, heat_scratch);
+        conduction.add(-tau, temperature_rate, heat, heat_scratch);
         subtract_heating(velocity, heat);
         zero_constrained(Field::temperature, heat);
       }
     if (!discretization.has_field(Field::displacement))
       return;
-    Vector &scratch = momentum_scratch;
-    subtract(tau * tau, stiffness(), velocity, scratch, momentum);
+    Vector &product = momentum_scratch;
+    stiffness.add(-tau * tau, velocity, momentum, product);
     if (material.has_viscosity())
-      subtract(tau * material.viscosity,
-               viscous_stiffness(),
-               velocity,
-               scratch,
-               momentum);
+      viscous_stiffness.add(-tau * material.viscosity,
+                            velocity,
+                            momentum,
+                            product);
     if (material.has_inertia())
-      subtract(material.inertia, momentum_mass(), velocity, scratch, momentum);
+      momentum_mass.add(-material.inertia, velocity, momentum, product);
     if (discretization.has_field(Field::temperature))
       add_thermal_stress(temperature_rate, tau * tau, momentum);
     zero_constrained(Field::displacement, momentum);
@@ -391,8 +351,7 @@ namespace ThermoContact
   {
     if (!material.has_heating())
       return;
-    divergence().vmult(heat_scratch, velocity);
-    heat.add(-material.heating, heat_scratch);
+    divergence.add(-material.heating, velocity, heat, heat_scratch);
     zero_constrained(Field::temperature, heat);
   }
 
@@ -406,8 +365,10 @@ namespace ThermoContact
   {
     if (!material.has_thermal_stress())
       return;
-    thermal_stress().vmult(momentum_scratch, temperature);
-    momentum.add(factor * material.thermal_stress, momentum_scratch);
+    thermal_stress.add(factor * material.thermal_stress,
+                       temperature,
+                       momentum,
+                       momentum_scratch);
     zero_constrained(Field::displacement, momentum);
   }
 

@@ -146,6 +146,12 @@ namespace ThermoContact
         counters += made;
       }
 
+      std::vector<std::string>
+      take_warnings() override
+      {
+        return solver ? solver->take_warnings() : std::vector<std::string>();
+      }
+
     private:
       const Body<dim>                      &body;
       SolverCounters                       &counters;
@@ -198,18 +204,15 @@ namespace ThermoContact
         rest *= -1.;
         if (forces != nullptr)
           rest += *forces;
-        y    = held;
-        free = 0.;
+        y = held;
         Vector rhs(rest);
         zero_given(rhs);
-        if (rhs.linfty_norm() > 0.)
-          conjugate_gradients("the velocities after an impact",
-                              *this,
-                              free,
-                              rhs,
-                              DiagonalMatrix<Vector>(inverse_diagonal),
-                              Tolerances::rounding_of_solution,
-                              10000);
+        conjugate_gradients("velocities or accelerations of the body",
+                            *this,
+                            free,
+                            rhs,
+                            inverse_diagonal,
+                            Tolerances::rounding_of_solution);
         y += free;
         multiply(rhs, free);
         rest -= rhs;

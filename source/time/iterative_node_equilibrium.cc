@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/exceptions.h>
 #include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/matrix_free_operator.h>
 #include <thermocontact/time/iterative_node_equilibrium.h>
@@ -8,7 +7,6 @@
 #include <deal.II/lac/diagonal_matrix.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace ThermoContact
 {
@@ -30,7 +28,7 @@ namespace ThermoContact
     for (double &entry : diagonal)
       entry *= factor;
     if (this->takes_heat)
-      heat_mass = std::make_unique<const HeatMass<dim>>(body);
+      heat_mass = std::make_unique<const HeatSystem<dim>>(body.equations);
   }
 
 
@@ -118,14 +116,12 @@ namespace ThermoContact
           b(i) -= stiffness * penetration[i];
         inverse(i) = is_held(i) ? 1. : 1. / (diagonal[i] + spring(i));
       }
-    if (b.linfty_norm() > 0.)
-      conjugate_gradients("the equilibrium of the contact nodes",
-                          *this,
-                          x,
-                          b,
-                          DiagonalMatrix<dealii::Vector<double>>(inverse),
-                          tolerance(),
-                          10000);
+    conjugate_gradients("the equilibrium of the contact nodes",
+                        *this,
+                        x,
+                        b,
+                        inverse,
+                        tolerance());
     std::vector<double> change(x.begin(), x.end());
     for (unsigned int i = 0; i < n; ++i)
       change[i] += held[i];

@@ -23,9 +23,12 @@ namespace ThermoContact
 
 
   template <int dim>
-  IterativeStage<dim>::IterativeStage(const Body<dim> &body)
+  IterativeStage<dim>::IterativeStage(const Body<dim>          &body,
+                                      std::vector<std::string> &warnings)
     : body(body)
+    , warnings(warnings)
     , hierarchies(body)
+    , products(body.scene, body.discretization, *body.equations.matrix_free())
     , krylov(max_directions)
   {
     rhs.reinit(2);
@@ -67,7 +70,7 @@ namespace ThermoContact
     const Vector &x_u     = x.block(Field::displacement);
     if (has_heat)
       {
-        equations.matrix_free()->heat({1., tau}, y_theta, x_theta);
+        products.vmult(Field::temperature, 1., tau, y_theta, x_theta);
         // - (-a D v) times tau
         if (material.has_heating())
           {
@@ -86,8 +89,11 @@ namespace ThermoContact
       y_theta = 0.;
     if (!body.scene.fields.has_displacement)
       return;
-    equations.matrix_free()->momentum(
-      {material.inertia, tau * (tau + material.viscosity)}, y_u, x_u);
+    products.vmult(Field::displacement,
+                   material.inertia,
+                   tau * (tau + material.viscosity),
+                   y_u,
+                   x_u);
     if (has_heat)
       equations.add_thermal_stress(x_theta, -tau, y_u);
     equations.zero_constrained(Field::displacement, y_u);
@@ -323,9 +329,9 @@ namespace ThermoContact
     // nothing but rounding is left
     if (reached > Tolerances::loose_residual)
       give_up(reached, allowed, n_iterations);
-    if (measure == Measure::of_terms && reached > 2. * told_rounding)
+    if (measure == Measure::of_terms && reached > 2. * told_rounding_)
       {
-        told_rounding = reached;
+        told_rounding_ = reached;
         warnings.push_back(
           text("Solver/Linear tolerance = ",
                body.scene.linear_solver.tolerance,
@@ -461,7 +467,7 @@ namespace ThermoContact
       {
         // the terms may cancel in a steady state, and leave rounding
         Vector flow(scratch);
-        body.equations.conduction().vmult(flow, known.temperature);
+        body.equations.conduction.vmult(flow, known.temperature);
         size = std::max(size, tau * norm(flow));
         flow.copy_locally_owned_data_from(known.temperature);
         scale_by(hierarchies.levels()
@@ -531,7 +537,7 @@ namespace ThermoContact
     // than the time of its motion, it is balanced already, and an error of its
     // size is one of u/tau in the velocity: then the part that displaces by u
     // in a unit of time, that of diffusion.
-    body.equations.stiffness().vmult(rows, known.displacement);
+    body.equations.stiffness.vmult(rows, known.displacement);
     const double slow     = tau + material.viscosity;
     const Sizes  internal = momentum_sizes(rows);
     raise_to(sizes,

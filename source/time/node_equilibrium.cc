@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/space/heat_mass.h>
+#include <thermocontact/space/heat_system.h>
 #include <thermocontact/time/iterative_node_equilibrium.h>
 #include <thermocontact/time/node_equilibrium.h>
 
@@ -37,7 +37,7 @@ namespace ThermoContact
   {
     Vector force = body.discretization.make_vector(Field::displacement);
     flexibility  = matrix_by_columns(body, [&](const Vector &unit) -> Vector  &{
-      body.equations.stiffness().vmult(force, unit);
+      body.equations.stiffness.vmult(force, unit);
       return force;
     });
     if (takes_heat && body.equations.is_coupled())
@@ -62,7 +62,7 @@ namespace ThermoContact
                                              SolverCounters     &counters,
                                              FullMatrix<double> &stiffness)
   {
-    const HeatMass<dim> heat_mass(body);
+    const HeatSystem<dim> heat_mass(body.equations);
     ++counters.factorizations;
     Vector heat  = body.discretization.make_vector(Field::temperature);
     Vector force = body.discretization.make_vector(Field::displacement);

@@ -301,13 +301,14 @@ def main():
         print(f"warnings about the {what}:", "; ".join(faults) or "as derived")
     print("warnings about the mesh:", "; ".join(check_mesh()) or "as derived")
     print("studies whose loads are not searched:", "; ".join(check_search()) or "named")
-    places = sum(len(re.findall(r"\bwarnings_?\.push_back\(",
+    places = sum(len(re.findall(r"\b(?:warnings_?\.push_back|history_\.warn)\(",
                                 without_comments(file)))
                  for file in source_files())
     # corner layer; contact at the start or preload; energy; dispersion; blocks that
-    # grow, noted by the solver of a stage and handed on; loads; other ranks than before;
-    # the mesh; break points after the end; energy that the scheme takes; a first contact
-    # that is missed; a peak of the mesh; factors in place of multigrid; what rounding leaves
+    # grow, noted by the solver of a stage; loads; other ranks than before; the mesh; break
+    # points after the end; energy that the scheme takes; a first contact that is missed; a
+    # peak of the mesh; what rounding leaves;
+    # and one place that takes all those of a run
     print("kinds of warnings in the sources:", "known" if places == 16 else places)
 
 

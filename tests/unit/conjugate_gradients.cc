@@ -36,13 +36,14 @@ namespace
   largest_error(const unsigned int max_iterations)
   {
     const unsigned int     n = 10;
-    dealii::Vector<double> x(n), b(n);
-    b = 1.;
+    dealii::Vector<double> x(n), b(n), ones(n);
+    b    = 1.;
+    ones = 1.;
     conjugate_gradients("the shape of a string",
                         SecondDifference(),
                         x,
                         b,
-                        dealii::PreconditionIdentity(),
+                        ones,
                         1e-12,
                         max_iterations);
     double largest = 0.;

@@ -17,6 +17,7 @@
 // 4. The stage matrix times rates is what the blocks give, and rows of the
 //    fixed end are those of the identity.
 
+#include <thermocontact/space/assembled_space.h>
 #include <thermocontact/space/discretization.h>
 #include <thermocontact/space/h1_projection.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
@@ -190,8 +191,11 @@ namespace
   {
     const Parameters                      parameters = make_parameters<dim>(2);
     const Scene                           scene(parameters);
-    const Discretization<dim>             space(scene, MPI_COMM_SELF);
-    const ThermoviscoelasticOperator<dim> op(scene, space);
+    const AssembledSpace<dim>             assembled(scene, MPI_COMM_SELF);
+    const Discretization<dim>            &space = assembled.discretization;
+    const ThermoviscoelasticOperator<dim> op(scene,
+                                             space,
+                                             assembled.matrices.get());
     const auto interpolate = [&](const Fields<dim> &fields) {
       State state  = space.make_state();
       auto  system = space.make_system_vector();
@@ -218,31 +222,28 @@ namespace
     };
     deallog
       << dim << "-D: M "
-      << equal(form<dim>(op.heat_mass(), unit.temperature, unit.temperature),
-               1.)
+      << equal(form<dim>(op.heat_mass, unit.temperature, unit.temperature), 1.)
       << ", K + kB "
-      << equal(form<dim>(op.conduction(),
-                         linear.temperature,
-                         linear.temperature),
+      << equal(form<dim>(op.conduction, linear.temperature, linear.temperature),
                9. + k)
       << ", D "
-      << equal(form<dim>(op.divergence(), unit.temperature, unit.displacement),
+      << equal(form<dim>(op.divergence, unit.temperature, unit.displacement),
                1.)
       << ", D^T "
-      << equal(form<dim>(op.thermal_stress(),
+      << equal(form<dim>(op.thermal_stress,
                          unit.displacement,
                          unit.temperature),
                1.)
       << ", S stretch "
-      << equal(form<dim>(op.stiffness(), unit.displacement, unit.displacement),
+      << equal(form<dim>(op.stiffness, unit.displacement, unit.displacement),
                1.)
       << ", S shear "
-      << equal(form<dim>(op.stiffness(),
+      << equal(form<dim>(op.stiffness,
                          linear.displacement,
                          linear.displacement),
                dim == 1 ? 1. : mu)
       << ", M_u "
-      << equal(form<dim>(op.momentum_mass(),
+      << equal(form<dim>(op.momentum_mass,
                          unit.displacement,
                          unit.displacement),
                1. / 3.)
@@ -257,8 +258,11 @@ namespace
   {
     const Parameters                      parameters = make_parameters<dim>(2);
     const Scene                           scene(parameters);
-    const Discretization<dim>             space(scene, MPI_COMM_SELF);
-    const ThermoviscoelasticOperator<dim> op(scene, space);
+    const AssembledSpace<dim>             assembled(scene, MPI_COMM_SELF);
+    const Discretization<dim>            &space = assembled.discretization;
+    const ThermoviscoelasticOperator<dim> op(scene,
+                                             space,
+                                             assembled.matrices.get());
     const double                          tau = 0.3;
     const ModelParameters                &m   = parameters.model;
 
@@ -287,21 +291,21 @@ namespace
       matrix.vmult(scratch, source);
       target.add(-factor, scratch);
     };
-    subtract(op.heat_mass(), 1., rates.temperature, result.temperature);
-    subtract(op.conduction(), tau, rates.temperature, result.temperature);
-    subtract(op.divergence(),
+    subtract(op.heat_mass, 1., rates.temperature, result.temperature);
+    subtract(op.conduction, tau, rates.temperature, result.temperature);
+    subtract(op.divergence,
              tau * m.coupling,
              rates.displacement,
              result.temperature);
-    subtract(op.momentum_mass(),
+    subtract(op.momentum_mass,
              m.inertia,
              rates.displacement,
              result.displacement);
-    subtract(op.stiffness(),
+    subtract(op.stiffness,
              tau * m.viscosity + tau * tau,
              rates.displacement,
              result.displacement);
-    subtract(op.thermal_stress(),
+    subtract(op.thermal_stress,
              -tau * m.coupling,
              rates.temperature,
              result.displacement);

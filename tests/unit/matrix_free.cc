@@ -90,9 +90,9 @@ namespace
       , free_scene(with_solver(parameters, "iterative"))
       , space(scene, MPI_COMM_SELF)
       , free_space(free_scene, MPI_COMM_SELF)
-      , equations(scene, space)
-      , free_equations(free_scene, free_space)
       , matrices(scene, space)
+      , equations(scene, space, &matrices)
+      , free_equations(free_scene, free_space, nullptr)
       , spaces(space, free_space)
     {}
 
@@ -104,31 +104,30 @@ namespace
       const auto &free     = free_equations;
       deallog
         << "numbered alike " << spaces.is_complete << "; M "
-        << product(heat, heat, equations.heat_mass(), free.heat_mass())
+        << product(heat, heat, equations.heat_mass, free.heat_mass)
         << ", K + kB "
-        << product(heat, heat, equations.conduction(), free.conduction())
-        << ", D "
-        << product(momentum, heat, equations.divergence(), free.divergence())
+        << product(heat, heat, equations.conduction, free.conduction) << ", D "
+        << product(momentum, heat, equations.divergence, free.divergence)
         << ", D^T "
         << product(heat,
                    momentum,
-                   equations.thermal_stress(),
-                   free.thermal_stress())
+                   equations.thermal_stress,
+                   free.thermal_stress)
         << ", M_u "
         << product(momentum,
                    momentum,
-                   equations.momentum_mass(),
-                   free.momentum_mass())
+                   equations.momentum_mass,
+                   free.momentum_mass)
         << ", S "
-        << product(momentum, momentum, equations.stiffness(), free.stiffness());
+        << product(momentum, momentum, equations.stiffness, free.stiffness);
       report_diagonals();
     }
 
   private:
     const Scene                           scene, free_scene;
     const Discretization<dim>             space, free_space;
-    const ThermoviscoelasticOperator<dim> equations, free_equations;
     const FieldMatrices<dim>              matrices;
+    const ThermoviscoelasticOperator<dim> equations, free_equations;
     const MatchedSpaces<dim>              spaces;
 
     /** 1 if both products are the same. */
@@ -169,16 +168,16 @@ namespace
       const auto                    &momentum = Field::displacement;
       deallog << "; diagonals "
               << diagonal(heat,
-                          matrices.mass.block(0, 0),
+                          matrices[ThermoContact::FieldMatrix::heat_mass],
                           products.heat_diagonal({1., 0.}))
               << diagonal(heat,
-                          matrices.stiffness.block(0, 0),
+                          matrices[ThermoContact::FieldMatrix::conduction],
                           products.heat_diagonal({0., 1.}))
               << diagonal(momentum,
-                          matrices.mass.block(1, 1),
+                          matrices[ThermoContact::FieldMatrix::momentum_mass],
                           products.momentum_diagonal({1., 0.}))
               << diagonal(momentum,
-                          matrices.stiffness.block(1, 1),
+                          matrices[ThermoContact::FieldMatrix::stiffness],
                           products.momentum_diagonal({0., 1.}));
     }
   };

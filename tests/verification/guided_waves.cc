@@ -95,7 +95,7 @@ namespace
       for (Vector &mode : modes)
         {
           Vector load(zero);
-          body.equations.momentum_mass().vmult(load, mode);
+          body.equations.momentum_mass.vmult(load, mode);
           for (const unsigned int entry :
                body.discretization.constrained_entries(Field::displacement))
             load.begin()[entry] = 0.;
@@ -112,9 +112,9 @@ namespace
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
           {
-            body.equations.stiffness().vmult(product, modes[j]);
+            body.equations.stiffness.vmult(product, modes[j]);
             stiffness(i, j) = modes[i] * product;
-            body.equations.momentum_mass().vmult(product, modes[j]);
+            body.equations.momentum_mass.vmult(product, modes[j]);
             mass(i, j) = modes[i] * product;
           }
       std::vector<dealii::Vector<double>> vectors(n);

@@ -112,10 +112,10 @@ namespace
       , dt(simulation.parameters().time.step_size.value())
       , zeta(simulation.parameters().model.viscosity)
       , epsilon(simulation.parameters().contact.law.at("Compliance"))
-      , heat_mass(simulation.body().equations.heat_mass())
-      , conduction(simulation.body().equations.conduction())
-      , momentum_mass(simulation.body().equations.momentum_mass())
-      , stiffness(simulation.body().equations.stiffness())
+      , heat_mass(simulation.body().equations.heat_mass)
+      , conduction(simulation.body().equations.conduction)
+      , momentum_mass(simulation.body().equations.momentum_mass)
+      , stiffness(simulation.body().equations.stiffness)
     {}
 
     Estimates estimates;

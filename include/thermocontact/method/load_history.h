@@ -85,10 +85,6 @@ namespace ThermoContact
     const LoadBreak *
     break_at(const double time) const;
 
-    /** True if @p time lies between the old and the new value of a break. */
-    bool
-    is_within_break(const double time) const;
-
     /**
      * The largest step from @p time on, not above @p size, that is no longer
      * than the widths of the stretches that it crosses.

@@ -30,7 +30,7 @@ namespace ThermoContact
 
     /**
      * Heat exchange with the obstacle, row by row, that products leave out: of
-     * coarser levels.
+     * the temperature on coarser levels; of displacements empty.
      */
     LevelVector<Number> exchange;
 

@@ -54,6 +54,28 @@ namespace ThermoContact
 
 
 
+  /** The names of the field matrices, doc/discretisation.md (D1.1), (D1.2). */
+  struct FieldMatrix
+  {
+    enum Kind : unsigned int
+    {
+      heat_mass,         ///< $M$
+      conduction,        ///< $K+kB+L$
+      divergence,        ///< $D$, rows of the temperature
+      thermal_stress,    ///< its transpose
+      momentum_mass,     ///< $M_u$
+      stiffness,         ///< $S$
+      viscous_stiffness, ///< $S_\zeta$
+      heat_exchange, ///< the part of conduction that is lost at constant values
+      n_matrices,    ///< of a rod
+
+      lateral_exchange = n_matrices, ///< $L$
+      n_kinds
+    };
+  };
+
+
+
   /**
    * The field matrices of a rod, doc/discretisation.md (D1.1), (D1.2), cell by
    * cell. Neighbours with the same entries are one run, and those of a uniform
@@ -62,21 +84,10 @@ namespace ThermoContact
    * Products read the values of nodes and know nothing of constraints. Arrays
    * of a product must not overlap. Vectors are arrays of n_nodes().
    */
-  class RodMatrices
+  class RodMatrices : public FieldMatrix
   {
   public:
-    enum Matrix : unsigned int
-    {
-      heat_mass,
-      conduction,
-      divergence,     ///< rows of the temperature
-      thermal_stress, ///< its transpose
-      momentum_mass,
-      stiffness,
-      viscous_stiffness,
-      heat_exchange, ///< the part of conduction that is lost at constant values
-      n_matrices
-    };
+    using Matrix = FieldMatrix::Kind;
 
     /** The entry of a cell for two of its nodes; 0 for absent fields. */
     using Entry = std::function<double(const Matrix       matrix,

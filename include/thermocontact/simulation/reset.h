@@ -6,7 +6,7 @@
 #include <thermocontact/contact/event_locator.h>
 #include <thermocontact/method/load_history.h>
 #include <thermocontact/space/body.h>
-#include <thermocontact/space/heat_mass.h>
+#include <thermocontact/space/heat_system.h>
 #include <thermocontact/space/state.h>
 #include <thermocontact/time/equilibrium.h>
 #include <thermocontact/time/node_equilibrium.h>
@@ -139,6 +139,13 @@ namespace ThermoContact
       return counters_;
     }
 
+    /** What the user is to know since the last call. */
+    std::vector<std::string>
+    take_warnings()
+    {
+      return stiffness->take_warnings();
+    }
+
     /** Whether inertia, stiffness, heat and adiabatic nodes are factorised. */
     std::vector<bool>
     retained() const;
@@ -163,7 +170,7 @@ namespace ThermoContact
     Nodes adiabatic_nodes; ///< the same for a body that is deformed at once
     Nodes viscous_nodes;   ///< $\zeta S_{NN}$
 
-    std::unique_ptr<const HeatMass<dim>> heat_mass; ///< if it is needed
+    std::unique_ptr<const HeatSystem<dim>> heat_mass; ///< if it is needed
 
     // of the contact nodes, scratch
     mutable std::vector<NodeLaw> node_laws;
@@ -178,7 +185,7 @@ namespace ThermoContact
     moves_at_once() const;
 
     /** $M$, made when it is needed. */
-    const HeatMass<dim> &
+    const HeatSystem<dim> &
     provide_heat_mass();
 
     /** $S_{NN}$ with the heat of the motion, likewise. */

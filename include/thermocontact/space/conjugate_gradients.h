@@ -7,6 +7,7 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 
+#include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
@@ -15,34 +16,36 @@
 namespace ThermoContact
 {
   /**
-   * Solves a symmetric positive definite system, from @p x = 0 on.
+   * Solves a symmetric positive definite system with the diagonal as
+   * preconditioner.
    *
    * @param what of which it is the solution, for the message
-   * @param b does not vanish
+   * @param x out
    * @param tolerance residual relative to @p b
    * @throw ComputationError if that is not reached in @p max_iterations
    */
-  template <typename VectorType, typename Matrix, typename Preconditioner>
+  template <typename VectorType, typename Matrix>
   void
-  conjugate_gradients(const std::string    &what,
-                      const Matrix         &matrix,
-                      VectorType           &x,
-                      const VectorType     &b,
-                      const Preconditioner &preconditioner,
-                      const double          tolerance,
-                      const unsigned int    max_iterations)
+  conjugate_gradients(const std::string &what,
+                      const Matrix      &matrix,
+                      VectorType        &x,
+                      const VectorType  &b,
+                      const VectorType  &inverse_diagonal,
+                      const double       tolerance,
+                      const unsigned int max_iterations = 10000)
   {
-    const double          size = b.l2_norm();
+    x                 = 0.;
+    const double size = b.l2_norm();
+    if (size == 0.)
+      return;
     dealii::SolverControl control(max_iterations,
                                   tolerance * size,
                                   false,
                                   false);
     try
       {
-        dealii::SolverCG<VectorType>(control).solve(matrix,
-                                                    x,
-                                                    b,
-                                                    preconditioner);
+        dealii::SolverCG<VectorType>(control).solve(
+          matrix, x, b, dealii::DiagonalMatrix<VectorType>(inverse_diagonal));
       }
     catch (const dealii::SolverControl::NoConvergence &)
       {

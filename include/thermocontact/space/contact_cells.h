@@ -101,7 +101,7 @@ namespace ThermoContact
     {
       const auto visit_all = [&](const Matrices &matrices) {
         for (unsigned int batch = 0; batch < matrices.size(); ++batch)
-          for (const CellMatrix &of_cell : matrices[batch])
+          for (const LaneMatrix &of_cell : matrices[batch])
             visit(cells.get_cell_iterator(batch, of_cell.lane),
                   of_cell.nodes,
                   of_cell.matrix);
@@ -116,15 +116,15 @@ namespace ThermoContact
     }
 
   private:
-    /** A matrix between some nodes of a cell. */
-    struct CellMatrix
+    /** A matrix between some nodes of a cell of a batch. */
+    struct LaneMatrix
     {
       unsigned int              lane; ///< the cell's place in its batch
       std::vector<unsigned int> nodes;
       FullMatrix<double>        matrix;
     };
 
-    using Matrices = std::vector<std::vector<CellMatrix>>; ///< of all batches
+    using Matrices = std::vector<std::vector<LaneMatrix>>; ///< of all batches
 
     std::vector<bool> is_at_end; ///< batches
     Matrices          heat_exchange;
@@ -132,7 +132,7 @@ namespace ThermoContact
     Matrices          axial_mass;
 
     void
-    add(const std::vector<CellMatrix> &matrices,
+    add(const std::vector<LaneMatrix> &matrices,
         const double                   factor,
         const VectorizedArray<double> *x,
         VectorizedArray<double>       *y) const;

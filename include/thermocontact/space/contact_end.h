@@ -138,24 +138,47 @@ namespace ThermoContact
                    std::vector<double> &values) const;
 
     /**
-     * Penetrations of a state at nodes().
-     *
-     * @param side of the obstacle, 1: $u_n-g$; -1: $-u_n-g_2$ of the one behind
-     *   the nodes, $-\infty$ if there is none
+     * Penetration of a node of @p state whose normal displacement is @p u: into
+     * the obstacle in front, @p side 1, $u-g$, or behind it, -1, $-u-g_2$,
+     * $-\infty$ if there is none.
      */
+    double
+    penetration(const State       &state,
+                const unsigned int node,
+                const int          side,
+                const double       u) const
+    {
+      if (side < 0)
+        return -u - rear_gap;
+      return state.known_penetration.empty() ? u - state.gap[node] :
+                                               state.known_penetration[node];
+    }
+
+    /** Velocity into it of a node of velocity @p v, $v-g'$ or, since that one
+     * rests, $-v$. */
+    double
+    velocity_into(const State       &state,
+                  const unsigned int node,
+                  const int          side,
+                  const double       v) const
+    {
+      return side > 0 ? v - state.gap_rate[node] : -v;
+    }
+
+    /** penetration() of nodes(). */
     void
     get_penetrations(const State         &state,
                      const int            side,
                      std::vector<double> &penetrations) const;
 
-    /** True if there is an obstacle behind the nodes, too. */
-    bool
-    is_two_sided() const
+    /** Of the obstacle that a node with this pressure meets. */
+    int
+    side_of(const double pressure) const
     {
-      return std::isfinite(rear_gap);
+      return pressure < 0. && std::isfinite(rear_gap) ? -1 : 1;
     }
 
-    /** Velocities into it, $v_n-g'$ or, since that one rests, $-v_n$. */
+    /** velocity_into() of nodes(). */
     void
     get_velocities_into(const State         &state,
                         const int            side,

@@ -43,8 +43,7 @@ namespace ThermoContact
     bool
     is_active() const
     {
-      return scene.sources.has_driven_temperature ||
-             scene.sources.has_moving_end;
+      return scene.sources.drives_end();
     }
 
     /**

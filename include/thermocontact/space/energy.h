@@ -7,8 +7,6 @@
 #include <thermocontact/space/loads.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
-#include <optional>
-
 namespace ThermoContact
 {
   /** The energy (M2.2) term by term, per unit cross-section. */
@@ -141,7 +139,12 @@ namespace ThermoContact
                    const State  &state,
                    const Vector &motion) const;
 
-    /** Nodal values of the steady profile $\theta_s$, (M2.1), (M5.7). */
+    /**
+     * Nodal values of the steady profile $\theta_s$, relative to which heat has
+     * energy: the temperature at rest, without sources, with the heat exchange
+     * $k_s$ of the undeformed body. The interpolant of (M2.1), or, with a
+     * lateral heat exchange, the solution of the semidiscrete equation (M5.7).
+     */
     const Vector &
     steady_profile() const;
 
@@ -165,12 +168,8 @@ namespace ThermoContact
     mutable Vector                         momentum_scratch;
     mutable Vector                         momentum_product;
     mutable std::vector<double>            end_displacement;
-    mutable std::vector<double>            relative_velocity;
-    mutable std::vector<double>            rear_penetration;
-    mutable std::vector<double>            rear_velocity;
+    mutable std::vector<double>            end_velocity;
     mutable std::vector<double>            old_end_displacement;
-    mutable std::vector<double>            old_front;
-    mutable std::vector<double>            old_rear;
     mutable std::vector<double>            end_temperature;
     mutable std::vector<double>            end_pressure;
     mutable std::vector<double>            old_end_pressure;
@@ -184,15 +183,16 @@ namespace ThermoContact
     kinetic_energy(const Vector &velocity,
                    const Vector *subtracted = nullptr) const;
 
+    /** Per unit cross-section; 0 for a field that is absent. */
     double
-    heat_form(const LinearMap &map,
-              const Vector    &vector,
-              const Vector    *subtracted = nullptr) const;
+    form(const Field::Block field,
+         const LinearMap   &map,
+         const Vector      &vector,
+         const Vector      *subtracted = nullptr) const;
 
-    double
-    momentum_form(const LinearMap &map,
-                  const Vector    &vector,
-                  const Vector    *subtracted = nullptr) const;
+    /** (M2.1) or (M5.7). */
+    void
+    set_steady_profile();
 
     double
     contact_dissipation(const State &old_state, const State &state) const;
@@ -207,18 +207,12 @@ namespace ThermoContact
     elastic_pressures(const State &state, std::vector<double> &scratch) const;
 
     /**
-     * $\|\hat\theta\|_{\Gamma_C}^2$ with the $k$ of a state, where matrices
-     * do not contain it.
+     * Mean over the contact end of $\hat\theta$ times @p power(i,
+     * $\hat\theta_i$): of the exchange that matrices do not contain.
      */
+    template <typename Power>
     double
-    exchange_dissipation(const State &state, const Vector &excess) const;
-
-    /**
-     * What the obstacle gives, by the part of $k$ beyond that of the steady
-     * profile, to a body with this profile.
-     */
-    double
-    exchange_work(const State &state, const Vector &excess) const;
+    mean_of_end(const Vector &excess, const Power &power) const;
   };
 } // namespace ThermoContact
 

@@ -3,11 +3,8 @@
 #ifndef thermocontact_space_field_maps_h
 #define thermocontact_space_field_maps_h
 
-#include <thermocontact/scene/scene.h>
 #include <thermocontact/space/field_matrices.h>
 #include <thermocontact/space/linear_map.h>
-
-#include <memory>
 
 namespace ThermoContact
 {
@@ -16,25 +13,50 @@ namespace ThermoContact
 
 
 
-  /** Products with the field matrices; those of absent fields must not be used.
-   */
+  /** Products with the field matrices; those that a scene does not have are
+   * empty. */
   struct FieldMaps
   {
-    std::unique_ptr<const LinearMap> heat_mass, conduction, divergence,
-      thermal_stress, momentum_mass, stiffness, viscous_stiffness,
-      lateral_exchange;
+    FieldMaps() = default;
+
+    /** By matrices or those of their rod, which are borrowed. */
+    template <int dim>
+    explicit FieldMaps(const FieldMatrices<dim> &matrices);
+
+    /** Without matrices; @p products are borrowed. */
+    template <int dim>
+    explicit FieldMaps(const MatrixFreeOperator<dim> &products);
+
+    /** $M$, $\int\eta_i\eta_j$. */
+    LinearMap heat_mass;
+
+    /** $K+kB+L$, $\int\nabla\eta_i\cdot\nabla\eta_j +
+     * k\int_{\Gamma_C}\eta_i\eta_j$ and the lateral heat exchange. */
+    LinearMap conduction;
+
+    /** $L$; of scenes with a lateral heat exchange, (D1.5). */
+    LinearMap lateral_exchange;
+
+    /** $D$, $\int\eta_i\,\mathrm{div}\,\varphi_j$; temperature rows,
+     * displacement columns. */
+    LinearMap divergence;
+
+    /** $D^T$; displacement rows, temperature columns. */
+    LinearMap thermal_stress;
+
+    /** $M_u$, without the inertia coefficient $b$. */
+    LinearMap momentum_mass;
+
+    /** $S$, $\int C{:}\varepsilon(\varphi_i){:}\varepsilon(\varphi_j)$. */
+    LinearMap stiffness;
+
+    /**
+     * $S_\zeta$, without the viscosity $\zeta$: $S$, but where the contact
+     * nodes have no viscous stress (C6.1).
+     */
+    LinearMap viscous_stiffness;
   };
 
-
-
-  /** By @p products if it is there, else by @p rod, else by @p matrices; all are
-   * borrowed. */
-  template <int dim>
-  FieldMaps
-  make_field_maps(const Scene                   &scene,
-                  const FieldMatrices<dim>      *matrices,
-                  const RodMatrices             *rod,
-                  const MatrixFreeOperator<dim> *products);
 } // namespace ThermoContact
 
 #endif

@@ -4,69 +4,79 @@
 #define thermocontact_space_field_matrices_h
 
 #include <thermocontact/base/types.h>
+#include <thermocontact/rod/rod_matrices.h>
 #include <thermocontact/scene/spatial_scene.h>
 #include <thermocontact/space/discretization.h>
-#include <thermocontact/space/rod_cells.h>
 
+#include <array>
 #include <memory>
+#include <vector>
 
 namespace ThermoContact
 {
-  /** The diagonal block of the displacement. */
-  inline const SparseMatrix &
-  last_block(const BlockSparseMatrix &matrix)
-  {
-    return matrix.block(matrix.n_block_rows() - 1, matrix.n_block_cols() - 1);
-  }
-
-
-
   /**
    * The matrices of both fields, doc/discretisation.md section 1, assembled
-   * once without constraints. The first diagonal block belongs to the
-   * temperature, the last to the displacement; a field that the scene does not
-   * have has none.
+   * once without constraints, in the numbering of their fields; those that the
+   * scene does not have are empty.
    *
    * The mass matrices may be lumped, and in the cells of the contact end that
    * of the displacement may be such that the contact nodes have no mass,
    * doc/contact-in-time.md (C1.1).
    */
   template <int dim>
-  struct FieldMatrices
+  class FieldMatrices : public FieldMatrix
   {
+  public:
     /** @param discretization borrowed */
     FieldMatrices(const SpatialScene        &scene,
                   const Discretization<dim> &discretization);
 
-  private:
-    const SpatialScene         scene;
-    const Discretization<dim> &discretization;
+    const SparseMatrix &
+    operator[](const Kind kind) const
+    {
+      return matrices[kind];
+    }
 
-  public:
-    BlockSparseMatrix mass;      ///< $M$, $M_u$
-    BlockSparseMatrix stiffness; ///< $K+kB+L$, $S$
-
-    /** $D$ in (0, 1), $D^T$ in (1, 0); none without thermal stress. */
-    BlockSparseMatrix coupling;
-
-    /** $S_\zeta$ in the last block, where it is not $S$, (C6.1). */
-    BlockSparseMatrix viscous_stiffness;
-
-    /** $L$ in the first block, of a scene with lateral heat exchange. */
-    BlockSparseMatrix lateral_exchange;
-
-    /** All of them cell by cell, of a rod that one process has; else null. */
-    std::unique_ptr<const RodMatrices> rod;
+    /** All of them cell by cell, of a rod; else null. */
+    const RodMatrices *
+    rod() const
+    {
+      return rod_.get();
+    }
 
   private:
-    std::unique_ptr<RodCells> rod_cells; ///< while they are assembled
+    const SpatialScene                 scene;
+    const Discretization<dim>         &discretization;
+    std::array<SparseMatrix, n_kinds>  matrices;
+    std::unique_ptr<const RodMatrices> rod_;
 
-    void
-    start_rod();
+    /** Places of the unknowns of a field among those of a cell. */
+    std::array<std::vector<std::size_t>, 2> places;
 
-    /** @param couples_fields two blocks off the diagonal, else those on it */
+    /** Of the cells of a rod, while they are assembled: matrix by matrix, cell
+     * by cell, column by column. */
+    std::vector<double> rod_entries;
+
+    /** The unknowns of a field in a cell. */
+    std::vector<types::global_dof_index>
+    dofs(const typename DoFHandler<dim>::active_cell_iterator &cell,
+         const Field::Block                                    field) const;
+
+    double &
+    rod_entry(const Kind         kind,
+              const unsigned int cell,
+              const unsigned int i,
+              const unsigned int j);
+
+    /** An empty matrix of the right pattern. */
     void
-    setup_matrix(const bool couples_fields, BlockSparseMatrix &matrix) const;
+    setup(const Kind kind);
+
+    /** Adds the matrix of a cell, in all of its degrees of freedom. */
+    void
+    add(const Kind                                            kind,
+        const typename DoFHandler<dim>::active_cell_iterator &cell,
+        const FullMatrix<double>                             &cell_matrix);
 
     void
     assemble_mass();
@@ -74,13 +84,18 @@ namespace ThermoContact
     void
     assemble_stiffness();
 
-    /** Adds the heat exchange of the contact end. */
+    /** Of the contact end, and with the surroundings. */
     void
-    assemble_contact_end();
+    assemble_heat_exchange();
 
-    /** Adds the heat exchange with the surroundings. */
+    /**
+     * The matrices of the cells of a rod. Not the assembled ones: in a row of
+     * those the parts of two cells cannot be told apart, and cells that differ
+     * by rounding could not be treated as the same without forces on a rod that
+     * does not move.
+     */
     void
-    assemble_lateral_exchange();
+    make_rod();
   };
 } // namespace ThermoContact
 

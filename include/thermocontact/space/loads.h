@@ -44,7 +44,7 @@ namespace ThermoContact
     bool
     has_sources() const
     {
-      return data.has_sources();
+      return !data.sources().empty();
     }
 
     /**
@@ -65,11 +65,11 @@ namespace ThermoContact
     dealii::Vector<double>     cell_load;
     Vector                     outer_heat_;
 
+    /** Adds a function that acts on a field to the load of a cell. */
     void
-    add_scalar(const FEValuesBase<dim> &values, const Function<dim> &function);
-
-    void
-    add_vector(const FEValuesBase<dim> &values, const Function<dim> &function);
+    add(const FEValuesBase<dim> &values,
+        const Function<dim>     &function,
+        const Field::Block       field);
 
     /** Adds a heat flux through the contact end to the sources, times a factor.
      */

@@ -21,11 +21,6 @@ namespace ThermoContact
   Quadrature<dim>
   mass_quadrature(const unsigned int degree, const bool is_lumped);
 
-  /** One point in the middle of a cell, doc/contact-in-time.md (C6.8). */
-  template <int dim>
-  Quadrature<dim>
-  midpoint_quadrature();
-
   /**
    * The same as mass_quadrature() across the body, and along it the
    * interpolatory rule on the nodes off the contact end $x=1$ of a cell that

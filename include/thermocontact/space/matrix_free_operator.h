@@ -152,12 +152,32 @@ namespace ThermoContact
       });
     }
 
+    /**
+     * @p y $=$ the sum over all cells of what @p on_cell makes of the values of
+     * a batch in its argument; false: nothing.
+     */
+    template <typename Evaluation, typename OnCell>
+    void
+    apply(const Field::Block field,
+          Vector            &y,
+          const Vector      &x,
+          const OnCell      &on_cell) const;
+
+    /** The diagonal of such a sum. */
+    template <int n_components, typename OnCell>
+    Vector
+    diagonal(const Field::Block field, const OnCell &on_cell) const;
+
     /** Replaces the values of a batch by their product. */
     void
     heat_on_cell(const HeatFactors &factors, Scalar &theta) const;
 
     void
     momentum_on_cell(const MomentumFactors &factors, Vectorial &u) const;
+
+    /** By $S$; false, and nothing is replaced, off the contact end. */
+    bool
+    contact_stiffness_on_cell(Vectorial &u) const;
 
     /**
      * Bulk terms from @p x to the values of @p u.

@@ -10,6 +10,7 @@
 #include <deal.II/base/function.h>
 
 #include <memory>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -29,9 +30,8 @@ namespace ThermoContact
    * integrated for it.
    */
   template <int dim>
-  class ProblemData
+  struct ProblemData
   {
-  public:
     /**
      * Reads and evaluates every expression once.
      *
@@ -41,44 +41,32 @@ namespace ThermoContact
      */
     explicit ProblemData(const Scene &scene);
 
+    using Data = std::unique_ptr<ExpressionFunction<dim>>;
+
     /**
      * Initial values $(\theta_0, u_0)$ of the fields that the scene has, with
      * the components of its FESystem. A displacement that has to be computed,
      * $b=\zeta=0$, is 0 here.
      */
-    const Function<dim> &
-    initial_fields() const;
+    const Data initial_fields;
 
-    /** $(0, u_1)$ likewise; 0 without inertia. */
-    const Function<dim> &
-    initial_velocity() const;
+    const Data initial_velocity; ///< $(0, u_1)$ likewise; 0 without inertia
 
-    /** Heat source $q$, or nullptr. */
-    const ExpressionFunction<dim> *
-    heat_source() const;
-
-    /** Body force $f$, dim components, or nullptr. */
-    const ExpressionFunction<dim> *
-    body_force() const;
-
-    /** End traction $t$, or nullptr. */
-    const ExpressionFunction<dim> *
-    end_traction() const;
-
-    /** End heat flux $h$, or nullptr. */
-    const ExpressionFunction<dim> *
-    end_heat_flux() const;
+    // sources, or null
+    const Data heat_source;   ///< $q$
+    const Data body_force;    ///< $f$, dim components
+    const Data end_traction;  ///< $t$
+    const Data end_heat_flux; ///< $h$
 
     /**
      * By how much the obstacle is warmer than SceneHeat::obstacle_temperature;
-     * or nullptr if its temperature does not vary.
+     * null if its temperature does not vary.
      */
-    const ExpressionFunction<dim> *
-    obstacle_warming() const;
+    const Data obstacle_warming;
 
-    /** True if any source is present. */
-    bool
-    has_sources() const;
+    /** The sources that there are. */
+    std::vector<ExpressionFunction<dim> *>
+    sources() const;
 
     /**
      * Nothing depends on the coordinates across the axis, and no vector has
@@ -90,15 +78,6 @@ namespace ThermoContact
     /** Sets the time at which the sources are evaluated. */
     void
     set_time(const double time);
-
-  private:
-    std::unique_ptr<ExpressionFunction<dim>> initial_fields_;
-    std::unique_ptr<ExpressionFunction<dim>> initial_velocity_;
-    std::unique_ptr<ExpressionFunction<dim>> heat_source_;
-    std::unique_ptr<ExpressionFunction<dim>> body_force_;
-    std::unique_ptr<ExpressionFunction<dim>> end_traction_;
-    std::unique_ptr<ExpressionFunction<dim>> end_heat_flux_;
-    std::unique_ptr<ExpressionFunction<dim>> obstacle_warming_;
   };
 } // namespace ThermoContact
 

@@ -22,93 +22,24 @@ namespace ThermoContact
    * A field that the scene does not have has no matrices, and $a$ is zero then;
    * $a$ of the first equation is zero if thermoelastic heating is off.
    *
-   * Field matrices are assembled once, without constraints, or not at all if
-   * the scene has an iterative solver; the constrained rows of stage matrices
-   * and right-hand sides say that rates vanish. Vectors come from
-   * Discretization::make_vector().
+   * The field matrices are those of FieldMaps, without constraints; the
+   * constrained rows of stage matrices and right-hand sides say that rates
+   * vanish. Vectors come from Discretization::make_vector().
    */
   template <int dim>
-  class ThermoviscoelasticOperator
+  class ThermoviscoelasticOperator : public FieldMaps
   {
   public:
     /**
      * All arguments are borrowed and must outlive this object.
      *
-     * @param shared the matrices of such a scene; null: they are assembled
+     * @param matrices null for scenes that have none
      */
     ThermoviscoelasticOperator(const Scene               &scene,
                                const Discretization<dim> &discretization,
-                               const FieldMatrices<dim>  *shared = nullptr);
+                               const FieldMatrices<dim>  *matrices);
 
     ~ThermoviscoelasticOperator();
-
-    /** $M$, $\int\eta_i\eta_j$. */
-    const LinearMap &
-    heat_mass() const
-    {
-      return *maps.heat_mass;
-    }
-
-    /** $K+kB+L$, $\int\nabla\eta_i\cdot\nabla\eta_j +
-     * k\int_{\Gamma_C}\eta_i\eta_j$ and the lateral heat exchange. */
-    const LinearMap &
-    conduction() const
-    {
-      return *maps.conduction;
-    }
-
-    /** $L$; of scenes with a lateral heat exchange, (D1.5). */
-    const LinearMap &
-    lateral_exchange() const
-    {
-      return *maps.lateral_exchange;
-    }
-
-    /** $D$, $\int\eta_i\,\mathrm{div}\,\varphi_j$; temperature rows,
-     * displacement columns. */
-    const LinearMap &
-    divergence() const
-    {
-      return *maps.divergence;
-    }
-
-    /** $D^T$; displacement rows, temperature columns. */
-    const LinearMap &
-    thermal_stress() const
-    {
-      return *maps.thermal_stress;
-    }
-
-    /** $M_u$, without the inertia coefficient $b$. */
-    const LinearMap &
-    momentum_mass() const
-    {
-      return *maps.momentum_mass;
-    }
-
-    /** $S$, $\int C{:}\varepsilon(\varphi_i){:}\varepsilon(\varphi_j)$. */
-    const LinearMap &
-    stiffness() const
-    {
-      return *maps.stiffness;
-    }
-
-    /**
-     * $S_\zeta$, without the viscosity $\zeta$: $S$, but where the contact
-     * nodes have no viscous stress (C6.1).
-     */
-    const LinearMap &
-    viscous_stiffness() const
-    {
-      return has_own_viscous_stiffness ? *maps.viscous_stiffness : stiffness();
-    }
-
-    /** The matrices; of scenes that have them. */
-    const FieldMatrices<dim> &
-    field_matrices() const
-    {
-      return *matrices;
-    }
 
     /** Products without matrices; null for scenes that have matrices. */
     const MatrixFreeOperator<dim> *
@@ -117,11 +48,11 @@ namespace ThermoContact
       return matrix_free_.get();
     }
 
-    /** The matrices of a rod in one process; else null. */
+    /** The matrices of a rod; else null. */
     const RodMatrices *
     rod() const
     {
-      return matrices != nullptr ? matrices->rod.get() : nullptr;
+      return matrices != nullptr ? matrices->rod() : nullptr;
     }
 
     /** Whether stage matrices are to be eliminated by the blocks of rod(). */
@@ -145,15 +76,11 @@ namespace ThermoContact
     }
 
     /**
-     * Matrix of the heat block of a stage, $M+\tau(K+kB)$,
-     * doc/discretisation.md (D2.2).
+     * Matrix of the heat block of a stage, @p mass $M+\tau(K+kB+L)$,
+     * doc/discretisation.md (D2.2), with constrained rows.
      */
     SparseMatrix
-    heat_stage_matrix(const double tau) const;
-
-    /** $K+kB+L$ with constrained rows, of scenes that have matrices. */
-    SparseMatrix
-    conduction_matrix() const;
+    heat_stage_matrix(const double tau, const double mass = 1.) const;
 
     /** Matrix of the momentum block, $bM_u+\tau\zeta S_\zeta+\tau^2S$. */
     SparseMatrix
@@ -220,15 +147,13 @@ namespace ThermoContact
     zero_constrained(const Field::Block field, Vector &vector) const;
 
   private:
-    const Discretization<dim>                      &discretization;
-    const Material                                 &material;
-    const bool                                      has_own_viscous_stiffness;
-    const bool                                      is_along_rod;
-    const std::unique_ptr<const FieldMatrices<dim>> own_matrices;
+    const Discretization<dim> &discretization;
+    const Material            &material;
+    const bool                 has_own_viscous_stiffness;
+    const bool                 is_along_rod;
     /** One of the two is there. */
     const FieldMatrices<dim> *const                      matrices;
     const std::unique_ptr<const MatrixFreeOperator<dim>> matrix_free_;
-    const FieldMaps                                      maps;
     mutable Vector                                       heat_scratch;
     mutable Vector                                       momentum_scratch;
 
@@ -241,13 +166,10 @@ namespace ThermoContact
                   Vector       &heat,
                   Vector       &momentum) const;
 
-    /** Weighted sum of two matrices of a block, with constrained rows. */
+    /** Weighted sum of matrices of a field, with constrained rows. */
     SparseMatrix
-    combine(const SparseMatrix &first,
-            const double        first_factor,
-            const SparseMatrix &second,
-            const double        second_factor,
-            const Field::Block  field) const;
+    sum(const Field::Block                                       field,
+        const std::vector<std::pair<double, FieldMatrix::Kind>> &terms) const;
   };
 } // namespace ThermoContact
 

@@ -55,6 +55,13 @@ namespace ThermoContact
           const double                factor,
           Vector                     &y,
           std::vector<double>        &pressure) = 0;
+
+    /** What the user is to know since the last call. */
+    virtual std::vector<std::string>
+    take_warnings()
+    {
+      return {};
+    }
   };
 
 

@@ -80,10 +80,6 @@ namespace ThermoContact
     std::vector<double>  end_pressures; ///< of the exchange that is tried last
     unsigned int         n_sets = 0;    ///< of tangents for it
 
-    /** Of residuals that rounding holds above the tolerance. */
-    void
-    warn();
-
     /** (D8.5) of the stage that was solved last. */
     double
     algebraic_power(const State               &known,

@@ -8,10 +8,10 @@
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/flexible_gmres.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ThermoContact
@@ -28,8 +28,12 @@ namespace ThermoContact
   class IterativeStage
   {
   public:
-    /** @param body borrowed; it has no matrices */
-    explicit IterativeStage(const Body<dim> &body);
+    /**
+     * @param body borrowed; it has no matrices
+     * @param warnings of residuals that rounding holds above the tolerance are
+     *   appended to; borrowed
+     */
+    IterativeStage(const Body<dim> &body, std::vector<std::string> &warnings);
 
     /** The preconditioners of the stage lengths used last. */
     StageHierarchies<dim> &
@@ -147,19 +151,27 @@ namespace ThermoContact
       return tau;
     }
 
-    /**
-     * What the user is to know since the last call: residuals that rounding
-     * holds above the tolerance.
-     */
-    std::vector<std::string>
-    take_warnings()
+    /** The largest residual that was warned of. */
+    double
+    told_rounding() const
     {
-      return std::exchange(warnings, {});
+      return told_rounding_;
+    }
+
+    /** Warns of twice as much only. */
+    void
+    has_told(const double rounding)
+    {
+      told_rounding_ = std::max(told_rounding_, rounding);
     }
 
   private:
-    const Body<dim>      &body;
-    StageHierarchies<dim> hierarchies;
+    const Body<dim>          &body;
+    std::vector<std::string> &warnings;
+    StageHierarchies<dim>     hierarchies;
+
+    /** Faster than those of the equations, which they are to rounding. */
+    const LevelProducts<dim, double> products;
 
     double                 tau      = 0.;
     bool                   has_heat = true;      ///< its temperature is unknown
@@ -181,9 +193,7 @@ namespace ThermoContact
     FlexibleGmres krylov;
 
     double largest_residual = 0.; ///< of the present stage, at the start
-    double told_rounding    = 0.; ///< the largest one warned of
-
-    std::vector<std::string> warnings;
+    double told_rounding_   = 0.;
 
     /** Local rows of contact nodes without mass; empty: none, or all are. */
     std::vector<bool> massless_rows;

@@ -112,12 +112,15 @@ namespace ThermoContact
     /** Whether a stage had sparse factors since the blocks of its rod grew. */
     bool has_refused_blocks = false;
 
+    /** The largest residual by rounding that was warned of. */
+    double told_rounding = 0.;
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &counters &taus &has_response &contact_springs
-        &has_refused_blocks;
+      archive &counters &taus &has_response &contact_springs &has_refused_blocks
+        &told_rounding;
     }
   };
 

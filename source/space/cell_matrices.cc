@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/space/cell_matrices.h>
+
+namespace ThermoContact
+{
+  template <int dim>
+  CellMatrix
+  mass_between(const Discretization<dim>      &discretization,
+               const std::vector<std::size_t> &dofs,
+               const FEValuesBase<dim>        &values,
+               const double                    coefficient)
+  {
+    FullMatrix<double> matrix(dofs.size(), dofs.size());
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      for (unsigned int j = 0; j < dofs.size(); ++j)
+        for (const unsigned int q : values.quadrature_point_indices())
+          matrix(i, j) += coefficient * values.shape_value(dofs[i], q) *
+                          values.shape_value(dofs[j], q) *
+                          discretization.geometry().weight(values, q);
+    return {dofs, matrix};
+  }
+
+
+
+  template <int dim>
+  HeatExchangeFaces<dim>::HeatExchangeFaces(
+    const SpatialScene        &scene,
+    const Discretization<dim> &discretization)
+    : discretization(discretization)
+    , end_coefficient(scene.exchange_coefficient)
+    , lateral_coefficient(scene.lateral_exchange *
+                          (dim == 1 || scene.lateral_exchange == 0. ?
+                             1. :
+                             discretization.geometry().area_over_perimeter()))
+    , cell_values(discretization.mapping(),
+                  discretization.finite_element(),
+                  QGauss<dim>(discretization.degree() + 1),
+                  update_values | update_quadrature_points | update_JxW_values)
+    , face_values(discretization.mapping(),
+                  discretization.finite_element(),
+                  QGauss<dim - 1>(discretization.degree() + 1),
+                  update_values | update_quadrature_points | update_JxW_values)
+  {}
+
+
+
+  template <int dim>
+  double
+  HeatExchangeFaces<dim>::coefficient(
+    const typename DoFHandler<dim>::face_iterator &face) const
+  {
+    constexpr types::boundary_id first_lateral = 2; // y = 0, its axis if any
+    if (!face->at_boundary() || face->boundary_id() == fixed_boundary_id)
+      return 0.;
+    if (face->boundary_id() == contact_boundary_id)
+      return end_coefficient;
+    return face->boundary_id() == first_lateral &&
+               discretization.geometry().has_axis_at_side() ?
+             0. :
+             lateral_coefficient;
+  }
+
+
+
+  template <int dim>
+  void
+  HeatExchangeFaces<dim>::visit(
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const Visit                                          &visit)
+  {
+    if (!discretization.has_field(Field::temperature))
+      return;
+    const FiniteElement<dim> &fe   = discretization.finite_element();
+    const auto                give = [&](const FEValuesBase<dim> &values,
+                          const double             factor,
+                          const bool               is_lateral,
+                          const auto              &is_there) {
+      std::vector<std::size_t> dofs;
+      for (unsigned int i = 0; i < fe.dofs_per_cell; ++i)
+        if (fe.system_to_component_index(i).first == 0 && is_there(i))
+          dofs.push_back(i);
+      visit(mass_between(discretization, dofs, values, factor), is_lateral);
+    };
+    for (const unsigned int f : cell->face_indices())
+      if (const double factor = coefficient(cell->face(f)); factor > 0.)
+        {
+          face_values.reinit(cell, f);
+          give(face_values,
+               factor,
+               cell->face(f)->boundary_id() != contact_boundary_id,
+               [&](const unsigned int i) {
+                 return fe.has_support_on_face(i, f);
+               });
+        }
+    if (dim == 1 && lateral_coefficient > 0.)
+      {
+        cell_values.reinit(cell);
+        give(cell_values, lateral_coefficient, true, [](const unsigned int) {
+          return true;
+        });
+      }
+  }
+
+
+
+#define INSTANTIATE(dim)                                             \
+  template CellMatrix mass_between(const Discretization<dim> &,      \
+                                   const std::vector<std::size_t> &, \
+                                   const FEValuesBase<dim> &,        \
+                                   const double);                    \
+  template class HeatExchangeFaces<dim>
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace ThermoContact
