@@ -39,6 +39,16 @@ within(const double value, const double bound)
 
 
 
+std::string
+noise_within(const double value, const double bound)
+{
+  std::ostringstream text;
+  text << "rounding <= " << bound;
+  return value <= bound ? text.str() : within(value, bound);
+}
+
+
+
 ThermoContact::Parameters
 read_parameters(const std::string              &name,
                 const std::vector<std::string> &overrides)

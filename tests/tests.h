@@ -50,6 +50,13 @@ raise(double &largest, const double value)
 std::string
 within(const double value, const double bound);
 
+/**
+ * The same for what is rounding alone and too large for numdiff to pass: the
+ * value is shown if it is above the bound.
+ */
+std::string
+noise_within(const double value, const double bound);
+
 
 
 /** All columns of contact.csv but the two counters. */

@@ -97,7 +97,8 @@ namespace
             start += state.temperature;
           }});
           deallog << name << ", " << scheme << ", " << solver
-                  << ": velocities within the bound " << within(worst, 1.);
+                  << ": velocities in parts of their bound "
+                  << noise_within(worst, 1.);
           if (end_velocity == 0.)
             deallog << ", theta " << within(drift, 1e-9);
           deallog << std::endl;
