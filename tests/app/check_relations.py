@@ -76,6 +76,10 @@ def moves(scene):
     return "displacement" in scene["Model/Fields"]
 
 
+def exchange_varies(scene):
+    return any(word in scene.get("Boundary/Heat exchange", "") for word in ("gap", "pressure"))
+
+
 def negated_coupling(scene):
     return {"Model/Coupling": str(-float(scene.get("Model/Coupling", "0.017")))} if (
         has_heat(scene) and moves(scene)) else {}
@@ -115,7 +119,7 @@ def scaled(scene):
         other["Contact/Damping"] = str(float(scene["Contact/Damping"]) / 2)
     if "Boundary/Heat exchange" in scene:
         other["Boundary/Heat exchange"] = scene["Boundary/Heat exchange"].replace(
-            "pressure", "pressure/2")
+            "pressure", "pressure/2").replace("gap", "gap/2")
     return other, dict.fromkeys(TEMPERATURES + LENGTHS + UNSIGNED, 2.) | dict.fromkeys(
         ENERGIES, 4.)
 
@@ -157,8 +161,7 @@ def direct(scene):
 def fixed_point(scene):
     """The iteration of the paper, of its model with a soft obstacle."""
     if not moves(scene) or not has_heat(scene) or scene["Dimension"] != "1" or \
-            "pressure" in scene.get("Boundary/Heat exchange", "") or scene[
-                "Contact/Condition"] not in ("none", "normal compliance"):
+            exchange_varies(scene) or scene["Contact/Condition"] not in ("none", "normal compliance"):
         return None
     left_out = ("Time/Tolerance", "Output/Period", "Contact/Damping")
     paper = {key: value for key, value in scene.items() if key not in left_out} | {
@@ -188,8 +191,8 @@ def base(scene):
 
 def alone(scene):
     """Nothing acts on the temperature."""
-    if not (has_heat(scene) and moves(scene)) or "pressure" in scene.get(
-            "Boundary/Heat exchange", "") or "Time/Tolerance" in scene:
+    if not (has_heat(scene) and moves(scene)) or exchange_varies(scene) or \
+            "Time/Tolerance" in scene:
         return None
     both = {key: value for key, value in scene.items() if not key.startswith("Contact/")} | {
         "Model/Thermoelastic heating": "false", "Contact/Condition": "none"}

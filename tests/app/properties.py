@@ -169,19 +169,23 @@ def check_contact_law(run):
 
 @column("heat_flux_end", "temperature_end", "temperature_mean")
 def check_heat_flux(run):
-    """k (theta_end - theta_obs)"""
+    """k (theta_end - theta_obs), where theta_obs jumps with the value behind."""
     c, scene, s = run.contact, scene_of(run), run.settings
     if not scene.has_heat:
         for name in ("temperature_end", "temperature_mean", "heat_flux_end"):
             yield differences(c[name], numpy.full(len(c), math.nan), 0)
         return
-    obstacle = scene.at_end("Boundary/Obstacle temperature", c["time"])
+    before, behind = (scene.at_end("Boundary/Obstacle temperature", time) for time in (
+        c["time"], c["time"] + 1e-10 * c["time"][-1]))
     k = s["Boundary/Heat exchange"]
     if "pressure" in k and not scene.is_rod:
         return
     k = scene.at_end("Boundary/Heat exchange", c["time"], gap=numpy.maximum(
         0, numpy.nan_to_num(c["gap"])), pressure=abs(numpy.nan_to_num(c["contact_force"])))
-    yield differences(c["heat_flux_end"], k * (c["temperature_end"] - obstacle), 1e-8)
+    before, behind = (k * (c["temperature_end"] - obstacle) for obstacle in (before, behind))
+    flux = c["heat_flux_end"]
+    yield differences(flux, numpy.where(abs(flux - behind) < abs(flux - before), behind,
+                                        before), 1e-8)
 
 
 @column("lateral_heat_flux", "lateral_dissipation")
