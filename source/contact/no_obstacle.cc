@@ -7,7 +7,7 @@ namespace ThermoContact
   namespace
   {
     /** A free end: nothing pushes back. */
-    class NoObstacle : public ContactLaw
+    class NoObstacle : public StoresNothing
     {
     public:
       bool

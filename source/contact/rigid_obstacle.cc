@@ -7,7 +7,7 @@ namespace ThermoContact
   namespace
   {
     /** Signorini condition, $s=0$ under any pressure, doc/model.md (M1.5). */
-    class RigidObstacle : public ContactLaw
+    class RigidObstacle : public StoresNothing
     {
     public:
       bool

@@ -94,6 +94,9 @@ namespace ThermoContact
              "",
              "a constant that an expression or a number of the file names");
     }
+
+
+
     /** The values of constants, by the texts that stand for them. */
     std::map<std::string, double>
     evaluate_constants(const std::map<std::string, std::string> &texts)

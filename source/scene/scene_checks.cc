@@ -7,6 +7,7 @@
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/scene/scene_checks.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -305,6 +306,20 @@ namespace ThermoContact
 
 
 
+    /** Largest absolute value of many on $[0,T]$: a scale, no bound. */
+    double
+    sampled_magnitude(const TimeFunction &function, const double end_time)
+    {
+      constexpr unsigned int n_times = 97;
+      double                 largest = 0.;
+      for (unsigned int i = 0; i <= n_times; ++i)
+        largest =
+          std::max(largest, std::abs(function.value(end_time * i / n_times)));
+      return largest;
+    }
+
+
+
     /** What moves the obstacle, or the fixed end. */
     void
     check_drives(const Scene &scene)
@@ -343,9 +358,8 @@ namespace ThermoContact
                         quote(motion.expression.text()),
                         "0"};
       const double        start = motion.value(0.);
-      const Interval      all   = motion.enclosure({0., time.end_time}).value;
       if (std::abs(start) > Tolerances::rounding_of_data *
-                              (all.is_finite() ? all.magnitude() : 0.))
+                              sampled_magnitude(motion, time.end_time))
         refuse(end.path,
                end.value,
                text("zero at t = 0, where it is ", start),

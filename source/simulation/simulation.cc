@@ -372,6 +372,7 @@ namespace ThermoContact
     together([&]() { tracker.accept(result, history_.events); });
     const LoadBreak *const passed =
       result.failure.empty() ? pass_break() : nullptr;
+    take_warnings();
     if (!result.failure.empty())
       give_up(time_step, result.failure);
     return passed;
@@ -398,7 +399,6 @@ namespace ThermoContact
                                                   result))
         tracker.jump(result.state, history_.events);
     });
-    take_warnings();
     if (!result.failure.empty())
       result.failure = text("inputs have a discontinuity at t = ",
                             QuantityUnits(parameters()).text("time", time),
@@ -419,6 +419,7 @@ namespace ThermoContact
     result.energy = energy;
 
     const LoadBreak *const passed = pass_break();
+    take_warnings();
     if (!result.failure.empty())
       throw ComputationError(result.failure);
     state_.swap(result.state);

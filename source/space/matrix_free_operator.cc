@@ -8,6 +8,13 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    constexpr auto on_all = [](const unsigned int) { return true; };
+  } // namespace
+
+
+
   template <int dim>
   MatrixFreeOperator<dim>::MatrixFreeOperator(
     const Scene               &scene,
@@ -182,11 +189,12 @@ namespace ThermoContact
 
 
   template <int dim>
-  template <typename Evaluation, typename OnCell>
+  template <typename Evaluation, typename Acts, typename OnCell>
   void
   MatrixFreeOperator<dim>::apply(const Field::Block field,
                                  Vector            &y,
                                  const Vector      &x,
+                                 const Acts        &acts_on,
                                  const OnCell      &on_cell) const
   {
     spaces.cells().template cell_loop<Vector, Vector>(
@@ -194,12 +202,13 @@ namespace ThermoContact
         const auto &cells, Vector &dst, const Vector &src, const auto &range) {
         Evaluation values(cells, spaces.index(field));
         for (unsigned int batch = range.first; batch < range.second; ++batch)
-          {
-            values.reinit(batch);
-            values.read_dof_values(src);
-            if (on_cell(values))
+          if (acts_on(batch))
+            {
+              values.reinit(batch);
+              values.read_dof_values(src);
+              on_cell(values);
               values.distribute_local_to_global(dst);
-          }
+            }
       },
       y,
       x,
@@ -214,9 +223,8 @@ namespace ThermoContact
                                 Vector            &y,
                                 const Vector      &x) const
   {
-    apply<Scalar>(Field::temperature, y, x, [&](Scalar &theta) {
+    apply<Scalar>(Field::temperature, y, x, on_all, [&](Scalar &theta) {
       heat_on_cell(factors, theta);
-      return true;
     });
   }
 
@@ -228,22 +236,9 @@ namespace ThermoContact
                                     Vector                &y,
                                     const Vector          &x) const
   {
-    apply<Vectorial>(Field::displacement, y, x, [&](Vectorial &u) {
+    apply<Vectorial>(Field::displacement, y, x, on_all, [&](Vectorial &u) {
       momentum_on_cell(factors, u);
-      return true;
     });
-  }
-
-
-
-  template <int dim>
-  bool
-  MatrixFreeOperator<dim>::contact_stiffness_on_cell(Vectorial &u) const
-  {
-    const bool is_at_end = contact_cells.contain(u.get_current_cell_index());
-    if (is_at_end)
-      momentum_on_cell({0., 1.}, u);
-    return is_at_end;
   }
 
 
@@ -252,9 +247,14 @@ namespace ThermoContact
   void
   MatrixFreeOperator<dim>::contact_stiffness(Vector &y, const Vector &x) const
   {
-    apply<Vectorial>(Field::displacement, y, x, [&](Vectorial &u) {
-      return contact_stiffness_on_cell(u);
-    });
+    apply<Vectorial>(
+      Field::displacement,
+      y,
+      x,
+      [&](const unsigned int batch) { return contact_cells.contain(batch); },
+      [&](Vectorial &u) {
+        momentum_on_cell({0., 1.}, u);
+      });
   }
 
 
@@ -263,13 +263,15 @@ namespace ThermoContact
   void
   MatrixFreeOperator<dim>::lateral_exchange(Vector &y, const Vector &x) const
   {
-    apply<Scalar>(Field::temperature, y, x, [&](Scalar &theta) {
+    const auto acts_on = [&](const unsigned int batch) {
+      return contact_cells.exchange_laterally(batch);
+    };
+    apply<Scalar>(Field::temperature, y, x, acts_on, [&](Scalar &theta) {
       const unsigned int       batch  = theta.get_current_cell_index();
       VectorizedArray<double> *values = theta.begin_dof_values();
       std::copy(values, values + theta.dofs_per_cell, input.begin());
       std::fill(values, values + theta.dofs_per_cell, 0.);
       contact_cells.add_lateral_exchange(batch, 1., input.begin(), values);
-      return contact_cells.exchange_laterally(batch);
     });
   }
 
@@ -302,7 +304,9 @@ namespace ThermoContact
   MatrixFreeOperator<dim>::contact_stiffness_diagonal() const
   {
     return diagonal<dim>(Field::displacement, [&](Vectorial &u) {
-      if (!contact_stiffness_on_cell(u))
+      if (contact_cells.contain(u.get_current_cell_index()))
+        momentum_on_cell({0., 1.}, u);
+      else
         std::fill_n(u.begin_dof_values(), u.dofs_per_cell, 0.);
     });
   }

@@ -99,6 +99,20 @@ namespace ThermoContact
                      ")",
                    scene.parameters.names(temperature.path()))});
     }
+
+
+
+    template <int dim>
+    std::vector<ExpressionFunction<dim> *>
+    those_that_are(
+      const std::vector<const typename ProblemData<dim>::Data *> &sources)
+    {
+      std::vector<ExpressionFunction<dim> *> all;
+      for (const auto *const source : sources)
+        if (*source)
+          all.push_back(source->get());
+      return all;
+    }
   } // namespace
 
 
@@ -125,24 +139,12 @@ namespace ThermoContact
                                 "End heat flux",
                                 scene.parameters.sources.end_heat_flux))
     , obstacle_warming(warming<dim>(scene))
+    , sources(those_that_are<dim>({&heat_source,
+                                   &body_force,
+                                   &end_traction,
+                                   &end_heat_flux,
+                                   &obstacle_warming}))
   {}
-
-
-
-  template <int dim>
-  std::vector<ExpressionFunction<dim> *>
-  ProblemData<dim>::sources() const
-  {
-    std::vector<ExpressionFunction<dim> *> all;
-    for (const Data *source : {&heat_source,
-                               &body_force,
-                               &end_traction,
-                               &end_heat_flux,
-                               &obstacle_warming})
-      if (*source)
-        all.push_back(source->get());
-    return all;
-  }
 
 
 
@@ -150,7 +152,7 @@ namespace ThermoContact
   bool
   ProblemData<dim>::is_along_axis() const
   {
-    std::vector<ExpressionFunction<dim> *> functions = sources();
+    std::vector<ExpressionFunction<dim> *> functions = sources;
     functions.push_back(initial_fields.get());
     functions.push_back(initial_velocity.get());
     for (const ExpressionFunction<dim> *const function : functions)
@@ -176,7 +178,7 @@ namespace ThermoContact
   void
   ProblemData<dim>::set_time(const double time)
   {
-    for (ExpressionFunction<dim> *const source : sources())
+    for (ExpressionFunction<dim> *const source : sources)
       source->set_time(time);
   }
 

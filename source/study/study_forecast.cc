@@ -36,7 +36,6 @@ namespace ThermoContact
       double                 bytes_of_reference = 0.;
       bool                   has_bodies         = false;
       double                 steps              = 0.;
-      unsigned int           n_unsearched       = 0; ///< for breaks of loads
       unsigned int           n_refused          = 0;
       std::string            refused; ///< the first ones, and why
     };
@@ -76,7 +75,6 @@ namespace ThermoContact
         forecast.has_bodies |= reader.scene().dimension > 1;
         return Scene(reader.scene());
       };
-      LoadHistory loads; // of the last run that was searched
       for (const unsigned int run : runs)
         try
           {
@@ -84,11 +82,7 @@ namespace ThermoContact
             if (!table.has(run))
               forecast.runs.push_back(
                 {plan.description(run), expected_memory(scene, 1)});
-            if (loads.is_complete)
-              loads = loads_of(scene);
-            else // a search takes long, and finds nothing
-              ++forecast.n_unsearched;
-            forecast.steps += expected_cost(scene, loads).steps;
+            forecast.steps += expected_cost(scene, loads_of(scene)).steps;
           }
         catch (const InputError &error)
           {
@@ -233,10 +227,6 @@ namespace ThermoContact
         log.line(lines);
     if (runs.size() < n_runs)
       log.line(text("  checked   the first ", runs.size(), " runs"));
-    if (forecast.n_unsearched > 0)
-      log.line(text("  searched  for breaks of loads in all runs but the last ",
-                    forecast.n_unsearched,
-                    ": before, they change too fast to be seen"));
     if (forecast.n_refused > 0)
       throw InputError(text("Study/Vary: ",
                             forecast.n_refused,

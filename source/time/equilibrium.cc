@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/interface_problem.h>
 #include <thermocontact/space/conjugate_gradients.h>
@@ -149,7 +150,14 @@ namespace ThermoContact
       std::vector<std::string>
       take_warnings() override
       {
-        return solver ? solver->take_warnings() : std::vector<std::string>();
+        // in words without numbers, which the run tells once
+        if (!solver || solver->take_warnings().empty())
+          return {};
+        return {text("Solver/Linear tolerance = ",
+                     body.scene.linear_solver.tolerance,
+                     ": rounding leaves more of the forces that are in "
+                     "equilibrium at the start, at an event or at a jump of "
+                     "a load")};
       }
 
     private:

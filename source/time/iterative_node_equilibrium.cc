@@ -4,8 +4,6 @@
 #include <thermocontact/space/matrix_free_operator.h>
 #include <thermocontact/time/iterative_node_equilibrium.h>
 
-#include <deal.II/lac/diagonal_matrix.h>
-
 #include <algorithm>
 
 namespace ThermoContact

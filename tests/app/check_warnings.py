@@ -270,22 +270,6 @@ def check_mesh():
             yield f"with {remedy} {better} of {exact}, {warning}"
 
 
-def check_search():
-    """A study is checked run by run; behind the first one with a load that is too fast,
-    here that of the factor 1e6, none is searched, which takes long."""
-    for factors, lines in (("1 | 1e6 | 2e6 | 3e6",
-                            ["  searched  for breaks of loads in all runs but the last 2: "
-                             "before, they change too fast to be seen"]),
-                           ("1 | 2", [])):
-        status, screen, message = run(
-            "--check", "--output", "not-made", SCENE,
-            *settings(PULSES + ("Constants/factor=1", "Sources/Body force=sin(1e2*factor*t)",
-                                f"Study/Vary=Constants/factor = {factors}")))
-        found = [line for line in screen.split("\n") if "searched" in line]
-        if status != 0 or found != lines:
-            yield f"{factors}: {found} {message}"
-
-
 def report(overrides, warnings, expected):
     return ("" if warnings == expected else
             f"{' '.join(overrides)}: {warnings}, expected {expected}")
@@ -300,7 +284,6 @@ def main():
         faults = list(filter(None, for_all(check, enumerate(cases))))
         print(f"warnings about the {what}:", "; ".join(faults) or "as derived")
     print("warnings about the mesh:", "; ".join(check_mesh()) or "as derived")
-    print("studies whose loads are not searched:", "; ".join(check_search()) or "named")
     places = sum(len(re.findall(r"\b(?:warnings_?\.push_back|history_\.warn)\(",
                                 without_comments(file)))
                  for file in source_files())

@@ -126,7 +126,7 @@ namespace
       {
         StepController controller = make_controller(from_rung());
         controller.restart(begins ? 0.25 : 0.5);
-        deallog << (begins ? "after begin: " : "after end: ")
+        deallog << (begins ? "restarted, 1/4: " : "restarted, 1/2: ")
                 << rung(controller) << ", accurate with error 0.2 "
                 << accurate(controller, 0.2) << ", 0.3 "
                 << accurate(controller, 0.3);

@@ -133,6 +133,11 @@ main_allocations()
   check("rigid obstacle",
         "",
         {"Contact/Condition=rigid", "Time/Tolerance=1e-6", "Time/End time=3"});
+  check("end traction",
+        "",
+        {"Sources/End traction=0.1*t",
+         "Time/Tolerance=1e-6",
+         "Time/End time=3"});
   check("midpoint rule",
         "",
         {"Model/Fields=displacement",

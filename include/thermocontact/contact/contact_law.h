@@ -91,18 +91,12 @@ namespace ThermoContact
       return damping_ == 0. && has_constant_tangent();
     }
 
-    // Without other words they are those of an obstacle that stores no energy:
-    // a rigid one, or none.
-
     /**
      * Pressure that a penetration causes. 0 for negative ones and where the law
      * does not say, as for a rigid obstacle.
      */
     virtual double
-    pressure(const double /*penetration*/) const
-    {
-      return 0.;
-    }
+    pressure(const double penetration) const = 0;
 
     /** Pressure that a penetration causes, at the normal velocity @p v. */
     double
@@ -110,20 +104,14 @@ namespace ThermoContact
 
     /** $s(p)$; odd, for the pressures of either sign of a held contact. */
     virtual double
-    penetration(const double /*pressure*/) const
-    {
-      return 0.;
-    }
+    penetration(const double pressure) const = 0;
 
     /**
      * $ds/dp\ge0$; finite, but for $p=0$ where contact begins without
      * stiffness.
      */
     virtual double
-    tangent(const double /*pressure*/) const
-    {
-      return 0.;
-    }
+    tangent(const double pressure) const = 0;
 
     /**
      * $\varepsilon$ of an obstacle that gives way by the same for all
@@ -142,17 +130,11 @@ namespace ThermoContact
      * pressure.
      */
     virtual double
-    energy(const double /*pressure*/) const
-    {
-      return 0.;
-    }
+    energy(const double pressure) const = 0;
 
     /** The penetration at which the obstacle stores an energy per area. */
     virtual double
-    penetration_of_energy(const double /*energy*/) const
-    {
-      return 0.;
-    }
+    penetration_of_energy(const double energy) const = 0;
 
     /**
      * Mean pressure on the way between two penetrations,
@@ -180,10 +162,7 @@ namespace ThermoContact
   protected:
     /** mean_pressure() between two positive penetrations. */
     virtual double
-    mean_in_contact(const double /*s_0*/, const double /*s_1*/) const
-    {
-      return 0.;
-    }
+    mean_in_contact(const double s_0, const double s_1) const = 0;
 
     /** True if the tangent is the same for all pressures. */
     virtual bool
@@ -198,6 +177,50 @@ namespace ThermoContact
 
   private:
     const double damping_;
+  };
+
+
+
+  /** An obstacle that stores no energy: a rigid one, or none. */
+  class StoresNothing : public ContactLaw
+  {
+  public:
+    double
+    pressure(const double) const override
+    {
+      return 0.;
+    }
+
+    double
+    penetration(const double) const override
+    {
+      return 0.;
+    }
+
+    double
+    tangent(const double) const override
+    {
+      return 0.;
+    }
+
+    double
+    energy(const double) const override
+    {
+      return 0.;
+    }
+
+    double
+    penetration_of_energy(const double) const override
+    {
+      return 0.;
+    }
+
+  protected:
+    double
+    mean_in_contact(const double, const double) const override
+    {
+      return 0.;
+    }
   };
 
 

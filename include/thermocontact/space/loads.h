@@ -44,7 +44,7 @@ namespace ThermoContact
     bool
     has_sources() const
     {
-      return !data.sources().empty();
+      return !data.sources.empty();
     }
 
     /**

@@ -153,14 +153,15 @@ namespace ThermoContact
     }
 
     /**
-     * @p y $=$ the sum over all cells of what @p on_cell makes of the values of
-     * a batch in its argument; false: nothing.
+     * @p y $=$ the sum over the batches of cells of which @p acts_on is true,
+     * of what @p on_cell makes of the values in its argument.
      */
-    template <typename Evaluation, typename OnCell>
+    template <typename Evaluation, typename Acts, typename OnCell>
     void
     apply(const Field::Block field,
           Vector            &y,
           const Vector      &x,
+          const Acts        &acts_on,
           const OnCell      &on_cell) const;
 
     /** The diagonal of such a sum. */
@@ -174,10 +175,6 @@ namespace ThermoContact
 
     void
     momentum_on_cell(const MomentumFactors &factors, Vectorial &u) const;
-
-    /** By $S$; false, and nothing is replaced, off the contact end. */
-    bool
-    contact_stiffness_on_cell(Vectorial &u) const;
 
     /**
      * Bulk terms from @p x to the values of @p u.

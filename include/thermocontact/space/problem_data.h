@@ -65,8 +65,7 @@ namespace ThermoContact
     const Data obstacle_warming;
 
     /** The sources that there are. */
-    std::vector<ExpressionFunction<dim> *>
-    sources() const;
+    const std::vector<ExpressionFunction<dim> *> sources;
 
     /**
      * Nothing depends on the coordinates across the axis, and no vector has

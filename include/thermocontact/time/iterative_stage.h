@@ -162,7 +162,7 @@ namespace ThermoContact
     void
     has_told(const double rounding)
     {
-      told_rounding_ = std::max(told_rounding_, rounding);
+      told_rounding_ = rounding;
     }
 
   private:

@@ -90,7 +90,7 @@ namespace ThermoContact
      * the pressure is that of the compliance law, and the defect of the energy
      * balance is booked as numerical dissipation, of either sign. The caller
      * has made sure that the scheme has this start and that a rigid obstacle is
-     * not penetrated.
+     * not penetrated. The result has old_energy, as in step().
      *
      * @throw ComputationError if the heat matrix cannot be factorised
      */
