@@ -136,7 +136,7 @@ class Source:
                 self.choose("one less", cursor, f"({word}) - 1")
 
     def arguments(self, cursor, *_):
-        if cursor.kind != Kind.CALL_EXPR:
+        if cursor.kind != Kind.CALL_EXPR or cursor.spelling in ("operator==", "operator!="):
             return
         given = [argument for argument in cursor.get_arguments() if argument]
         for first, second in zip(given, given[1:]):
