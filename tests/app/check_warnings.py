@@ -290,8 +290,7 @@ def main():
     # corner layer; contact at the start or preload; energy; dispersion; blocks that
     # grow, noted by the solver of a stage; loads; other ranks than before; the mesh; break
     # points after the end; energy that the scheme takes; a first contact that is missed; a
-    # peak of the mesh; what rounding leaves;
-    # and one place that takes all those of a run
+    # peak of the mesh; what rounding leaves; one place that takes all those of a run
     print("kinds of warnings in the sources:", "known" if places == 16 else places)
 
 
