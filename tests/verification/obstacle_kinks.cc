@@ -24,10 +24,8 @@
 //    the one of the next row have the mean (u_1 - u_0)/h, to second order in
 //    the steps that follow an event.
 // 4. The rod of 1 pushed by a traction of 1/2: u = x U, zeta U' + U = 1/2,
-// until
-//    it meets a rigid obstacle, g = 3/10, at t = zeta log(5/2) with the
-//    velocity (1/2 - 3/10)/zeta = 1. Its row has velocity 0 and F = 1/2 - 3/10
-//    = 1/5.
+//    until it meets a rigid obstacle, g = 3/10, at t = zeta log(5/2) with the
+//    velocity 1. Its row has velocity 0 and F = 1/2 - 3/10 = 1/5.
 
 #include <thermocontact/simulation/simulation.h>
 

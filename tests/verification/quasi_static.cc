@@ -12,10 +12,9 @@
 //    0.25, ..., 2, in contact and out of it: rates 1 +-0.02 between b = 1e-3,
 //    1e-4, 1e-5, and +-0.15 between 1e-2 and 1e-3, which is not small against
 //    (zeta pi/4)^2 = 0.025, where the first mode begins to oscillate.
-// 4. A cold rod with b = zeta = 0 under the body force cos(3 t): its strain is
-// 1
-//    at most and makes temperatures of a. At first they are 9/2 a t^2, rounding
-//    of the strain. Tolerance 1e-7 against 1e-9, 20 tolerances in parts of a.
+// 4. A cold rod with b = zeta = 0 under the body force cos(3 t), whose strain,
+//    1 at most, makes temperatures of a, at first 9/2 a t^2: rounding of the
+//    strain. Tolerance 1e-7 against 1e-9, 20 tolerances in parts of a.
 
 #include <thermocontact/simulation/simulation.h>
 
