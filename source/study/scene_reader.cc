@@ -3,6 +3,7 @@
 #include <thermocontact/study/scene_reader.h>
 
 #include <algorithm>
+#include <map>
 
 namespace ThermoContact
 {
@@ -42,8 +43,13 @@ namespace ThermoContact
   void
   SceneReader::reset()
   {
-    for (const auto &entry : own_entries)
-      set_entry({"", entry.path, entry.value}, prm_);
+    // an entry that is set costs as much as all that are read
+    std::map<std::string, std::string> present;
+    for (const DeclaredEntry &entry : declared_entries(prm_))
+      present[entry.path] = entry.value;
+    for (const DeclaredEntry &entry : own_entries)
+      if (present[entry.path] != entry.value)
+        set_entry({"", entry.path, entry.value}, prm_);
     assignments_ = own_assignments;
     scene_       = own_scene; // texts of default values may have fewer digits
   }
