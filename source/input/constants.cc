@@ -152,25 +152,21 @@ namespace ThermoContact
                    dealii::ParameterHandler      &prm)
   {
     std::map<std::string, std::string> texts;
-    for (const DeclaredEntry &entry : declared_entries(prm))
-      if (is_constant_path(entry.path) &&
-          constant_name(entry.path) != name_of_constants)
-        texts[constant_name(entry.path)] = entry.value;
-    const SectionOfEntries section(prm, constants_section);
     for (const Assignment &assignment : assignments)
       {
         if (!is_constant_path(assignment.path))
           continue;
         check_name(assignment);
-        const std::string name = constant_name(assignment.path);
-        if (texts.count(name) == 0)
-          prm.declare_entry(name, "", Patterns::Anything(), "A constant.");
-        texts[name] = assignment.value;
+        texts[constant_name(assignment.path)] = assignment.value;
         if (assignment.place == command_line_place)
           check_use(assignment, assignments);
       }
+    const SectionOfEntries section(prm, constants_section);
     for (const auto &[name, text] : texts)
-      prm.set(name, text);
+      {
+        prm.declare_entry(name, "", Patterns::Anything(), "A constant.");
+        prm.set(name, text);
+      }
     return evaluate_constants(texts);
   }
 

@@ -160,7 +160,7 @@ namespace ThermoContact
 
 
 
-  void
+  std::vector<Assignment>
   assign_entries(const std::vector<Assignment> &given,
                  ParameterHandler              &prm,
                  Parameters                    &parameters)
@@ -220,7 +220,8 @@ namespace ThermoContact
                     check_expression(assignment, dim, names);
                     return assignment.value;
                   });
-        return throw_faults(faults);
+        throw_faults(faults);
+        return {};
       }
     assign_if(is_of_rod, without_unit);
     throw_faults(faults);
@@ -232,8 +233,10 @@ namespace ThermoContact
                 return scene->value(assignment);
               });
     throw_faults(faults);
-    for (const Assignment &assignment : scene->derived())
+    const std::vector<Assignment> derived = scene->derived();
+    for (const Assignment &assignment : derived)
       assign(assignment, assignment.value, constants, prm);
+    return derived;
   }
 
 

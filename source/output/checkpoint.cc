@@ -175,7 +175,6 @@ namespace ThermoContact
       boost::crc_32_type crc;
       std::string        piece(1 << 16, '\0');
       std::uint64_t      n = 0;
-      stream.clear();
       stream.seekg(part.begin);
       while (n < part.size && stream)
         {

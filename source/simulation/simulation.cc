@@ -276,9 +276,11 @@ namespace ThermoContact
                                       const LoadBreak *const passed)
   {
     if (passed != nullptr && passed->is_jump)
-      controller.restart(0.5);
+      controller.restart(StepController::at_change);
     if (tracker.mode() != old_mode)
-      controller.restart(tracker.mode() == ContactMode::closed ? 0.25 : 0.5);
+      controller.restart(tracker.mode() == ContactMode::closed ?
+                           StepController::at_touch :
+                           StepController::at_change);
   }
 
 

@@ -3,7 +3,6 @@
 #include <thermocontact/study/scene_reader.h>
 
 #include <algorithm>
-#include <map>
 
 namespace ThermoContact
 {
@@ -22,7 +21,11 @@ namespace ThermoContact
   void
   SceneReader::read(const std::string &place, const Overrides &overrides)
   {
-    reset();
+    for (const DeclaredEntry &entry : own_entries)
+      if (changed.empty() || changed.count(entry.path) > 0)
+        set_entry({"", entry.path, entry.value}, prm_);
+    assignments_ = own_assignments;
+    scene_       = own_scene; // texts of default values may have fewer digits
     for (const auto &[path, value] : overrides)
       {
         const auto is_it = [&path = path](const Assignment &own) {
@@ -34,24 +37,12 @@ namespace ThermoContact
                            assignments_.end());
         assignments_.push_back({place, path, value});
       }
+    changed.clear(); // if something is wrong
     // as a whole: scales follow from entries, numbers from constants
-    assign_entries(assignments_, prm_, scene_);
-  }
-
-
-
-  void
-  SceneReader::reset()
-  {
-    // an entry that is set costs as much as all that are read
-    std::map<std::string, std::string> present;
-    for (const DeclaredEntry &entry : declared_entries(prm_))
-      present[entry.path] = entry.value;
-    for (const DeclaredEntry &entry : own_entries)
-      if (present[entry.path] != entry.value)
-        set_entry({"", entry.path, entry.value}, prm_);
-    assignments_ = own_assignments;
-    scene_       = own_scene; // texts of default values may have fewer digits
+    const auto derived = assign_entries(assignments_, prm_, scene_);
+    for (const auto &all : {assignments_, derived})
+      for (const Assignment &assignment : all)
+        changed.insert(assignment.path);
   }
 
 

@@ -409,8 +409,9 @@ namespace ThermoContact
                                       const TimeStep   &time_step,
                                       const StageTimes &loads_at)
   {
+    std::vector<TimeDerivatives>
+               obstacle; // at the time that was asked for last
     const auto derivatives_at = [&](const double time) {
-      std::vector<TimeDerivatives> obstacle;
       body.obstacle.get_derivatives(time, obstacle);
       return obstacle;
     };
@@ -423,8 +424,9 @@ namespace ThermoContact
     gaps.start(loads_at, time_step.size, state.gap, derivatives_at);
     if (tableau->n_stages() > 1)
       {
+        const std::vector<double> new_rates = rates_of(obstacle);
         gaps.set_accelerations(rates_of(derivatives_at(time_step.first_loads)),
-                               rates_of(derivatives_at(loads_at.times.back())));
+                               new_rates);
         return;
       }
     std::vector<double> velocity;

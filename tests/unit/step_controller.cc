@@ -125,8 +125,9 @@ namespace
     for (const bool begins : {true, false})
       {
         StepController controller = make_controller(from_rung());
-        controller.restart(begins ? 0.25 : 0.5);
-        deallog << (begins ? "restarted, 1/4: " : "restarted, 1/2: ")
+        controller.restart(begins ? StepController::at_touch :
+                                    StepController::at_change);
+        deallog << (begins ? "after begin: " : "after end: ")
                 << rung(controller) << ", accurate with error 0.2 "
                 << accurate(controller, 0.2) << ", 0.3 "
                 << accurate(controller, 0.3);

@@ -26,8 +26,8 @@ namespace ThermoContact
 
 
   /**
-   * Declares the constants of @p assignments that @p prm does not have, and
-   * evaluates all of them.
+   * Declares the constants of @p assignments, those of a whole file, in @p prm
+   * and evaluates them.
    *
    * @return their values
    * @throw InputError if a name cannot be that of a constant, if a value cannot

@@ -35,12 +35,13 @@ namespace ThermoContact
    * units the scene without units is written.
    *
    * @param parameters to which the entries of @p prm are bound
+   * @return what follows from section Rod and is written beside them
    * @throw InputError with place, path, value, what is allowed and the meaning
    *   of the entry if a section or a name is unknown (then with the nearest
    *   known one), a value or its unit does not fit, or a file sets an entry
    *   twice
    */
-  void
+  std::vector<Assignment>
   assign_entries(const std::vector<Assignment> &assignments,
                  ParameterHandler              &prm,
                  Parameters                    &parameters);

@@ -64,11 +64,10 @@ namespace ThermoContact
      *   a pressure in (D5.2), where all nodes stay where they are; not used for
      *   (C4.4), which finds its contact
      * @param at the end of the step, with the times of the old and new loads
-     * @param result in: a step that is accepted, whose state has the new loads
-     *   already; out: with the state behind the
-     *   discontinuity, at the same time, and its energy; work and numerical
-     *   dissipation are added to, and all else, closed_nodes too, is still that
-     *   of the step
+     * @param result in: a step that is accepted, whose state has the time of
+     *   the new loads; out: with the state behind the discontinuity, at the
+     * same time, and its energy; work and numerical dissipation are added to,
+     * and all else, closed_nodes too, is still that of the step
      * @return true if the body or its contact nodes have answered by motion.
      *   Nothing is changed if fixed end and loads of the momentum equation are
      *   continuous there, as at a time that is only listed, or move nothing
@@ -197,14 +196,14 @@ namespace ThermoContact
     momentum_load(const double time) const;
 
     /**
-     * Work of the loads and forces of the obstacle on a motion at once: what
-     * @p move does to the displacement.
+     * Energy::work_of_motion() of what @p move, without arguments, does to the
+     * displacement of @p state.
      */
     template <class Motion>
     double
     work_of(State &state, const Motion &move) const;
 
-    /** Of the contact nodes, to their local obstacles. */
+    /** Velocities of the contact nodes less those of their local obstacles. */
     std::vector<double>
     relative_velocities(const State                &state,
                         const std::vector<NodeLaw> &laws) const;

@@ -6,6 +6,7 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameters.h>
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,10 +44,6 @@ namespace ThermoContact
     void
     read(const std::string &place, const Overrides &overrides);
 
-    /** Makes it the one without. */
-    void
-    reset();
-
     /** As it was read last; until the next read(). */
     const Parameters &
     scene() const
@@ -79,6 +76,7 @@ namespace ThermoContact
     ParameterHandler              prm_;
     Parameters                    own_scene;
     std::vector<DeclaredEntry>    own_entries;
+    std::set<std::string>         changed; ///< paths; empty: perhaps all
   };
 } // namespace ThermoContact
 

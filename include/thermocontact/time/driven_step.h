@@ -31,7 +31,7 @@ namespace ThermoContact
     void
     start(const State &state, const double size, const StageTimes &stages);
 
-    /** Loads of a stage, of heat and momentum. */
+    /** Loads of a stage, of heat and momentum; borrowed. */
     struct StageLoads
     {
       const Vector &heat;
@@ -53,7 +53,13 @@ namespace ThermoContact
              StageRates        &rates,
              Vector            &acceleration) const;
 
-    /** What drives the end in a stage that ends in @p state does this work. */
+    /**
+     * Power of what drives the end in a stage that ends in @p state, (D6.3),
+     * positive into the body, per unit cross-section, nondimensional; 0 where
+     * the end rests. Collective.
+     *
+     * @param loads of the stage, without the motion of the end
+     */
     double
     power(const State      &state,
           const Vector     &temperature_rate,

@@ -174,6 +174,9 @@ namespace ThermoContact
     bool
     retry_smaller(const TimeStep &step);
 
+    /** Factors of restart(): where contact begins, and at all else. */
+    static constexpr double at_touch = 0.25, at_change = 0.5;
+
     /**
      * Contact has changed or a load has jumped: what follows may be faster than
      * what the size was chosen for, which becomes smaller by @p factor.
