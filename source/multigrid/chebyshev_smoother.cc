@@ -64,6 +64,22 @@ namespace ThermoContact
     for (Number &value : inverse_diagonal)
       value = 1 / value;
     block.zero_prescribed(inverse_diagonal);
+    lines.reset();
+    if (block.has_lines())
+      lines.emplace(block.line_factors(inverse_diagonal));
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  ChebyshevSmoother<dim, Number>::precondition(
+    LevelVector<Number> &residual) const
+  {
+    if (lines)
+      lines->solve(residual);
+    else
+      residual.scale(inverse_diagonal);
   }
 
 
@@ -80,7 +96,7 @@ namespace ThermoContact
       r.local_element(i) = Number((first + i) % 11) - 5;
     block.zero_prescribed(r);
     z = r;
-    z.scale(inverse_diagonal);
+    precondition(z);
     p                            = z;
     double              rz       = r * z;
     const double        smallest = Tolerances::rounding_of_single_squares * rz;
@@ -92,7 +108,7 @@ namespace ThermoContact
         const double alpha = rz / (p * product);
         r.add(-alpha, product);
         z = r;
-        z.scale(inverse_diagonal);
+        precondition(z);
         const double next = r * z, beta = next / rz;
         diagonal.push_back(1. / alpha + beta_over_alpha);
         off_diagonal.push_back(std::sqrt(std::max(beta, 0.)) / alpha);
@@ -116,6 +132,11 @@ namespace ThermoContact
                                           const double of_residual) const
   {
     block.vmult(work.product, x);
+    if (lines)
+      {
+        work.product.sadd(-1., b);
+        lines->solve(work.product);
+      }
     const Number *__restrict product = work.product.begin();
     const Number *__restrict rhs     = b.begin();
     const Number *__restrict inverse = inverse_diagonal.begin();
@@ -123,19 +144,28 @@ namespace ThermoContact
     Number *__restrict values        = x.begin();
     const Number       f_update = of_update, f_residual = of_residual;
     const unsigned int n = x.locally_owned_size();
-    if (f_update == 0)
+    // the first update may be anything
+    const auto go = [&](const auto &old, const auto &correction) {
       for (unsigned int i = 0; i < n; ++i)
         {
-          update[i] = f_residual * inverse[i] * (rhs[i] - product[i]);
+          update[i] = old(i) + f_residual * correction(i);
           values[i] += update[i];
         }
+    };
+    const auto by_lines = [product](const unsigned int i) {
+      return product[i];
+    };
+    const auto by_diagonal = [=](const unsigned int i) {
+      return inverse[i] * (rhs[i] - product[i]);
+    };
+    const auto none = [](const unsigned int) { return Number(); };
+    const auto last = [=](const unsigned int i) {
+      return f_update * update[i];
+    };
+    if (lines)
+      f_update == 0 ? go(none, by_lines) : go(last, by_lines);
     else
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          update[i] = f_update * update[i] +
-                      f_residual * inverse[i] * (rhs[i] - product[i]);
-          values[i] += update[i];
-        }
+      f_update == 0 ? go(none, by_diagonal) : go(last, by_diagonal);
   }
 
 
@@ -163,14 +193,10 @@ namespace ThermoContact
                                               const LevelVector<Number> &b,
                                               const Work &work) const
   {
-    const Number *__restrict rhs     = b.begin();
-    const Number *__restrict inverse = inverse_diagonal.begin();
-    Number *__restrict update        = work.update.begin();
-    Number *__restrict values        = x.begin();
-    const Number       factor        = 1. / theta;
-    const unsigned int n             = x.locally_owned_size();
-    for (unsigned int i = 0; i < n; ++i)
-      values[i] = update[i] = factor * inverse[i] * rhs[i];
+    work.update = b;
+    precondition(work.update);
+    work.update *= 1. / theta;
+    x = work.update;
     go_on(x, b, work);
   }
 

@@ -18,6 +18,9 @@ namespace ThermoContact
     /** By which the distance grows below which nodes are left out. */
     constexpr double growth = 1.25;
 
+    /** Of distances along a body, to those across, that make lines of nodes. */
+    constexpr double thin = 0.7;
+
 
 
     /** Gauss-Lobatto points of the cells of a body. */
@@ -72,9 +75,20 @@ namespace ThermoContact
 
   template <int dim>
   LevelGrid<dim>::LevelGrid(const MeshParameters &mesh)
-    : axes{{nodes_of_cells(mesh, mesh.cell_sizes()),
+    : degree_(mesh.degree)
+    , axes{{nodes_of_cells(mesh, mesh.cell_sizes()),
             nodes_of_cells(mesh, mesh.cell_sizes_across())}}
   {}
+
+
+
+  template <int dim>
+  bool
+  LevelGrid<dim>::has_lines() const
+  {
+    return axes[0].size() > 2 && axes[1].size() > 2 &&
+           shortest_distance(axes[0]) < thin * shortest_distance(axes[1]);
+  }
 
 
 
@@ -89,7 +103,10 @@ namespace ThermoContact
           length  = std::min(length, 2. * shortest_distance(axis));
           longest = std::max(longest, axis.back() - axis.front());
         }
+    if (has_lines())
+      length = 2. * shortest_distance(axes[1]);
     LevelGrid coarse(*this);
+    coarse.degree_ = 1;
     for (length *= 1. + Tolerances::rounding_of_data;
          coarse.n_nodes() > most_nodes * n_nodes() && length < growth * longest;
          length *= growth)

@@ -91,11 +91,16 @@ namespace ThermoContact
         {
           make_field_of_body(*products, field, levels.back().fields[field]);
           for (unsigned int l = grids.size(); l > 0; --l)
-            connect(grids[l - 1],
-                    l == grids.size() ? products->nodal_values(field) :
-                                        nodal_values(grids[l], field),
-                    l,
-                    field);
+            {
+              const bool is_body = l == grids.size();
+              connect(is_body ? LevelGrid<dim>(body.scene.parameters.mesh) :
+                                grids[l],
+                      is_body ? products->nodal_values(field) :
+                                nodal_values(grids[l], field),
+                      grids[l - 1],
+                      l,
+                      field);
+            }
         }
     levels.back().products = std::move(products);
   }
@@ -172,8 +177,9 @@ namespace ThermoContact
   template <int dim, typename Number>
   void
   MultigridLevels<dim, Number>::connect(
-    const LevelGrid<dim>               &grid,
+    const LevelGrid<dim>               &fine_grid,
     const std::vector<NodalValue<dim>> &fine_values,
+    const LevelGrid<dim>               &grid,
     const unsigned int                  level,
     const Field::Block                  field)
   {
@@ -185,6 +191,14 @@ namespace ThermoContact
                          n_components(field, dim),
                          is_finest ? body.discretization.communicator() :
                                      MPI_COMM_SELF);
+
+    if (fine_grid.has_lines())
+      fine.lines = LevelLines<dim, Number>(fine_grid,
+                                           fine_values,
+                                           field,
+                                           body.scene.material,
+                                           body.discretization.geometry(),
+                                           fine.stiffness);
 
     LevelVector<Number> marks(fine.right), coarse_marks(coarse.right);
     for (const unsigned int entry : fine.prescribed)

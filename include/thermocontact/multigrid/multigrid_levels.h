@@ -3,6 +3,7 @@
 #ifndef thermocontact_multigrid_multigrid_levels_h
 #define thermocontact_multigrid_multigrid_levels_h
 
+#include <thermocontact/multigrid/level_lines.h>
 #include <thermocontact/multigrid/level_matrix.h>
 #include <thermocontact/multigrid/level_products.h>
 #include <thermocontact/multigrid/level_transfer.h>
@@ -27,6 +28,9 @@ namespace ThermoContact
     /** Diagonals of mass and stiffness (conduction). */
     LevelVector<Number> mass;
     LevelVector<Number> stiffness;
+
+    /** Of grids that have them. */
+    LevelLines<dim, Number> lines;
 
     /**
      * Heat exchange with the obstacle, row by row, that products leave out: of
@@ -119,12 +123,13 @@ namespace ThermoContact
                        LevelField<dim, Number>          &of_field) const;
 
     /**
-     * The transfer from a grid to the next finer level, and what the field on
-     * the grid has from there.
+     * The lines of a level, the transfer to it from the next coarser grid, and
+     * what the field on that grid has from there.
      */
     void
-    connect(const LevelGrid<dim>               &grid,
+    connect(const LevelGrid<dim>               &fine_grid,
             const std::vector<NodalValue<dim>> &fine_values,
+            const LevelGrid<dim>               &grid,
             const unsigned int                  level,
             const Field::Block                  field);
   };

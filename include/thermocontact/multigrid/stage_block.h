@@ -53,6 +53,21 @@ namespace ThermoContact
       return levels.products(level).make_vector(field);
     }
 
+    bool
+    has_lines() const
+    {
+      return !levels.field(level, field).lines.order.empty();
+    }
+
+    /** For an inverse diagonal, zero for prescribed ones. */
+    LineFactors<dim, Number>
+    line_factors(const LevelVector<Number> &inverse_diagonal) const
+    {
+      return LineFactors<dim, Number>(levels.field(level, field).lines,
+                                      stiffness,
+                                      inverse_diagonal);
+    }
+
     /** Its entries on the coarsest level, as LevelMatrix::visit_entries(). */
     template <typename Visit>
     void
