@@ -65,8 +65,8 @@ namespace ThermoContact
       value = 1 / value;
     block.zero_prescribed(inverse_diagonal);
     lines.reset();
-    if (block.has_lines())
-      lines.emplace(block.line_factors(inverse_diagonal));
+    if (auto factors = block.line_factors())
+      lines.emplace(std::move(*factors));
   }
 
 

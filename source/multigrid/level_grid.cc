@@ -75,8 +75,7 @@ namespace ThermoContact
 
   template <int dim>
   LevelGrid<dim>::LevelGrid(const MeshParameters &mesh)
-    : degree_(mesh.degree)
-    , axes{{nodes_of_cells(mesh, mesh.cell_sizes()),
+    : axes{{nodes_of_cells(mesh, mesh.cell_sizes()),
             nodes_of_cells(mesh, mesh.cell_sizes_across())}}
   {}
 
@@ -106,7 +105,6 @@ namespace ThermoContact
     if (has_lines())
       length = 2. * shortest_distance(axes[1]);
     LevelGrid coarse(*this);
-    coarse.degree_ = 1;
     for (length *= 1. + Tolerances::rounding_of_data;
          coarse.n_nodes() > most_nodes * n_nodes() && length < growth * longest;
          length *= growth)

@@ -80,7 +80,7 @@ namespace ThermoContact
         levels.emplace_back();
         for (const Field::Block field : all_fields)
           if (space.has_field(field))
-            make_field(*matrix, field, levels.back().fields[field]);
+            make_field(*matrix, grid, field, levels.back().fields[field]);
         levels.back().products = std::move(matrix);
       }
     auto products = std::make_unique<const LevelProducts<dim, Number>>(
@@ -91,16 +91,11 @@ namespace ThermoContact
         {
           make_field_of_body(*products, field, levels.back().fields[field]);
           for (unsigned int l = grids.size(); l > 0; --l)
-            {
-              const bool is_body = l == grids.size();
-              connect(is_body ? LevelGrid<dim>(body.scene.parameters.mesh) :
-                                grids[l],
-                      is_body ? products->nodal_values(field) :
-                                nodal_values(grids[l], field),
-                      grids[l - 1],
-                      l,
-                      field);
-            }
+            connect(grids[l - 1],
+                    l == grids.size() ? products->nodal_values(field) :
+                                        nodal_values(grids[l], field),
+                    l,
+                    field);
         }
     levels.back().products = std::move(products);
   }
@@ -133,10 +128,14 @@ namespace ThermoContact
   void
   MultigridLevels<dim, Number>::make_field(
     const LevelMatrix<dim, Number> &matrix,
+    const LevelGrid<dim>           &grid,
     const Field::Block              field,
     LevelField<dim, Number>        &of_field) const
   {
     make_vectors(matrix, field, of_field);
+    if (grid.has_lines())
+      of_field.lines =
+        LevelLines<dim, Number>(matrix, grid, field, nodal_values(grid, field));
     for (const bool is_mass : {true, false})
       matrix.visit_entries(
         field,
@@ -170,6 +169,13 @@ namespace ThermoContact
                 is_heat ? equations.heat_diagonal({0., 1.}) :
                           equations.momentum_diagonal({0., 1.}));
     of_field.prescribed = body.discretization.constrained_entries(field);
+    const LevelGrid<dim> grid(body.scene.parameters.mesh);
+    if (grid.has_lines())
+      of_field.lines = LevelLines<dim, Number>(
+        LevelMatrix<dim, Number>(body.scene, body.discretization, grid),
+        grid,
+        field,
+        products.nodal_values(field));
   }
 
 
@@ -177,9 +183,8 @@ namespace ThermoContact
   template <int dim, typename Number>
   void
   MultigridLevels<dim, Number>::connect(
-    const LevelGrid<dim>               &fine_grid,
-    const std::vector<NodalValue<dim>> &fine_values,
     const LevelGrid<dim>               &grid,
+    const std::vector<NodalValue<dim>> &fine_values,
     const unsigned int                  level,
     const Field::Block                  field)
   {
@@ -191,14 +196,6 @@ namespace ThermoContact
                          n_components(field, dim),
                          is_finest ? body.discretization.communicator() :
                                      MPI_COMM_SELF);
-
-    if (fine_grid.has_lines())
-      fine.lines = LevelLines<dim, Number>(fine_grid,
-                                           fine_values,
-                                           field,
-                                           body.scene.material,
-                                           body.discretization.geometry(),
-                                           fine.stiffness);
 
     LevelVector<Number> marks(fine.right), coarse_marks(coarse.right);
     for (const unsigned int entry : fine.prescribed)
@@ -221,6 +218,9 @@ namespace ThermoContact
           if (sums.local_element(i) >
               Tolerances::rounding_of_data * fine.stiffness.local_element(i))
             exchange.local_element(i) = sums.local_element(i);
+        for (unsigned int i = 0; i < fine.lines.entries.size(); ++i)
+          fine.lines.diagonal[i] +=
+            exchange.local_element(fine.lines.entries[i]);
       }
     fine.transfer.restrict_to(coarse.exchange, exchange);
   }

@@ -3,6 +3,7 @@
 #include <thermocontact/multigrid/stage_block.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -60,6 +61,26 @@ namespace ThermoContact
     for (const unsigned int entry : prescribed)
       result.local_element(entry) = 1.;
     return result;
+  }
+
+
+
+  template <int dim, typename Number>
+  std::optional<LineFactors<dim, Number>>
+  StageBlock<dim, Number>::line_factors() const
+  {
+    const LevelField<dim, Number> &parts = levels.field(level, field);
+    if (parts.lines.entries.empty())
+      return {};
+    Vector rest;
+    rest.reinit(parts.right.get_partitioner());
+    for (unsigned int i = 0; i < rest.locally_owned_size(); ++i)
+      rest.local_element(i) = mass * parts.mass.local_element(i);
+    for (const auto &[entry, spring] : springs)
+      rest.local_element(entry) += spring;
+    for (const unsigned int entry : prescribed)
+      rest.local_element(entry) = std::numeric_limits<double>::infinity();
+    return LineFactors<dim, Number>(parts.lines, stiffness, rest);
   }
 
 

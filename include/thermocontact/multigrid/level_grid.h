@@ -42,13 +42,6 @@ namespace ThermoContact
     bool
     has_lines() const;
 
-    /** Of the elements: that of the body; of coarser grids 1. */
-    unsigned int
-    degree() const
-    {
-      return degree_;
-    }
-
     /** Ascending. */
     const std::vector<double> &
     positions(const unsigned int direction) const
@@ -70,7 +63,6 @@ namespace ThermoContact
     node(const Index &index) const;
 
   private:
-    unsigned int                       degree_;
     std::array<std::vector<double>, 2> axes; ///< along, across
   };
 } // namespace ThermoContact

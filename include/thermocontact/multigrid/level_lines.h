@@ -3,18 +3,17 @@
 #ifndef thermocontact_multigrid_level_lines_h
 #define thermocontact_multigrid_level_lines_h
 
+#include <thermocontact/multigrid/level_matrix.h>
 #include <thermocontact/multigrid/level_transfer.h>
-#include <thermocontact/scene/scene.h>
-#include <thermocontact/space/geometry.h>
 
 #include <vector>
 
 namespace ThermoContact
 {
   /**
-   * The entries of the stiffness (conduction) of a level between the nodes of
-   * lines along the body, each component by itself: the largest ones where
-   * cells are shorter along the body than across it. Of the nodes of a rank.
+   * The stiffness (conduction) of the nodes of a level along lines in the
+   * direction of the body, each component by itself, of elements of degree 1.
+   * Of the nodes of a rank.
    */
   template <int dim, typename Number>
   struct LevelLines
@@ -22,45 +21,38 @@ namespace ThermoContact
     /** No lines. */
     LevelLines() = default;
 
-    /**
-     * @param values what the local part of a vector has
-     * @param diagonal of the stiffness
-     */
-    LevelLines(const LevelGrid<dim>               &grid,
-               const std::vector<NodalValue<dim>> &values,
+    /** @param values what the local part of a vector has */
+    LevelLines(const LevelMatrix<dim, Number>     &matrix,
+               const LevelGrid<dim>               &grid,
                const Field::Block                  field,
-               const Material                     &material,
-               const Geometry<dim>                &geometry,
-               const LevelVector<Number>          &diagonal);
+               const std::vector<NodalValue<dim>> &values);
 
+    /** From one node of a line to the next one in what follows. */
     unsigned int n_components = 0;
-    unsigned int width = 0; ///< nodes before one that it has entries with
 
-    /** Local entries of vectors, line by line; components of a node together.
-     */
-    std::vector<unsigned int> order;
+    /** Local entries of vectors, line by line. */
+    std::vector<unsigned int> entries;
 
-    /**
-     * Of nodes with those before them, the next one first: of each
-     * n_components; 0 where there is none.
-     */
-    std::vector<Number> couplings;
+    std::vector<Number> diagonal;
+    std::vector<Number> coupling; ///< with the node before; 0: there is none
   };
 
 
 
-  /**
-   * Factors LDL^T of a stage block without all entries but those of its lines
-   * and the diagonal.
-   */
+  /** Factors of the lines of a stage block, doc/discretisation.md section 8. */
   template <int dim, typename Number>
   class LineFactors
   {
   public:
-    /** @param lines borrowed; other parameters as StageBlock::line_factors() */
+    /**
+     * @param lines borrowed
+     * @param stiffness its factor
+     * @param rest of the diagonal; infinite where values are prescribed, which
+     *   become 0
+     */
     LineFactors(const LevelLines<dim, Number> &lines,
                 const double                   stiffness,
-                const LevelVector<Number>     &inverse_diagonal);
+                const Vector                  &rest);
 
     /** In place: right-hand side to solution. */
     void
@@ -68,13 +60,9 @@ namespace ThermoContact
 
   private:
     const LevelLines<dim, Number> &lines;
-    std::vector<Number>            multipliers;    ///< as LevelLines::couplings
-    std::vector<Number>            inverse_pivots; ///< zero for prescribed ones
-    mutable std::vector<Number>    scratch;
-
-    template <unsigned int n_components>
-    void
-    solve_components(Number *values) const;
+    std::vector<Number>            multipliers; ///< and zeros at the end
+    std::vector<Number>            inverse_pivots;
+    mutable std::vector<Number>    scratch; ///< zeros at both ends
   };
 } // namespace ThermoContact
 

@@ -4,7 +4,6 @@
 #define thermocontact_multigrid_multigrid_levels_h
 
 #include <thermocontact/multigrid/level_lines.h>
-#include <thermocontact/multigrid/level_matrix.h>
 #include <thermocontact/multigrid/level_products.h>
 #include <thermocontact/multigrid/level_transfer.h>
 #include <thermocontact/space/body.h>
@@ -114,6 +113,7 @@ namespace ThermoContact
 
     void
     make_field(const LevelMatrix<dim, Number> &matrix,
+               const LevelGrid<dim>           &grid,
                const Field::Block              field,
                LevelField<dim, Number>        &of_field) const;
 
@@ -123,13 +123,12 @@ namespace ThermoContact
                        LevelField<dim, Number>          &of_field) const;
 
     /**
-     * The lines of a level, the transfer to it from the next coarser grid, and
-     * what the field on that grid has from there.
+     * The transfer from a grid to the next finer level, and what the field on
+     * the grid has from there.
      */
     void
-    connect(const LevelGrid<dim>               &fine_grid,
+    connect(const LevelGrid<dim>               &grid,
             const std::vector<NodalValue<dim>> &fine_values,
-            const LevelGrid<dim>               &grid,
             const unsigned int                  level,
             const Field::Block                  field);
   };

@@ -5,6 +5,7 @@
 
 #include <thermocontact/multigrid/multigrid_levels.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -53,20 +54,9 @@ namespace ThermoContact
       return levels.products(level).make_vector(field);
     }
 
-    bool
-    has_lines() const
-    {
-      return !levels.field(level, field).lines.order.empty();
-    }
-
-    /** For an inverse diagonal, zero for prescribed ones. */
-    LineFactors<dim, Number>
-    line_factors(const LevelVector<Number> &inverse_diagonal) const
-    {
-      return LineFactors<dim, Number>(levels.field(level, field).lines,
-                                      stiffness,
-                                      inverse_diagonal);
-    }
+    /** Those of the lines of the level, if there are any. */
+    std::optional<LineFactors<dim, Number>>
+    line_factors() const;
 
     /** Its entries on the coarsest level, as LevelMatrix::visit_entries(). */
     template <typename Visit>
