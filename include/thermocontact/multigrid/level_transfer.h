@@ -4,23 +4,13 @@
 #define thermocontact_multigrid_level_transfer_h
 
 #include <thermocontact/multigrid/level_grid.h>
-#include <thermocontact/multigrid/level_operator.h>
+#include <thermocontact/space/cell_products.h>
 
 #include <array>
 #include <vector>
 
 namespace ThermoContact
 {
-  /** The value of a component at a node. */
-  template <int dim>
-  struct NodalValue
-  {
-    unsigned int component;
-    Point<dim>   node;
-  };
-
-
-
   /**
    * Linear interpolation from a grid, whose vectors are whole on every rank, to
    * the next finer level, which has its nodes and others.
