@@ -123,13 +123,10 @@ namespace ThermoContact
     auto                           factors = std::make_unique<Factors>();
     factors->reinit(coarse_values.size());
     factors->set_property(LAPACKSupport::symmetric);
-    block.visit_entries([&](const unsigned int row,
-                            const unsigned int column,
-                            const double       value) {
-      (*factors)(row, column) += value;
-      if (row != column)
-        (*factors)(column, row) += value;
-    });
+    block.visit_entries(
+      [&](const unsigned int row,
+          const unsigned int column,
+          const double       value) { (*factors)(row, column) += value; });
     for (const unsigned int held : block.prescribed_entries())
       {
         for (unsigned int i = 0; i < coarse_values.size(); ++i)

@@ -4,6 +4,7 @@
 #define thermocontact_multigrid_lanes_h
 
 #include <array>
+#include <cstring>
 
 namespace ThermoContact
 {
@@ -43,6 +44,21 @@ namespace ThermoContact
     in(const Number *numbers)
     {
       return reinterpret_cast<const Lanes *>(numbers);
+    }
+
+    /** From numbers that may begin anywhere. */
+    static Lanes
+    load(const Number *numbers)
+    {
+      Lanes lanes;
+      std::memcpy(&lanes.data, numbers, sizeof(lanes.data));
+      return lanes;
+    }
+
+    void
+    store(Number *numbers) const
+    {
+      std::memcpy(numbers, &data, sizeof(data));
     }
 
     Lanes &

@@ -3,6 +3,7 @@
 #ifndef thermocontact_multigrid_level_matrix_h
 #define thermocontact_multigrid_level_matrix_h
 
+#include <thermocontact/multigrid/lanes.h>
 #include <thermocontact/multigrid/level_grid.h>
 #include <thermocontact/multigrid/level_operator.h>
 #include <thermocontact/scene/scene.h>
@@ -38,33 +39,71 @@ namespace ThermoContact
           const LevelVector<Number> &x) const override;
 
     /**
-     * Calls @p visit(row, column, value) for the lower triangle of the matrix
-     * of vmult(). Where there is no neighbour, values are zero.
+     * Calls @p visit(row, column, value) for all entries of the matrix of
+     * vmult().
      */
     template <typename Visit>
     void
     visit_entries(const Field::Block field,
-                  const double       mass_factor,
-                  const double       stiffness_factor,
+                  const double       mass,
+                  const double       stiffness,
                   const Visit       &visit) const
     {
-      if (field == Field::temperature)
-        visit_blocks<1>(field, mass_factor, stiffness_factor, visit);
-      else
-        visit_blocks<dim>(field, mass_factor, stiffness_factor, visit);
+      const unsigned int n = n_components(field);
+      for (const Kind &kind : kinds)
+        {
+          combine(kind, field, mass, stiffness);
+          for (const Neighbour &neighbour : kind.neighbours)
+            for (const unsigned int line : kind.lines)
+              for (unsigned int node = 0; node < n_line; ++node)
+                for (unsigned int k = 0; k < 3; ++k)
+                  for (unsigned int c = 0; c < n; ++c)
+                    for (unsigned int e = 0; e < n; ++e)
+                      if (node + k > 0 && node + k <= n_line)
+                        visit((line * n_line + node) * n + c,
+                              ((line + neighbour.offset) * n_line + node + k -
+                               1) *
+                                  n +
+                                e,
+                              coefficients[index(n, neighbour.number, c, k, e) *
+                                             length +
+                                           node]);
+        }
     }
 
   private:
-    /** A node itself, and neighbours with larger numbers. */
-    static constexpr unsigned int n_neighbours = ((dim == 2 ? 9 : 27) + 1) / 2;
+    /** A line beside another one, or that one itself. */
+    struct Neighbour
+    {
+      unsigned int number; ///< digits to the base of 3, 1 for the same place
+      int          offset; ///< of its number among the lines
+    };
 
-    const unsigned int                     n_nodes;
-    std::array<unsigned int, n_neighbours> offsets; ///< of their numbers
-
-    /** For the neighbours of all nodes: of a component; of each field, blocks.
+    /**
+     * Lines of nodes along the last direction that have the same cells around
+     * them, and so the same entries of the matrices: those of a node with the
+     * nodes around it, node by node and zero where there is none.
      */
-    std::vector<Number>                mass;
-    std::array<std::vector<Number>, 2> stiffness;
+    struct Kind
+    {
+      std::vector<unsigned int>          lines;
+      std::vector<Neighbour>             neighbours;
+      std::vector<Number>                mass; ///< as of one component
+      std::array<std::vector<Number>, 2> stiffness;
+    };
+
+    static constexpr unsigned int n_lanes = Lanes<Number>::n_lanes;
+
+    const unsigned int n_line; ///< nodes of a line
+    const unsigned int n_lines;
+    const unsigned int length; ///< of a line whose end is filled up
+    std::vector<Kind>  kinds;
+
+    /** Filled up lines of factor and product, component by component. */
+    mutable std::vector<Number> factors, sums;
+
+    /** As in Kind, of the matrix of a product. */
+    mutable std::vector<Number> coefficients;
 
     static unsigned int
     n_components(const Field::Block field)
@@ -72,33 +111,41 @@ namespace ThermoContact
       return field == Field::temperature ? 1 : dim;
     }
 
-    template <unsigned int n, typename Visit>
-    void
-    visit_blocks(const Field::Block field,
-                 const Number       mass_factor,
-                 const Number       stiffness_factor,
-                 const Visit       &visit) const
+    /**
+     * Place in Kind of the entries of the component @p c of a node with the
+     * component @p e of the node @p k - 1 places farther in a line beside.
+     */
+    static unsigned int
+    index(const unsigned int n_components,
+          const unsigned int neighbour,
+          const unsigned int c,
+          const unsigned int k,
+          const unsigned int e)
     {
-      const Number *block = stiffness[field].data();
-      const Number *m     = mass.data();
-      for (unsigned int node = 0; node < n_nodes; ++node)
-        for (unsigned int k = 0; k < n_neighbours; ++k, ++m, block += n * n)
-          if (const unsigned int other = node + offsets[k]; other < n_nodes)
-            for (unsigned int c = 0; c < n; ++c)
-              for (unsigned int e = k == 0 ? c : 0; e < n; ++e)
-                visit(other * n + e,
-                      node * n + c,
-                      stiffness_factor * block[c * n + e] +
-                        (c == e ? mass_factor * *m : Number()));
+      return ((neighbour * n_components + c) * 3 + k) * n_components + e;
     }
 
-    /** The integrals over the cell above a node in all directions. */
+    /** The integrals over the cells around a line. */
     void
-    add_cell(const Scene                          &scene,
-             const Geometry<dim>                  &geometry,
-             const LevelGrid<dim>                 &grid,
-             const typename LevelGrid<dim>::Index &first,
-             const Quadrature<dim>                &rule);
+    add_cells(const Scene          &scene,
+              const Geometry<dim>  &geometry,
+              const LevelGrid<dim> &grid,
+              Kind                 &kind) const;
+
+    /** Makes the coefficients. */
+    void
+    combine(const Kind        &kind,
+            const Field::Block field,
+            const double       mass,
+            const double       stiffness) const;
+
+    template <unsigned int n>
+    void
+    multiply(const Field::Block         field,
+             const double               mass,
+             const double               stiffness,
+             LevelVector<Number>       &y,
+             const LevelVector<Number> &x) const;
   };
 } // namespace ThermoContact
 
