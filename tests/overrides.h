@@ -3,6 +3,7 @@
 #ifndef thermocontact_tests_overrides_h
 #define thermocontact_tests_overrides_h
 
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,27 @@ namespace ThermoContact
   {
     first.insert(first.end(), second.begin(), second.end());
     return first;
+  }
+
+
+
+  /** @p value as an override that is read back without loss. */
+  inline std::string
+  number(const double value)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << value;
+    return text.str();
+  }
+
+
+
+  /** An override that sets an entry to @p value. */
+  inline std::string
+  entry(const std::string &path, const double value)
+  {
+    return path + '=' + number(value);
   }
 } // namespace ThermoContact
 

@@ -5,7 +5,6 @@
 
 #include <thermocontact/simulation/simulation.h>
 
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -14,18 +13,6 @@
 
 namespace ThermoContact
 {
-  /** @p value as an override that is read back without loss. */
-  inline std::string
-  number(const double value)
-  {
-    std::ostringstream text;
-    text.precision(17);
-    text << value;
-    return text.str();
-  }
-
-
-
   /** What a run has shown: the record of each step, and its events. */
   struct RecordedRun
   {

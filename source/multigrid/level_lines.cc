@@ -2,8 +2,9 @@
 
 #include <thermocontact/multigrid/level_lines.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
-#include <utility>
 
 namespace ThermoContact
 {
@@ -26,48 +27,67 @@ namespace ThermoContact
     const LevelMatrix<dim, Number>     &matrix,
     const LevelGrid<dim>               &grid,
     const Field::Block                  field,
+    const LevelVector<Number>          &vector,
     const std::vector<NodalValue<dim>> &values)
     : n_components(field == Field::temperature ? 1 : dim)
-    , diagonal(values.size())
-    , coupling(values.size())
   {
-    const unsigned int line_stride = grid.strides()[0]; // the largest one
-    const unsigned int row_stride  = line_stride * n_components;
+    const IndexSet    &owned        = vector.locally_owned_elements();
+    const MPI_Comm     communicator = vector.get_mpi_communicator();
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n_lines = grid.strides()[0]; // the largest one
+    const unsigned int length  = grid.positions(0).size();
 
-    // rows of the matrix, by lines, and entries of vectors
-    std::vector<std::pair<std::array<unsigned int, 3>, unsigned int>> places;
+    // indices of vectors by rows of the matrix, whole on every rank
+    std::vector<unsigned int> indices(grid.n_nodes() * n_components);
     for (unsigned int i = 0; i < values.size(); ++i)
       {
         unsigned int node = 0;
         for (unsigned int d = 0; d < dim; ++d)
           node +=
             grid.strides()[d] * nearest(grid.positions(d), values[i].node[d]);
-        places.push_back(
-          {{{node % line_stride, node, values[i].component}}, i});
+        indices[node * n_components + values[i].component] =
+          owned.nth_index_in_set(i);
       }
-    std::sort(places.begin(), places.end());
-    std::vector<unsigned int> place_of_row(grid.n_nodes() * n_components, -1U);
-    for (const auto &[place, entry] : places)
-      {
-        place_of_row[place[1] * n_components + place[2]] = entries.size();
-        entries.push_back(entry);
-      }
-    matrix.visit_entries(field,
-                         0.,
-                         1.,
-                         [&](const unsigned int row,
-                             const unsigned int column,
-                             const Number       value) {
-                           const unsigned int i = place_of_row[row];
-                           if (i == -1U)
-                             return;
-                           if (column == row)
-                             diagonal[i] = value;
-                           else if (column + row_stride == row &&
-                                    i >= n_components &&
-                                    place_of_row[column] == i - n_components)
-                             coupling[i] = value;
-                         });
+    Utilities::MPI::sum(indices, communicator, indices);
+
+    std::vector<unsigned int> own; // indices, line by line
+    for (unsigned int line = rank; line < n_lines; line += n_ranks)
+      for (unsigned int i = 0; i < length; ++i)
+        for (unsigned int c = 0; c < n_components; ++c)
+          own.push_back(indices[(i * n_lines + line) * n_components + c]);
+    std::vector<unsigned int> sorted(own);
+    std::sort(sorted.begin(), sorted.end());
+    IndexSet relevant(owned.size());
+    relevant.add_indices(sorted.begin(), sorted.end());
+    partitioner =
+      std::make_shared<const Utilities::MPI::Partitioner>(owned,
+                                                          relevant,
+                                                          communicator);
+    for (const unsigned int index : own)
+      entries.push_back(partitioner->global_to_local(index));
+
+    diagonal.resize(entries.size());
+    coupling.resize(entries.size());
+    matrix.visit_entries(
+      field,
+      0.,
+      1.,
+      [&](const unsigned int row,
+          const unsigned int column,
+          const Number       value) {
+        const unsigned int node = row / n_components;
+        const unsigned int line = node % n_lines;
+        if (line % n_ranks != rank)
+          return;
+        const unsigned int place =
+          (line / n_ranks * length + node / n_lines) * n_components +
+          row % n_components;
+        if (column == row)
+          diagonal[place] = value;
+        else if (column + n_lines * n_components == row)
+          coupling[place] = value;
+      });
   }
 
 
@@ -86,11 +106,14 @@ namespace ThermoContact
     , inverse_pivots(lines.entries.size())
     , scratch(lines.entries.size() + 2 * lines.n_components)
   {
+    Vector on_lines(lines.partitioner);
+    on_lines.copy_locally_owned_data_from(rest);
+    on_lines.update_ghost_values();
     for (unsigned int i = 0; i < lines.entries.size(); ++i)
       {
-        const double diagonal =
-          stiffness * lines.diagonal[i] + rest.local_element(lines.entries[i]);
-        double pivot = diagonal;
+        const double diagonal = stiffness * lines.diagonal[i] +
+                                on_lines.local_element(lines.entries[i]);
+        double       pivot    = diagonal;
         if (lines.coupling[i] != 0)
           {
             const double coupling = stiffness * lines.coupling[i];
@@ -99,6 +122,9 @@ namespace ThermoContact
           }
         inverse_pivots[i] = 1. / std::max(pivot, smallest_pivot * diagonal);
       }
+    if (Utilities::MPI::n_mpi_processes(
+          lines.partitioner->get_mpi_communicator()) > 1)
+      shared.reinit(lines.partitioner);
   }
 
 
@@ -108,15 +134,29 @@ namespace ThermoContact
   LineFactors<dim, Number>::solve(LevelVector<Number> &values) const
   {
     const unsigned int  n       = lines.n_components;
+    const std::size_t   size    = lines.entries.size();
     const unsigned int *entries = lines.entries.data();
     const Number       *l       = multipliers.data();
-    Number             *x       = scratch.data() + n;
-    Number             *result  = values.begin();
-    for (std::size_t i = 0; i < lines.entries.size(); ++i)
-      x[i] = result[entries[i]] - l[i] * (x + i)[-int(n)];
-    for (std::size_t i = lines.entries.size(); i-- > 0;)
-      result[entries[i]] = x[i] =
-        inverse_pivots[i] * x[i] - l[i + n] * x[i + n];
+    Number             *x       = scratch.data();
+    const bool          is_alone = shared.size() == 0;
+    Number             *on_lines = is_alone ? values.begin() : shared.begin();
+    if (!is_alone)
+      {
+        copy_values(shared, values);
+        shared.update_ghost_values();
+      }
+    for (std::size_t i = 0; i < size; ++i)
+      x[i + n] = on_lines[entries[i]] - l[i] * x[i];
+    if (!is_alone)
+      shared = Number(); // with its ghosts
+    for (std::size_t i = size; i-- > 0;)
+      on_lines[entries[i]] = x[i + n] =
+        inverse_pivots[i] * x[i + n] - l[i + n] * x[i + 2 * n];
+    if (!is_alone)
+      {
+        shared.compress(VectorOperation::add);
+        copy_values(values, shared);
+      }
   }
 
 

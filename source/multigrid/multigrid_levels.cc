@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/multigrid/level_products.h>
 #include <thermocontact/multigrid/multigrid_levels.h>
+#include <thermocontact/space/cell_products.h>
 
 #include <optional>
 
@@ -83,8 +83,8 @@ namespace ThermoContact
             make_field(*matrix, grid, field, levels.back().fields[field]);
         levels.back().products = std::move(matrix);
       }
-    auto products = std::make_unique<const LevelProducts<dim, Number>>(
-      body.scene, space, *body.equations.matrix_free());
+    auto products =
+      std::make_unique<const CellProducts<dim, Number>>(body.scene, space);
     levels.emplace_back();
     for (const Field::Block field : all_fields)
       if (space.has_field(field))
@@ -135,7 +135,8 @@ namespace ThermoContact
     make_vectors(matrix, field, of_field);
     if (grid.has_lines())
       of_field.lines =
-        LevelLines<dim, Number>(matrix, grid, field, nodal_values(grid, field));
+        LevelLines<dim, Number>(
+          matrix, grid, field, of_field.right, nodal_values(grid, field));
     for (const bool is_mass : {true, false})
       matrix.visit_entries(
         field,
@@ -155,19 +156,13 @@ namespace ThermoContact
   template <int dim, typename Number>
   void
   MultigridLevels<dim, Number>::make_field_of_body(
-    const LevelProducts<dim, Number> &products,
-    const Field::Block                field,
-    LevelField<dim, Number>          &of_field) const
+    const CellProducts<dim, Number> &products,
+    const Field::Block               field,
+    LevelField<dim, Number>         &of_field) const
   {
     make_vectors(products, field, of_field);
-    const MatrixFreeOperator<dim> &equations = *body.equations.matrix_free();
-    const bool                     is_heat   = field == Field::temperature;
-    copy_values(of_field.mass,
-                is_heat ? equations.heat_diagonal({1., 0.}) :
-                          equations.momentum_diagonal({1., 0.}));
-    copy_values(of_field.stiffness,
-                is_heat ? equations.heat_diagonal({0., 1.}) :
-                          equations.momentum_diagonal({0., 1.}));
+    of_field.mass       = products.diagonal(field, 1., 0.);
+    of_field.stiffness  = products.diagonal(field, 0., 1.);
     of_field.prescribed = body.discretization.constrained_entries(field);
     const LevelGrid<dim> grid(body.scene.parameters.mesh);
     if (grid.has_lines())
@@ -175,6 +170,7 @@ namespace ThermoContact
         LevelMatrix<dim, Number>(body.scene, body.discretization, grid),
         grid,
         field,
+        of_field.right,
         products.nodal_values(field));
   }
 
@@ -207,7 +203,6 @@ namespace ThermoContact
 
     if (field == Field::displacement)
       return;
-    LevelVector<Number> exchange(fine.exchange);
     if (is_finest)
       {
         // row sums of K + kB, of which those of K are zero
@@ -217,12 +212,9 @@ namespace ThermoContact
         for (unsigned int i = 0; i < sums.locally_owned_size(); ++i)
           if (sums.local_element(i) >
               Tolerances::rounding_of_data * fine.stiffness.local_element(i))
-            exchange.local_element(i) = sums.local_element(i);
-        for (unsigned int i = 0; i < fine.lines.entries.size(); ++i)
-          fine.lines.diagonal[i] +=
-            exchange.local_element(fine.lines.entries[i]);
+            fine.exchange.local_element(i) = sums.local_element(i);
       }
-    fine.transfer.restrict_to(coarse.exchange, exchange);
+    fine.transfer.restrict_to(coarse.exchange, fine.exchange);
   }
 
 

@@ -26,6 +26,7 @@ namespace ThermoContact
                    tau + levels.scene().material.viscosity) /
                 scale)
     , scale(scale)
+    , is_body(level + 1 == levels.n_levels())
     , prescribed(levels.field(level, field).prescribed)
   {
     set_exchange();
@@ -70,12 +71,15 @@ namespace ThermoContact
   StageBlock<dim, Number>::line_factors() const
   {
     const LevelField<dim, Number> &parts = levels.field(level, field);
-    if (parts.lines.entries.empty())
+    if (!parts.lines.partitioner)
       return {};
     Vector rest;
     rest.reinit(parts.right.get_partitioner());
     for (unsigned int i = 0; i < rest.locally_owned_size(); ++i)
       rest.local_element(i) = mass * parts.mass.local_element(i);
+    if (is_body && field == Field::temperature)
+      for (unsigned int i = 0; i < rest.locally_owned_size(); ++i)
+        rest.local_element(i) += stiffness * parts.exchange.local_element(i);
     for (const auto &[entry, spring] : springs)
       rest.local_element(entry) += spring;
     for (const unsigned int entry : prescribed)
@@ -113,6 +117,8 @@ namespace ThermoContact
   void
   StageBlock<dim, Number>::set_exchange()
   {
+    if (is_body)
+      return; // its products have it
     const LevelVector<Number> &exchange = levels.field(level, field).exchange;
     for (unsigned int i = 0; i < exchange.locally_owned_size(); ++i)
       if (exchange.local_element(i) > 0.)

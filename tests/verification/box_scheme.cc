@@ -41,6 +41,8 @@
 
 #include "../tests.h"
 
+#include "../overrides.h"
+
 using namespace ThermoContact;
 
 namespace
@@ -131,17 +133,6 @@ namespace
     double       imbalance  = 0.;
     unsigned int n_warnings = 0;
   };
-
-
-
-  std::string
-  entry(const std::string &path, const double value)
-  {
-    std::ostringstream text;
-    text.precision(17);
-    text << path << '=' << value;
-    return text.str();
-  }
 
 
 

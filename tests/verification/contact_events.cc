@@ -31,6 +31,8 @@
 //      contact for r = 1e-5; contact for r = -1e-5, for a time of 2 sqrt(2e-5
 //      top / |u_tt(1)|) to 5 %; one contact or none for r = 0 and +-2e-7, where
 //      the tolerance decides.
+// 4. Tolerance 0.1: steps have the largest size that is allowed, 1/64, but for
+//    a quarter of it, 1/256, after a begin, and half of it after an end.
 
 #include <deal.II/base/mpi.h>
 
@@ -237,6 +239,24 @@ namespace
         deallog << std::endl;
       }
   }
+
+
+
+  /** Part 4: steps of the largest size, but for the first after an event. */
+  void
+  test_first_steps()
+  {
+    Parameters parameters             = scene(1, 0.05);
+    parameters.time.maximum_step_size = 1. / 64.;
+    const History history             = run(parameters, 0.1);
+    for (unsigned int i = 0; i + 1 < history.steps.size(); ++i)
+      for (unsigned int event = 0; event < 2; ++event)
+        if (std::abs(history.steps[i].time - history.events.at(event).time) <
+            1e-4)
+          deallog << (event == 0 ? "after begin " : "after end ")
+                  << history.steps[i + 1].time - history.steps[i].time
+                  << std::endl;
+  }
 } // namespace
 
 
@@ -261,4 +281,5 @@ main_contact_events()
       test_start("at rest", parameters);
     }
   test_grazing();
+  test_first_steps();
 }

@@ -46,7 +46,7 @@
 
 #include "../tests.h"
 
-#include "../overrides.h"
+#include "../recorded_run.h"
 
 using namespace ThermoContact;
 
@@ -66,30 +66,6 @@ namespace
 
 
 
-  template <int dim>
-  std::vector<StepRecord>
-  run(const std::string &file, const Overrides &overrides)
-  {
-    std::vector<StepRecord> rows;
-    Simulation<dim> simulation(read_parameters(file, overrides), MPI_COMM_SELF);
-    simulation.run(
-      {[&rows](const Simulation<dim> &s) { rows.push_back(s.record()); }});
-    return rows;
-  }
-
-
-
-  std::string
-  set(const std::string &path, const double value)
-  {
-    std::ostringstream text;
-    text.precision(17);
-    text << path << '=' << value;
-    return text.str();
-  }
-
-
-
   void
   check_periodic_heat()
   {
@@ -103,7 +79,8 @@ namespace
                 heat + Overrides{"Boundary/Fixed end temperature=sin(5*t)",
                                  "Boundary/Heat exchange=2",
                                  "Time/Tolerance=1e-9",
-                                 "Time/End time=8"}))
+                                 "Time/End time=8"})
+           .rows)
       if (r.time > 6.)
         {
           const double theta = (A * std::exp(i_unit * w * r.time)).imag();
@@ -153,14 +130,15 @@ namespace
         for (const StepRecord &r :
              run<1>("",
                     motion +
-                      Overrides{set("Model/Viscosity", zeta),
+                      Overrides{entry("Model/Viscosity", zeta),
                                 drive.str(),
                                 "Initial values/Displacement=" + displacement,
                                 "Initial values/Velocity=" + velocity,
                                 "Mesh/Cells=4",
                                 "Mesh/Degree=9",
                                 "Time/Tolerance=1e-9",
-                                "Time/End time=8"}))
+                                "Time/End time=8"})
+               .rows)
           {
             const Complex u = end * std::exp(i_unit * w * r.time);
             raise(error, std::abs(r.displacement_end - u.imag()) / largest);
@@ -206,7 +184,8 @@ namespace
     for (const StepRecord &r :
          run<1>("",
                 manufactured + Overrides{"Time/Scheme=" + scheme,
-                                         set("Time/Step size", size)}))
+                                         entry("Time/Step size", size)})
+           .rows)
       {
         const double s = std::sin(3. * r.time), c = std::cos(3. * r.time);
         raise(errors[0], std::abs(r.displacement_end - 1.5 * s));
@@ -287,7 +266,7 @@ namespace
       return run<1>("",
                     insulated +
                       Overrides{"Boundary/Fixed end temperature=" + drive})
-        .back()
+        .rows.back()
         .temperature_mean;
     };
     const double jump  = mean("if(t<0.5,0,1)") - mean_after_jump(0.5);
@@ -298,7 +277,7 @@ namespace
              motion + fine +
                Overrides{"Model/Viscosity=1",
                          "Boundary/Fixed end displacement=if(t<0.5,0,t-0.5)"})
-        .back()
+        .rows.back()
         .displacement_end -
       end_of_pushed_rod(0.5);
     deallog << "jump, pulse and kink to 30 tolerances "
@@ -321,10 +300,11 @@ namespace
                             "Model/Inertia=0",
                             zeta > 0. ? "Initial values/Displacement=0" :
                                         "Model/Inertia=0",
-                            set("Model/Viscosity", zeta),
+                            entry("Model/Viscosity", zeta),
                             "Time/Step size=0.01",
                             "Boundary/Fixed end displacement=t^2+3*t",
-                            "Time/End time=0.5"}))
+                            "Time/End time=0.5"})
+             .rows)
         {
           const double t = r.time;
           raise(error, std::abs(r.displacement_end - t * t - 3. * t));

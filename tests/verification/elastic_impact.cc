@@ -39,6 +39,8 @@
 
 #include "../tests.h"
 
+#include "../overrides.h"
+
 using namespace ThermoContact;
 
 namespace
@@ -51,17 +53,6 @@ namespace
   {
     const double t = std::fmod(time, 3.);
     return t < 1. ? -d * (1. - t) : t < 2. ? 0. : -d * (t - 2.);
-  }
-
-
-
-  std::string
-  entry(const std::string &path, const double value)
-  {
-    std::ostringstream text;
-    text.precision(17);
-    text << path << '=' << value;
-    return text.str();
   }
 
 

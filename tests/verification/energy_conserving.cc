@@ -39,17 +39,6 @@ using namespace ThermoContact;
 
 namespace
 {
-  std::string
-  entry(const std::string &path, const double value)
-  {
-    std::ostringstream text;
-    text.precision(17);
-    text << path << '=' << value;
-    return text.str();
-  }
-
-
-
   const Overrides energy_scene = {"Model/Coupling=0.5",
                                   "Boundary/Fixed end temperature=1",
                                   "Initial values/Temperature=1+sin(3*pi*x)",

@@ -35,25 +35,12 @@
 
 #include "../tests.h"
 
-#include "../overrides.h"
+#include "../lateral_runs.h"
 
 using namespace ThermoContact;
 
 namespace
 {
-  template <int dim>
-  std::vector<StepRecord>
-  run(const Parameters &parameters)
-  {
-    std::vector<StepRecord> rows;
-    Simulation<dim>         simulation(parameters, MPI_COMM_SELF);
-    simulation.run(
-      {[&rows](const Simulation<dim> &s) { rows.push_back(s.record()); }});
-    return rows;
-  }
-
-
-
   void
   check_switch()
   {

@@ -28,7 +28,7 @@
 
 #include "../tests.h"
 
-#include "../overrides.h"
+#include "../recorded_run.h"
 
 using namespace ThermoContact;
 
@@ -40,19 +40,6 @@ namespace
                        "Initial values/Temperature=0"};
 
   const Overrides euler{"Time/Scheme=backward euler", "Time/Step size=0.01"};
-
-
-
-  template <int dim>
-  std::vector<StepRecord>
-  run(const std::string &file, const Overrides &overrides)
-  {
-    std::vector<StepRecord> rows;
-    Simulation<dim> simulation(read_parameters(file, overrides), MPI_COMM_SELF);
-    simulation.run(
-      {[&rows](const Simulation<dim> &s) { rows.push_back(s.record()); }});
-    return rows;
-  }
 
 
 
@@ -68,7 +55,8 @@ namespace
          run<1>("",
                 heat + Overrides{"Boundary/Obstacle temperature=sin(5*t)",
                                  "Time/Tolerance=1e-9",
-                                 "Time/End time=8"}))
+                                 "Time/End time=8"})
+           .rows)
       if (r.time > 6.)
         {
           const double theta =
@@ -92,13 +80,13 @@ namespace
       run<1>("",
              scene + Overrides{"Boundary/Obstacle temperature="
                                "if(t<0.495,1,3)"})
-        .back();
+        .rows.back();
     const StepRecord flux =
       run<1>("",
              scene + Overrides{"Boundary/Obstacle temperature=1",
                                "Sources/End heat flux="
                                "if(t<0.495,0,4)"})
-        .back();
+        .rows.back();
     double error = 0.;
     raise(error, std::abs(varying.temperature_end / flux.temperature_end - 1.));
     raise(error,
@@ -119,13 +107,14 @@ namespace
       heat + euler +
       Overrides{"Time/End time=1", "Mesh/Cells=4", "Mesh/Degree=2"};
     const StepRecord rod =
-      run<1>("", scene + Overrides{"Boundary/Obstacle temperature=t"}).back();
+      run<1>("", scene + Overrides{"Boundary/Obstacle temperature=t"})
+        .rows.back();
     const StepRecord strip =
       run<2>("",
              scene + Overrides{"Dimension=2",
                                "Mesh/Cells across=2",
                                "Boundary/Obstacle temperature=20*y*t"})
-        .back();
+        .rows.back();
     deallog << "strip: means of the rod "
             << within(std::abs(strip.temperature_end - rod.temperature_end),
                       1e-10)

@@ -6,6 +6,7 @@
 #include <thermocontact/multigrid/level_matrix.h>
 #include <thermocontact/multigrid/level_transfer.h>
 
+#include <memory>
 #include <vector>
 
 namespace ThermoContact
@@ -13,7 +14,7 @@ namespace ThermoContact
   /**
    * The stiffness (conduction) of the nodes of a level along lines in the
    * direction of the body, each component by itself, of elements of degree 1.
-   * Of the nodes of a rank.
+   * Ranks have whole lines, in turn.
    */
   template <int dim, typename Number>
   struct LevelLines
@@ -21,16 +22,23 @@ namespace ThermoContact
     /** No lines. */
     LevelLines() = default;
 
-    /** @param values what the local part of a vector has */
+    /**
+     * @param vector of the level
+     * @param values what its local part has
+     */
     LevelLines(const LevelMatrix<dim, Number>     &matrix,
                const LevelGrid<dim>               &grid,
                const Field::Block                  field,
+               const LevelVector<Number>          &vector,
                const std::vector<NodalValue<dim>> &values);
 
     /** From one node of a line to the next one in what follows. */
     unsigned int n_components = 0;
 
-    /** Local entries of vectors, line by line. */
+    /** Of vectors of the level, with ghosts for the lines of a rank. */
+    std::shared_ptr<const Utilities::MPI::Partitioner> partitioner;
+
+    /** Local entries of such vectors, line by line. */
     std::vector<unsigned int> entries;
 
     std::vector<Number> diagonal;
@@ -54,7 +62,7 @@ namespace ThermoContact
                 const double                   stiffness,
                 const Vector                  &rest);
 
-    /** In place: right-hand side to solution. */
+    /** In place: right-hand side to solution. Collective. */
     void
     solve(LevelVector<Number> &values) const;
 
@@ -63,6 +71,7 @@ namespace ThermoContact
     std::vector<Number>            multipliers; ///< and zeros at the end
     std::vector<Number>            inverse_pivots;
     mutable std::vector<Number>    scratch; ///< zeros at both ends
+    mutable LevelVector<Number>    shared;  ///< empty on one rank
   };
 } // namespace ThermoContact
 
