@@ -144,28 +144,21 @@ namespace ThermoContact
     Number *__restrict values        = x.begin();
     const Number       f_update = of_update, f_residual = of_residual;
     const unsigned int n = x.locally_owned_size();
-    // the first update may be anything
-    const auto go = [&](const auto &old, const auto &correction) {
+    const auto go = [&](const auto &correction) {
       for (unsigned int i = 0; i < n; ++i)
         {
-          update[i] = old(i) + f_residual * correction(i);
+          // the first update may be anything
+          update[i] = (f_update == 0 ? 0 : f_update * update[i]) +
+                      f_residual * correction(i);
           values[i] += update[i];
         }
     };
-    const auto by_lines = [product](const unsigned int i) {
-      return product[i];
-    };
-    const auto by_diagonal = [=](const unsigned int i) {
-      return inverse[i] * (rhs[i] - product[i]);
-    };
-    const auto none = [](const unsigned int) { return Number(); };
-    const auto last = [=](const unsigned int i) {
-      return f_update * update[i];
-    };
     if (lines)
-      f_update == 0 ? go(none, by_lines) : go(last, by_lines);
+      go([product](const unsigned int i) { return product[i]; });
     else
-      f_update == 0 ? go(none, by_diagonal) : go(last, by_diagonal);
+      go([=](const unsigned int i) {
+        return inverse[i] * (rhs[i] - product[i]);
+      });
   }
 
 

@@ -34,7 +34,7 @@ namespace ThermoContact
     const IndexSet    &owned        = vector.locally_owned_elements();
     const MPI_Comm     communicator = vector.get_mpi_communicator();
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n_lines = grid.strides()[0]; // the largest one
     const unsigned int length  = grid.positions(0).size();
 
@@ -69,25 +69,25 @@ namespace ThermoContact
 
     diagonal.resize(entries.size());
     coupling.resize(entries.size());
-    matrix.visit_entries(
-      field,
-      0.,
-      1.,
-      [&](const unsigned int row,
-          const unsigned int column,
-          const Number       value) {
-        const unsigned int node = row / n_components;
-        const unsigned int line = node % n_lines;
-        if (line % n_ranks != rank)
-          return;
-        const unsigned int place =
-          (line / n_ranks * length + node / n_lines) * n_components +
-          row % n_components;
-        if (column == row)
-          diagonal[place] = value;
-        else if (column + n_lines * n_components == row)
-          coupling[place] = value;
-      });
+    matrix.visit_entries(field,
+                         0.,
+                         1.,
+                         [&](const unsigned int row,
+                             const unsigned int column,
+                             const Number       value) {
+                           const unsigned int node = row / n_components;
+                           const unsigned int line = node % n_lines;
+                           if (line % n_ranks != rank)
+                             return;
+                           const unsigned int place =
+                             (line / n_ranks * length + node / n_lines) *
+                               n_components +
+                             row % n_components;
+                           if (column == row)
+                             diagonal[place] = value;
+                           else if (column + n_lines * n_components == row)
+                             coupling[place] = value;
+                         });
   }
 
 
@@ -113,7 +113,7 @@ namespace ThermoContact
       {
         const double diagonal = stiffness * lines.diagonal[i] +
                                 on_lines.local_element(lines.entries[i]);
-        double       pivot    = diagonal;
+        double pivot = diagonal;
         if (lines.coupling[i] != 0)
           {
             const double coupling = stiffness * lines.coupling[i];
@@ -133,11 +133,11 @@ namespace ThermoContact
   void
   LineFactors<dim, Number>::solve(LevelVector<Number> &values) const
   {
-    const unsigned int  n       = lines.n_components;
-    const std::size_t   size    = lines.entries.size();
-    const unsigned int *entries = lines.entries.data();
-    const Number       *l       = multipliers.data();
-    Number             *x       = scratch.data();
+    const unsigned int  n        = lines.n_components;
+    const std::size_t   size     = lines.entries.size();
+    const unsigned int *entries  = lines.entries.data();
+    const Number       *l        = multipliers.data();
+    Number             *x        = scratch.data();
     const bool          is_alone = shared.size() == 0;
     Number             *on_lines = is_alone ? values.begin() : shared.begin();
     if (!is_alone)

@@ -134,9 +134,8 @@ namespace ThermoContact
   {
     make_vectors(matrix, field, of_field);
     if (grid.has_lines())
-      of_field.lines =
-        LevelLines<dim, Number>(
-          matrix, grid, field, of_field.right, nodal_values(grid, field));
+      of_field.lines = LevelLines<dim, Number>(
+        matrix, grid, field, of_field.right, nodal_values(grid, field));
     for (const bool is_mass : {true, false})
       matrix.visit_entries(
         field,
