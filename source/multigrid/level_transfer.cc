@@ -23,30 +23,40 @@ namespace ThermoContact
       {
         corners[corner] = 0;
         for (unsigned int d = 0; d < dim; ++d)
-          if (is_upper(corner, d))
+          if ((corner >> d & 1U) != 0)
             corners[corner] += strides[d] * n_components;
       }
     for (const NodalValue<dim> &value : fine)
       {
-        Entry entry{value.component, {}};
+        Entry entry{static_cast<unsigned int>(entries.size()),
+                    value.component,
+                    0,
+                    {}};
         for (unsigned int d = 0; d < dim; ++d)
           {
             const std::vector<double> &x = coarse.positions(d);
             // the last node is the upper one of the last cell
-            const unsigned int cell =
+            unsigned int cell =
               std::upper_bound(x.begin() + 1, x.end() - 1, value.node[d]) -
               x.begin() - 1;
             const double place =
               (value.node[d] - x[cell]) / (x[cell + 1] - x[cell]);
-            const double nearest = std::round(place);
-            entry.place[d] =
-              std::abs(place - nearest) < Tolerances::rounding_of_data ?
-                nearest :
-                place;
+            if (std::abs(place - std::round(place)) >=
+                Tolerances::rounding_of_data)
+              entry.between |= 1U << d;
+            else
+              cell += std::lround(place);
+            entry.place[d] = place;
             entry.first += strides[d] * n_components * cell;
           }
         entries.push_back(entry);
       }
+    // processors predict the loops over corners where they are alike
+    std::stable_sort(entries.begin(),
+                     entries.end(),
+                     [](const Entry &a, const Entry &b) {
+                       return a.between < b.between;
+                     });
   }
 
 
@@ -59,10 +69,10 @@ namespace ThermoContact
   {
     const Number *from = coarse.begin();
     Number       *to   = fine.begin();
-    for (unsigned int i = 0; i < entries.size(); ++i)
-      for (unsigned int corner = 0; corner < n_corners; ++corner)
-        to[i] +=
-          weight(entries[i], corner) * from[entries[i].first + corners[corner]];
+    visit_weights(
+      [&](const unsigned int row,
+          const unsigned int column,
+          const Number       weight) { to[row] += weight * from[column]; });
   }
 
 
@@ -75,10 +85,10 @@ namespace ThermoContact
     coarse             = Number();
     const Number *from = fine.begin();
     Number       *to   = coarse.begin();
-    for (unsigned int i = 0; i < entries.size(); ++i)
-      for (unsigned int corner = 0; corner < n_corners; ++corner)
-        to[entries[i].first + corners[corner]] +=
-          weight(entries[i], corner) * from[i];
+    visit_weights(
+      [&](const unsigned int row,
+          const unsigned int column,
+          const Number       weight) { to[column] += weight * from[row]; });
     if (Utilities::MPI::n_mpi_processes(communicator) == 1)
       return;
     const unsigned int        n = coarse.locally_owned_size();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/multigrid/level_products.h>
 #include <thermocontact/multigrid/multigrid_levels.h>
+#include <thermocontact/space/cell_products.h>
 
 #include <optional>
 
@@ -83,8 +83,8 @@ namespace ThermoContact
             make_field(*matrix, field, levels.back().fields[field]);
         levels.back().products = std::move(matrix);
       }
-    auto products = std::make_unique<const LevelProducts<dim, Number>>(
-      body.scene, space, *body.equations.matrix_free());
+    auto products =
+      std::make_unique<const CellProducts<dim, Number>>(body.scene, space);
     levels.emplace_back();
     for (const Field::Block field : all_fields)
       if (space.has_field(field))
@@ -151,19 +151,13 @@ namespace ThermoContact
   template <int dim, typename Number>
   void
   MultigridLevels<dim, Number>::make_field_of_body(
-    const LevelProducts<dim, Number> &products,
-    const Field::Block                field,
-    LevelField<dim, Number>          &of_field) const
+    const CellProducts<dim, Number> &products,
+    const Field::Block               field,
+    LevelField<dim, Number>         &of_field) const
   {
     make_vectors(products, field, of_field);
-    const MatrixFreeOperator<dim> &equations = *body.equations.matrix_free();
-    const bool                     is_heat   = field == Field::temperature;
-    copy_values(of_field.mass,
-                is_heat ? equations.heat_diagonal({1., 0.}) :
-                          equations.momentum_diagonal({1., 0.}));
-    copy_values(of_field.stiffness,
-                is_heat ? equations.heat_diagonal({0., 1.}) :
-                          equations.momentum_diagonal({0., 1.}));
+    of_field.mass       = products.diagonal(field, 1., 0.);
+    of_field.stiffness  = products.diagonal(field, 0., 1.);
     of_field.prescribed = body.discretization.constrained_entries(field);
   }
 

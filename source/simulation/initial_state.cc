@@ -263,7 +263,7 @@ namespace ThermoContact
     body.obstacle.place(0., state);
     {
       H1Projection<dim> projection(discretization,
-                                   body.equations.matrix_free());
+                                   body.equations.cell_products());
       projection.project(*body.data.initial_fields,
                          state.temperature,
                          state.displacement);

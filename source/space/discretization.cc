@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/space/discretization.h>
-#include <thermocontact/space/matrix_free_spaces.h>
 #include <thermocontact/space/problem_data.h>
 
 #include <deal.II/base/mpi.h>
@@ -38,22 +37,12 @@ namespace ThermoContact
     collect_constrained();
     if constexpr (dim > 1)
       if (!scene.has_matrices)
-        {
-          matrix_free_ = std::make_unique<const MatrixFreeSpaces<dim>>(*this);
-          for (const Field::Block field : all_fields)
-            if (has_field(field))
-              prototypes[field].reinit(matrix_free_->make_vector(field));
-        }
+        add_ghosts_of_cells();
     contact_end_ =
       std::make_unique<const ContactEnd<dim>>(*this,
                                               *contact_gap<dim>(scene),
                                               scene.rear_gap);
   }
-
-
-
-  template <int dim>
-  Discretization<dim>::~Discretization() = default;
 
 
 
@@ -108,6 +97,25 @@ namespace ThermoContact
         prototypes.emplace_back(owned_by_block_.back(), communicator_);
       }
     system_prototype.reinit(owned_, communicator_);
+  }
+
+
+
+  template <int dim>
+  void
+  Discretization<dim>::add_ghosts_of_cells()
+  {
+    IndexSet active;
+    DoFTools::extract_locally_active_dofs(dof_handler_, active);
+    for (const Field::Block field : all_fields)
+      if (has_field(field))
+        {
+          const IndexSet &owned = owned_by_block_[field];
+          prototypes[field].reinit(
+            owned,
+            active.get_view(first_dof(field), first_dof(field) + owned.size()),
+            communicator_);
+        }
   }
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/field_maps.h>
-#include <thermocontact/space/matrix_free_operator.h>
 
 namespace ThermoContact
 {
@@ -57,12 +57,12 @@ namespace ThermoContact
 
 
   template <int dim>
-  FieldMaps::FieldMaps(const MatrixFreeOperator<dim> &products)
+  FieldMaps::FieldMaps(const CellProducts<dim, double> &products)
     : heat_mass{[&](Vector &y, const Vector &x) {
-      products.heat({1., 0.}, y, x);
+      products.vmult(Field::temperature, 1., 0., y, x);
     }}
     , conduction{[&](Vector &y, const Vector &x) {
-      products.heat({0., 1.}, y, x);
+      products.vmult(Field::temperature, 0., 1., y, x);
     }}
     , lateral_exchange{[&](Vector &y, const Vector &x) {
       products.lateral_exchange(y, x);
@@ -72,10 +72,10 @@ namespace ThermoContact
       products.thermal_stress(y, x);
     }}
     , momentum_mass{[&](Vector &y, const Vector &x) {
-      products.momentum({1., 0.}, y, x);
+      products.vmult(Field::displacement, 1., 0., y, x);
     }}
     , stiffness{[&](Vector &y, const Vector &x) {
-      products.momentum({0., 1.}, y, x);
+      products.vmult(Field::displacement, 0., 1., y, x);
     }}
     , viscous_stiffness(stiffness)
   {}
@@ -85,6 +85,6 @@ namespace ThermoContact
   template FieldMaps::FieldMaps(const FieldMatrices<1> &);
   template FieldMaps::FieldMaps(const FieldMatrices<2> &);
   template FieldMaps::FieldMaps(const FieldMatrices<3> &);
-  template FieldMaps::FieldMaps(const MatrixFreeOperator<2> &);
-  template FieldMaps::FieldMaps(const MatrixFreeOperator<3> &);
+  template FieldMaps::FieldMaps(const CellProducts<2, double> &);
+  template FieldMaps::FieldMaps(const CellProducts<3, double> &);
 } // namespace ThermoContact

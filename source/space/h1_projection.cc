@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/tolerances.h>
+#include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/h1_projection.h>
 #include <thermocontact/space/linear_map.h>
-#include <thermocontact/space/matrix_free_operator.h>
 
 #include <deal.II/dofs/dof_tools.h>
 
@@ -119,8 +119,8 @@ namespace ThermoContact
 
 
   template <int dim>
-  H1Projection<dim>::H1Projection(const Discretization<dim>     &discretization,
-                                  const MatrixFreeOperator<dim> *products)
+  H1Projection<dim>::H1Projection(const Discretization<dim> &discretization,
+                                  const CellProducts<dim, double> *products)
     : discretization(discretization)
     , constraints(discretization.clamped_constraints())
     , products(products)
@@ -320,27 +320,18 @@ namespace ThermoContact
         Vector heat     = discretization.make_vector(Field::temperature);
         Vector momentum = discretization.make_vector(Field::displacement);
         discretization.split(rhs, heat, momentum);
-        using HeatFactors = typename MatrixFreeOperator<dim>::HeatFactors;
-        using MomentumFactors =
-          typename MatrixFreeOperator<dim>::MomentumFactors;
-        const HeatFactors laplacian_of_heat{0., 1., true};
-        if (discretization.has_field(Field::temperature))
-          add_solution({[&](Vector &y, const Vector &x) {
-                         products->heat(laplacian_of_heat, y, x);
-                       }},
-                       products->heat_diagonal(laplacian_of_heat),
-                       kept_entries(Field::temperature),
-                       heat,
-                       temperature);
-        const MomentumFactors laplacian{0., 0., 1.};
-        if (discretization.has_field(Field::displacement))
-          add_solution({[&](Vector &y, const Vector &x) {
-                         products->momentum(laplacian, y, x);
-                       }},
-                       products->momentum_diagonal(laplacian),
-                       kept_entries(Field::displacement),
-                       momentum,
-                       displacement);
+        for (const Field::Block field : all_fields)
+          if (discretization.has_field(field))
+            {
+              const bool is_heat = field == Field::temperature;
+              add_solution({[&](Vector &y, const Vector &x) {
+                             products->laplacian(field, y, x);
+                           }},
+                           products->laplacian_diagonal(field),
+                           kept_entries(field),
+                           is_heat ? heat : momentum,
+                           is_heat ? temperature : displacement);
+            }
       }
   }
 

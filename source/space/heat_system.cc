@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/tolerances.h>
+#include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/heat_system.h>
-#include <thermocontact/space/matrix_free_operator.h>
 
 namespace ThermoContact
 {
@@ -15,7 +15,7 @@ namespace ThermoContact
   {
     if (!is_mass)
       diagonal = *diagonal_;
-    if (equations.matrix_free() == nullptr)
+    if (equations.cell_products() == nullptr)
       {
         SparseMatrix matrix =
           equations.heat_stage_matrix(is_mass ? 0. : 1., is_mass ? 1. : 0.);
@@ -27,8 +27,9 @@ namespace ThermoContact
         return;
       }
     if constexpr (dim > 1)
-      inverse_diagonal = equations.matrix_free()->heat_diagonal(
-        {is_mass ? 1. : 0., is_mass ? 0. : 1.});
+      inverse_diagonal = equations.cell_products()->diagonal(Field::temperature,
+                                                             is_mass ? 1. : 0.,
+                                                             is_mass ? 0. : 1.);
     if (!is_mass)
       inverse_diagonal += diagonal;
     for (double &entry : inverse_diagonal)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/field_maps.h>
-#include <thermocontact/space/matrix_free_operator.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -65,13 +65,13 @@ namespace ThermoContact
 
 
     template <int dim>
-    std::unique_ptr<const MatrixFreeOperator<dim>>
-    make_matrix_free(const Scene               &scene,
-                     const Discretization<dim> &discretization)
+    std::unique_ptr<const CellProducts<dim, double>>
+    make_cell_products(const Scene               &scene,
+                       const Discretization<dim> &discretization)
     {
       if constexpr (dim > 1)
         if (!scene.linear_solver.has_matrices())
-          return std::make_unique<const MatrixFreeOperator<dim>>(
+          return std::make_unique<const CellProducts<dim, double>>(
             scene, discretization);
       return nullptr;
     }
@@ -90,7 +90,7 @@ namespace ThermoContact
     , has_own_viscous_stiffness(scene.has_elastic_contact_nodes())
     , is_along_rod(scene.linear_solver.is_along_rod)
     , matrices(matrices)
-    , matrix_free_(make_matrix_free(scene, discretization))
+    , cell_products_(make_cell_products(scene, discretization))
     , heat_scratch(discretization.make_vector(Field::temperature))
     , momentum_scratch(discretization.make_vector(Field::displacement))
   {
@@ -98,7 +98,7 @@ namespace ThermoContact
     if (matrices != nullptr)
       maps = FieldMaps(*matrices);
     else if constexpr (dim > 1)
-      maps = FieldMaps(*matrix_free_);
+      maps = FieldMaps(*cell_products_);
   }
 
 

@@ -182,8 +182,10 @@ namespace ThermoContact
       {
         if (is_provided())
           return;
-        inverse_diagonal = body.equations.matrix_free()->momentum_diagonal(
-          {body.scene.material.inertia, 0.});
+        inverse_diagonal =
+          body.equations.cell_products()->diagonal(Field::displacement,
+                                                   body.scene.material.inertia,
+                                                   0.);
         for (double &entry : inverse_diagonal)
           entry = 1. / entry;
       }
@@ -244,8 +246,8 @@ namespace ThermoContact
       void
       multiply(Vector &result, const Vector &x) const
       {
-        body.equations.matrix_free()->momentum(
-          {body.scene.material.inertia, 0.}, result, x);
+        body.equations.cell_products()->vmult(
+          Field::displacement, body.scene.material.inertia, 0., result, x);
         body.equations.zero_constrained(Field::displacement, result);
       }
 

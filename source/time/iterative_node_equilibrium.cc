@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/conjugate_gradients.h>
-#include <thermocontact/space/matrix_free_operator.h>
 #include <thermocontact/time/iterative_node_equilibrium.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace ThermoContact
   {
     body.contact_end().get_all_values(
       Field::displacement,
-      body.equations.matrix_free()->contact_stiffness_diagonal(),
+      body.equations.cell_products()->contact_stiffness_diagonal(),
       diagonal);
     for (double &entry : diagonal)
       entry *= factor;
@@ -49,7 +49,7 @@ namespace ThermoContact
   {
     values = 0.;
     body.contact_end().set_all_values(Field::displacement, x, values);
-    body.equations.matrix_free()->contact_stiffness(forces, values);
+    body.equations.cell_products()->contact_stiffness(forces, values);
     if (takes_heat)
       body.equations.add_thermal_stress(heating(x), -1., forces);
     std::vector<double> y;

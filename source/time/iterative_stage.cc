@@ -28,7 +28,7 @@ namespace ThermoContact
     : body(body)
     , warnings(warnings)
     , hierarchies(body)
-    , products(body.scene, body.discretization, *body.equations.matrix_free())
+    , products(*body.equations.cell_products())
     , krylov(max_directions)
   {
     rhs.reinit(2);

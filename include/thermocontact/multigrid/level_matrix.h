@@ -3,11 +3,11 @@
 #ifndef thermocontact_multigrid_level_matrix_h
 #define thermocontact_multigrid_level_matrix_h
 
-#include <thermocontact/multigrid/lanes.h>
 #include <thermocontact/multigrid/level_grid.h>
-#include <thermocontact/multigrid/level_operator.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/discretization.h>
+#include <thermocontact/space/lanes.h>
+#include <thermocontact/space/level_operator.h>
 
 #include <array>
 #include <vector>

@@ -4,23 +4,13 @@
 #define thermocontact_multigrid_level_transfer_h
 
 #include <thermocontact/multigrid/level_grid.h>
-#include <thermocontact/multigrid/level_operator.h>
+#include <thermocontact/space/cell_products.h>
 
 #include <array>
 #include <vector>
 
 namespace ThermoContact
 {
-  /** The value of a component at a node. */
-  template <int dim>
-  struct NodalValue
-  {
-    unsigned int component;
-    Point<dim>   node;
-  };
-
-
-
   /**
    * Linear interpolation from a grid, whose vectors are whole on every rank, to
    * the next finer level, which has its nodes and others.
@@ -53,30 +43,40 @@ namespace ThermoContact
     /** Corners of the coarse cell that a node is in. */
     static constexpr unsigned int n_corners = 1U << dim;
 
+    /**
+     * Of a value between nodes of the coarse grid along some directions, the
+     * bits of @p between; the corners that it depends on differ there alone.
+     */
     struct Entry
     {
+      unsigned int            row;   ///< of the fine vector
       unsigned int            first; ///< of the coarse vector
+      unsigned int            between;
       std::array<Number, dim> place; ///< from there, in parts of the cell
     };
 
-    std::vector<Entry>                  entries;
+    std::vector<Entry>                  entries; ///< by @p between
     std::array<unsigned int, n_corners> corners; ///< from the first one
     MPI_Comm                            communicator = MPI_COMM_SELF;
 
-    /** Bit d: whether it is the upper one along direction d. */
-    static bool
-    is_upper(const unsigned int corner, const unsigned int d)
+    /** Calls @p visit(row, column, weight). */
+    template <typename Visit>
+    void
+    visit_weights(const Visit &visit) const
     {
-      return (corner >> d & 1U) != 0;
-    }
-
-    static Number
-    weight(const Entry &entry, const unsigned int corner)
-    {
-      Number weight = 1;
-      for (unsigned int d = 0; d < dim; ++d)
-        weight *= is_upper(corner, d) ? entry.place[d] : 1 - entry.place[d];
-      return weight;
+      for (const Entry &entry : entries)
+        for (unsigned int corner = entry.between;;
+             corner              = (corner - 1) & entry.between)
+          {
+                         Number weight = 1;
+                         for (unsigned int d = 0; d < dim; ++d)
+              if ((entry.between >> d & 1U) != 0)
+                weight *=
+                  (corner >> d & 1U) != 0 ? entry.place[d] : 1 - entry.place[d];
+            visit(entry.row, entry.first + corners[corner], weight);
+            if (corner == 0)
+              break;
+          }
     }
   };
 } // namespace ThermoContact

@@ -4,9 +4,9 @@
 #define thermocontact_multigrid_multigrid_levels_h
 
 #include <thermocontact/multigrid/level_matrix.h>
-#include <thermocontact/multigrid/level_products.h>
 #include <thermocontact/multigrid/level_transfer.h>
 #include <thermocontact/space/body.h>
+#include <thermocontact/space/cell_products.h>
 
 #include <array>
 #include <memory>
@@ -114,9 +114,9 @@ namespace ThermoContact
                LevelField<dim, Number>        &of_field) const;
 
     void
-    make_field_of_body(const LevelProducts<dim, Number> &products,
-                       const Field::Block                field,
-                       LevelField<dim, Number>          &of_field) const;
+    make_field_of_body(const CellProducts<dim, Number> &products,
+                       const Field::Block               field,
+                       LevelField<dim, Number>         &of_field) const;
 
     /**
      * The transfer from a grid to the next finer level, and what the field on

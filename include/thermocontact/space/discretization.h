@@ -24,11 +24,6 @@
 
 namespace ThermoContact
 {
-  template <int dim>
-  class MatrixFreeSpaces;
-
-
-
   /**
    * Mesh, finite element space and constraints of the body
    * $(0,1)\times(0,\text{width})^{dim-1}$.
@@ -46,8 +41,6 @@ namespace ThermoContact
   public:
     /** @param all the ranks, of which communicator() shares the mesh */
     Discretization(const SpatialScene &scene, const MPI_Comm all);
-
-    ~Discretization();
 
     const Geometry<dim> &
     geometry() const
@@ -188,13 +181,6 @@ namespace ThermoContact
       return triangulation->n_global_active_cells();
     }
 
-    /** Spaces for products without matrices; of scenes that have none. */
-    const MatrixFreeSpaces<dim> &
-    matrix_free() const
-    {
-      return *matrix_free_;
-    }
-
     /** Its end at the obstacle. */
     const ContactEnd<dim> &
     contact_end() const
@@ -270,22 +256,21 @@ namespace ThermoContact
     const MPI_Comm      communicator_;
     const Geometry<dim> geometry_;
     const std::unique_ptr<typename DimensionTraits<dim>::Triangulation>
-                                                 triangulation;
-    const FESystem<dim>                          finite_element_;
-    const MappingQ<dim>                          mapping_;
-    DoFHandler<dim>                              dof_handler_;
-    AffineConstraints<double>                    constraints_;
-    IndexSet                                     owned_;
-    IndexSet                                     relevant_;
-    std::vector<IndexSet>                        owned_by_block_;
-    std::vector<IndexSet>                        relevant_by_block_;
-    std::vector<Vector>                          prototypes;
-    SystemVector                                 system_prototype;
-    std::unique_ptr<const ContactEnd<dim>>       contact_end_;
-    std::unique_ptr<const MatrixFreeSpaces<dim>> matrix_free_;
-    const bool                                   has_pins;
-    std::vector<IndexSet>                        constrained_;
-    std::vector<std::vector<unsigned int>>       constrained_entries_;
+                                           triangulation;
+    const FESystem<dim>                    finite_element_;
+    const MappingQ<dim>                    mapping_;
+    DoFHandler<dim>                        dof_handler_;
+    AffineConstraints<double>              constraints_;
+    IndexSet                               owned_;
+    IndexSet                               relevant_;
+    std::vector<IndexSet>                  owned_by_block_;
+    std::vector<IndexSet>                  relevant_by_block_;
+    std::vector<Vector>                    prototypes;
+    SystemVector                           system_prototype;
+    std::unique_ptr<const ContactEnd<dim>> contact_end_;
+    const bool                             has_pins;
+    std::vector<IndexSet>                  constrained_;
+    std::vector<std::vector<unsigned int>> constrained_entries_;
 
     /**
      * @param n_halvings how many of the refinements make the cells of the scene
@@ -296,6 +281,10 @@ namespace ThermoContact
 
     void
     distribute_dofs(const SceneFields &fields);
+
+    /** Gives vectors of the fields what products by cells need. */
+    void
+    add_ghosts_of_cells();
 
     AffineConstraints<double>
     make_constraints(const bool has_sliding_end) const;

@@ -8,8 +8,8 @@
 
 namespace ThermoContact
 {
-  template <int dim>
-  class MatrixFreeOperator;
+  template <int dim, typename Number>
+  class CellProducts;
 
 
 
@@ -25,7 +25,7 @@ namespace ThermoContact
 
     /** Without matrices; @p products are borrowed. */
     template <int dim>
-    explicit FieldMaps(const MatrixFreeOperator<dim> &products);
+    explicit FieldMaps(const CellProducts<dim, double> &products);
 
     /** $M$, $\int\eta_i\eta_j$. */
     LinearMap heat_mass;

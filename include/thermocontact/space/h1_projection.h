@@ -12,8 +12,8 @@
 
 namespace ThermoContact
 {
-  template <int dim>
-  class MatrixFreeOperator;
+  template <int dim, typename Number>
+  class CellProducts;
 
 
 
@@ -37,8 +37,8 @@ namespace ThermoContact
      * @param products null; else the correction is computed with them, by
      *   conjugate gradients and without matrix; borrowed
      */
-    explicit H1Projection(const Discretization<dim>     &discretization,
-                          const MatrixFreeOperator<dim> *products = nullptr);
+    explicit H1Projection(const Discretization<dim>       &discretization,
+                          const CellProducts<dim, double> *products = nullptr);
 
     /**
      * Projects @p function, with the components of the FESystem.
@@ -51,10 +51,10 @@ namespace ThermoContact
             Vector              &displacement);
 
   private:
-    const Discretization<dim>           &discretization;
-    const AffineConstraints<double>      constraints;
-    const MatrixFreeOperator<dim> *const products;
-    std::unique_ptr<DirectSolver>        laplace_solver;
+    const Discretization<dim>             &discretization;
+    const AffineConstraints<double>        constraints;
+    const CellProducts<dim, double> *const products;
+    std::unique_ptr<DirectSolver>          laplace_solver;
 
     /** Without entries; components do not act on each other. */
     SparseMatrix

@@ -42,10 +42,10 @@ namespace ThermoContact
     ~ThermoviscoelasticOperator();
 
     /** Products without matrices; null for scenes that have matrices. */
-    const MatrixFreeOperator<dim> *
-    matrix_free() const
+    const CellProducts<dim, double> *
+    cell_products() const
     {
-      return matrix_free_.get();
+      return cell_products_.get();
     }
 
     /** The matrices of a rod; else null. */
@@ -152,10 +152,10 @@ namespace ThermoContact
     const bool                 has_own_viscous_stiffness;
     const bool                 is_along_rod;
     /** One of the two is there. */
-    const FieldMatrices<dim> *const                      matrices;
-    const std::unique_ptr<const MatrixFreeOperator<dim>> matrix_free_;
-    mutable Vector                                       heat_scratch;
-    mutable Vector                                       momentum_scratch;
+    const FieldMatrices<dim> *const                        matrices;
+    const std::unique_ptr<const CellProducts<dim, double>> cell_products_;
+    mutable Vector                                         heat_scratch;
+    mutable Vector                                         momentum_scratch;
 
     /** stage_rhs() by one pass over the rod for each field. */
     void

@@ -171,7 +171,7 @@ namespace ThermoContact
     StageHierarchies<dim>     hierarchies;
 
     /** Faster than those of the equations, which they are to rounding. */
-    const LevelProducts<dim, double> products;
+    const CellProducts<dim, double> &products;
 
     double                 tau      = 0.;
     bool                   has_heat = true;      ///< its temperature is unknown

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_multigrid_lanes_h
-#define thermocontact_multigrid_lanes_h
+#ifndef thermocontact_space_lanes_h
+#define thermocontact_space_lanes_h
 
 #include <array>
 #include <cstring>
+#include <type_traits>
 
 namespace ThermoContact
 {
@@ -59,6 +60,12 @@ namespace ThermoContact
     store(Number *numbers) const
     {
       std::memcpy(numbers, &data, sizeof(data));
+    }
+
+    static Lanes
+    all(const Number number)
+    {
+      return {typename internal::LanesData<Number>::Type{} + number};
     }
 
     Lanes &
@@ -153,6 +160,19 @@ namespace ThermoContact
     apply_along<dim, 1, n_static, false>(matrix, x, x, n);
     if constexpr (dim == 3)
       apply_along<dim, 2, n_static, false>(matrix, x, x, n);
+  }
+
+
+
+  /** Calls @p act with the number of each direction, known when compiling. */
+  template <int dim, typename Act>
+  inline __attribute__((always_inline)) void
+  along_all(const Act &act)
+  {
+    act(std::integral_constant<int, 0>());
+    act(std::integral_constant<int, 1>());
+    if constexpr (dim == 3)
+      act(std::integral_constant<int, 2>());
   }
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_multigrid_level_operator_h
-#define thermocontact_multigrid_level_operator_h
+#ifndef thermocontact_space_level_operator_h
+#define thermocontact_space_level_operator_h
 
 #include <thermocontact/base/types.h>
 
