@@ -14,8 +14,8 @@ namespace ThermoContact
   {
     // Measured, doc/bodies.md.
     constexpr double seconds_of_process = 0.4;
-    constexpr double bytes_of_process   = 1.85e8;
-    constexpr double bytes_by_iteration = 700.; // per unknown
+    constexpr double bytes_of_process   = 1.7e8;
+    constexpr double bytes_by_iteration = 600.; // per unknown
 
 
 
@@ -107,10 +107,9 @@ namespace ThermoContact
     const double       n_sizes  = n_step_sizes(scene, n_steps);
     if (scene.linear_solver.is_iterative)
       {
-        const double set_up = (dim == 2 ? 1e-5 : 2.5e-5) *
-                              std::max(1., std::pow(degree / 2., dim - 1.));
-        const double stage =
-          (degree == 1. ? 4e-6 : 2e-6) * relative_iterations(scene);
+        const double set_up = (dim == 2 ? 1e-5 : 2e-5) *
+                              std::max(1., std::pow(degree / 4., dim - 1.));
+        const double stage = 1.4e-6 * relative_iterations(scene);
         return seconds_of_process +
                n * (set_up + stage * (n_stages + 0.1 * n_sizes));
       }

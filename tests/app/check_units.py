@@ -16,8 +16,6 @@ import re
 import sys
 from pathlib import Path
 
-import numpy
-
 sys.dont_write_bytecode = True
 from program import run, settings  # noqa: E402
 from run_files import Run  # noqa: E402

@@ -618,6 +618,44 @@ def check_names(run):
         yield f"terms of the log: {words[1]}"
 
 
+@key("title", "dofs")
+def check_head(run):
+    """The first lines of log.txt: the entries, the mesh that they make, the gap at the nodes;
+    first the version in used.prm."""
+    s, scene, dim = run.settings, scene_of(run), int(run.settings["Dimension"])
+    cells, degree, width = (s.number("Mesh/" + name) for name in (
+        "Cells", "Degree", "Width"))
+    across, gap = s.number("Mesh/Cells across"), s.get("Contact/Gap", "0")
+    lines = {"body": f"{cells * across**(dim - 1):g} cells of degree {degree:g}",
+             "time": f"T = {s.number('Time/End time'):g}"}
+    if dim > 1:
+        lines["body"] += f", sides 1 : {across / cells / width:g}, lateral faces: "
+    if s["Time/Step size"] != "automatic":
+        lines["time"] = f"dt = 0.01, {100 * s.number('Time/End time'):g} steps, " + lines["time"]
+    if scene.moves:
+        lines["model"] = f"b = {scene.b:g}, zeta = {scene.zeta:g}"
+    if scene.has_heat:
+        outer = s.get("Boundary/Obstacle temperature", "0")
+        lines["heat"] = f"theta_obs = {outer if 't' in outer else f'{float(outer):g}'}"
+    if scene.has_obstacle:
+        front = re.sub("[ty].*", "", gap) if re.search("[ty]", gap) else f"{float(gap):g}"
+        lines["contact"] = f"g = {front}"
+    if scene.has_obstacle and "y" in gap:
+        y = numpy.linspace(0, width, int(across * degree) + 1)
+        ends = 0.05 + 0.5 * (y - 0.03)**2
+        lines["gap"] = f"{ends.min():.6g} to {ends.max():.6g} at the contact nodes"
+    for title, words in lines.items():
+        if not re.search(rf"^  {title} +.*{re.escape(words)}", run.log, re.MULTILINE):
+            yield f"{title}: not {words}"
+    is_fast = s["Time/Step size"] == "automatic" and any(
+        re.search(r"(sin|cos)\(\d\*t", value) for value in s.values())
+    if is_fast != ("\n  loads " in run.log):
+        yield "loads"
+    version = run.contact.comments[1].split(",")[0]
+    if not (run.directory / "used.prm").read_text().startswith(f"# {version}: every entry"):
+        yield "the head of used.prm"
+
+
 @key("dofs", "factorized_unknowns", "steps", "rejected_steps", "solves", "factorizations",
      "responses", "linear_solver", "linear_iterations", "max_linear_iterations",
      "active_set_iterations")

@@ -18,7 +18,6 @@
 
 #include <thermocontact/contact/interface_problem.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 

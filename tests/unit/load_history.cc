@@ -18,8 +18,6 @@
 #include <thermocontact/method/load_history.h>
 #include <thermocontact/time/step_controller.h>
 
-#include <cmath>
-
 #include "../tests.h"
 
 using namespace ThermoContact;

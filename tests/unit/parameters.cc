@@ -14,7 +14,6 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/time/step_controller.h>
 
-#include <cmath>
 #include <fstream>
 #include <sstream>
 

@@ -14,7 +14,6 @@
 //    is the exchange alone to 1e-15, and so is the form, of 4 cells of degree 3
 //    0.49 (1 + 64/2^7). Where entries were added up it would be 1e-11.
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

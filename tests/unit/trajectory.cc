@@ -19,7 +19,6 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "../tests.h"
 

@@ -36,7 +36,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 

@@ -27,7 +27,6 @@
 
 #include <deal.II/numerics/vector_tools_integrate_difference.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <regex>

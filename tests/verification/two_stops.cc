@@ -20,7 +20,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
