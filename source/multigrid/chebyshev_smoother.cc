@@ -143,8 +143,8 @@ namespace ThermoContact
     Number *__restrict update        = work.update.begin();
     Number *__restrict values        = x.begin();
     const Number       f_update = of_update, f_residual = of_residual;
-    const unsigned int n = x.locally_owned_size();
-    const auto go = [&](const auto &correction) {
+    const unsigned int n  = x.locally_owned_size();
+    const auto         go = [&](const auto &correction) {
       for (unsigned int i = 0; i < n; ++i)
         {
           // the first update may be anything
