@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/multigrid/level_lines.h>
 
 #include <deal.II/base/mpi.h>
@@ -8,20 +9,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    /** The number of the position that is next. */
-    unsigned int
-    nearest(const std::vector<double> &positions, const double x)
-    {
-      const auto above =
-        std::lower_bound(positions.begin() + 1, positions.end() - 1, x);
-      return above - positions.begin() - (x - *(above - 1) < *above - x);
-    }
-  } // namespace
-
-
-
   template <int dim, typename Number>
   LevelLines<dim, Number>::LevelLines(
     const LevelMatrix<dim, Number>     &matrix,
@@ -44,8 +31,13 @@ namespace ThermoContact
       {
         unsigned int node = 0;
         for (unsigned int d = 0; d < dim; ++d)
-          node +=
-            grid.strides()[d] * nearest(grid.positions(d), values[i].node[d]);
+          {
+            const std::vector<double> &x = grid.positions(d);
+            const double               below =
+              values[i].node[d] * (1. - Tolerances::rounding_of_data);
+            node += grid.strides()[d] *
+                    (std::lower_bound(x.begin(), x.end(), below) - x.begin());
+          }
         indices[node * n_components + values[i].component] =
           owned.nth_index_in_set(i);
       }
@@ -56,10 +48,8 @@ namespace ThermoContact
       for (unsigned int i = 0; i < length; ++i)
         for (unsigned int c = 0; c < n_components; ++c)
           own.push_back(indices[(i * n_lines + line) * n_components + c]);
-    std::vector<unsigned int> sorted(own);
-    std::sort(sorted.begin(), sorted.end());
     IndexSet relevant(owned.size());
-    relevant.add_indices(sorted.begin(), sorted.end());
+    relevant.add_indices(own.begin(), own.end());
     partitioner =
       std::make_shared<const Utilities::MPI::Partitioner>(owned,
                                                           relevant,
@@ -69,25 +59,19 @@ namespace ThermoContact
 
     diagonal.resize(entries.size());
     coupling.resize(entries.size());
-    matrix.visit_entries(field,
-                         0.,
-                         1.,
-                         [&](const unsigned int row,
-                             const unsigned int column,
-                             const Number       value) {
-                           const unsigned int node = row / n_components;
-                           const unsigned int line = node % n_lines;
-                           if (line % n_ranks != rank)
-                             return;
-                           const unsigned int place =
-                             (line / n_ranks * length + node / n_lines) *
-                               n_components +
-                             row % n_components;
-                           if (column == row)
-                             diagonal[place] = value;
-                           else if (column + n_lines * n_components == row)
-                             coupling[place] = value;
-                         });
+    const auto take = [&](const unsigned int row,
+                          const unsigned int column,
+                          const Number       value) {
+      const unsigned int node = row / n_components, line = node % n_lines;
+      const unsigned int place =
+        (line / n_ranks * length + node / n_lines) * n_components +
+        row % n_components;
+      if (line % n_ranks == rank && column == row)
+        diagonal[place] = value;
+      else if (line % n_ranks == rank && column + n_lines * n_components == row)
+        coupling[place] = value;
+    };
+    matrix.visit_entries(field, 0., 1., take);
   }
 
 
@@ -105,14 +89,15 @@ namespace ThermoContact
     , multipliers(lines.entries.size() + lines.n_components)
     , inverse_pivots(lines.entries.size())
     , scratch(lines.entries.size() + 2 * lines.n_components)
+    , on_lines(lines.partitioner)
   {
-    Vector on_lines(lines.partitioner);
-    on_lines.copy_locally_owned_data_from(rest);
-    on_lines.update_ghost_values();
+    Vector shared_rest(lines.partitioner);
+    shared_rest.copy_locally_owned_data_from(rest);
+    shared_rest.update_ghost_values();
     for (unsigned int i = 0; i < lines.entries.size(); ++i)
       {
         const double diagonal = stiffness * lines.diagonal[i] +
-                                on_lines.local_element(lines.entries[i]);
+                                shared_rest.local_element(lines.entries[i]);
         double pivot = diagonal;
         if (lines.coupling[i] != 0)
           {
@@ -122,9 +107,6 @@ namespace ThermoContact
           }
         inverse_pivots[i] = 1. / std::max(pivot, smallest_pivot * diagonal);
       }
-    if (Utilities::MPI::n_mpi_processes(
-          lines.partitioner->get_mpi_communicator()) > 1)
-      shared.reinit(lines.partitioner);
   }
 
 
@@ -133,30 +115,22 @@ namespace ThermoContact
   void
   LineFactors<dim, Number>::solve(LevelVector<Number> &values) const
   {
-    const unsigned int  n        = lines.n_components;
-    const std::size_t   size     = lines.entries.size();
-    const unsigned int *entries  = lines.entries.data();
-    const Number       *l        = multipliers.data();
-    Number             *x        = scratch.data();
-    const bool          is_alone = shared.size() == 0;
-    Number             *on_lines = is_alone ? values.begin() : shared.begin();
-    if (!is_alone)
-      {
-        copy_values(shared, values);
-        shared.update_ghost_values();
-      }
+    const unsigned int  n       = lines.n_components;
+    const std::size_t   size    = lines.entries.size();
+    const unsigned int *entries = lines.entries.data();
+    const Number       *l       = multipliers.data();
+    Number             *x       = scratch.data();
+    Number             *shared  = on_lines.begin();
+    copy_values(on_lines, values);
+    on_lines.update_ghost_values();
     for (std::size_t i = 0; i < size; ++i)
-      x[i + n] = on_lines[entries[i]] - l[i] * x[i];
-    if (!is_alone)
-      shared = Number(); // with its ghosts
+      x[i + n] = shared[entries[i]] - l[i] * x[i];
+    on_lines = Number(); // with its ghosts
     for (std::size_t i = size; i-- > 0;)
-      on_lines[entries[i]] = x[i + n] =
+      shared[entries[i]] = x[i + n] =
         inverse_pivots[i] * x[i + n] - l[i + n] * x[i + 2 * n];
-    if (!is_alone)
-      {
-        shared.compress(VectorOperation::add);
-        copy_values(values, shared);
-      }
+    on_lines.compress(VectorOperation::add);
+    copy_values(values, on_lines);
   }
 
 

@@ -73,15 +73,12 @@ namespace ThermoContact
     const LevelField<dim, Number> &parts = levels.field(level, field);
     if (!parts.lines.partitioner)
       return {};
-    Vector rest;
-    rest.reinit(parts.right.get_partitioner());
+    Vector rest = diagonal();
     for (unsigned int i = 0; i < rest.locally_owned_size(); ++i)
-      rest.local_element(i) = mass * parts.mass.local_element(i);
+      rest.local_element(i) -= stiffness * parts.stiffness.local_element(i);
     if (is_body && field == Field::temperature)
       for (unsigned int i = 0; i < rest.locally_owned_size(); ++i)
         rest.local_element(i) += stiffness * parts.exchange.local_element(i);
-    for (const auto &[entry, spring] : springs)
-      rest.local_element(entry) += spring;
     for (const unsigned int entry : prescribed)
       rest.local_element(entry) = std::numeric_limits<double>::infinity();
     return LineFactors<dim, Number>(parts.lines, stiffness, rest);

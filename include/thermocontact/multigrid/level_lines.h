@@ -71,7 +71,7 @@ namespace ThermoContact
     std::vector<Number>            multipliers; ///< and zeros at the end
     std::vector<Number>            inverse_pivots;
     mutable std::vector<Number>    scratch; ///< zeros at both ends
-    mutable LevelVector<Number>    shared;  ///< empty on one rank
+    mutable LevelVector<Number>    on_lines;
   };
 } // namespace ThermoContact
 
