@@ -16,7 +16,8 @@
 //    for a stage on average, at most 8, and no system with more than 1.6 times
 //    the iterations without obstacle + 2, for each compliance. Measured: 2 to
 //    2.5 sets, at most 3, and at most 9 iterations instead of 10.
-// 3. What is made: a strip on rollers meets its obstacle with all nodes at once,
+// 3. What is made: a strip on rollers meets its obstacle with all nodes at
+// once,
 //    so that there are two sets, with contact and without: in steps of one size
 //    1 for the stage length and 1 for the set, however often contact begins.
 
