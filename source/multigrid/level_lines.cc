@@ -14,12 +14,12 @@ namespace ThermoContact
     const LevelMatrix<dim, Number>     &matrix,
     const LevelGrid<dim>               &grid,
     const Field::Block                  field,
-    const LevelVector<Number>          &vector,
+    const LevelVector<Number>          &stiffness,
     const std::vector<NodalValue<dim>> &values)
     : n_components(field == Field::temperature ? 1 : dim)
   {
-    const IndexSet    &owned        = vector.locally_owned_elements();
-    const MPI_Comm     communicator = vector.get_mpi_communicator();
+    const IndexSet    &owned        = stiffness.locally_owned_elements();
+    const MPI_Comm     communicator = stiffness.get_mpi_communicator();
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n_lines = grid.strides()[0]; // the largest one
@@ -72,6 +72,12 @@ namespace ThermoContact
         coupling[place] = value;
     };
     matrix.visit_entries(field, 0., 1., take);
+    LevelVector<Number> least(partitioner);
+    copy_values(least, stiffness);
+    least.update_ghost_values();
+    for (unsigned int i = 0; i < entries.size(); ++i)
+      diagonal[i] =
+        std::max(diagonal[i], Number(0.2) * least.local_element(entries[i]));
   }
 
 

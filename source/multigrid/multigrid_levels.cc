@@ -133,9 +133,6 @@ namespace ThermoContact
     LevelField<dim, Number>        &of_field) const
   {
     make_vectors(matrix, field, of_field);
-    if (grid.has_lines())
-      of_field.lines = LevelLines<dim, Number>(
-        matrix, grid, field, of_field.right, nodal_values(grid, field));
     for (const bool is_mass : {true, false})
       matrix.visit_entries(
         field,
@@ -148,6 +145,9 @@ namespace ThermoContact
             (is_mass ? of_field.mass : of_field.stiffness).local_element(row) =
               value;
         });
+    if (grid.has_lines())
+      of_field.lines = LevelLines<dim, Number>(
+        matrix, grid, field, of_field.stiffness, nodal_values(grid, field));
   }
 
 
@@ -169,7 +169,7 @@ namespace ThermoContact
         LevelMatrix<dim, Number>(body.scene, body.discretization, grid),
         grid,
         field,
-        of_field.right,
+        of_field.stiffness,
         products.nodal_values(field));
   }
 
@@ -202,6 +202,7 @@ namespace ThermoContact
 
     if (field == Field::displacement)
       return;
+    LevelVector<Number> exchange(fine.exchange);
     if (is_finest)
       {
         // row sums of K + kB, of which those of K are zero
@@ -211,9 +212,9 @@ namespace ThermoContact
         for (unsigned int i = 0; i < sums.locally_owned_size(); ++i)
           if (sums.local_element(i) >
               Tolerances::rounding_of_data * fine.stiffness.local_element(i))
-            fine.exchange.local_element(i) = sums.local_element(i);
+            exchange.local_element(i) = sums.local_element(i);
       }
-    fine.transfer.restrict_to(coarse.exchange, fine.exchange);
+    fine.transfer.restrict_to(coarse.exchange, exchange);
   }
 
 

@@ -26,7 +26,6 @@ namespace ThermoContact
                    tau + levels.scene().material.viscosity) /
                 scale)
     , scale(scale)
-    , is_body(level + 1 == levels.n_levels())
     , prescribed(levels.field(level, field).prescribed)
   {
     set_exchange();
@@ -76,9 +75,6 @@ namespace ThermoContact
     Vector rest = diagonal();
     for (unsigned int i = 0; i < rest.locally_owned_size(); ++i)
       rest.local_element(i) -= stiffness * parts.stiffness.local_element(i);
-    if (is_body && field == Field::temperature)
-      for (unsigned int i = 0; i < rest.locally_owned_size(); ++i)
-        rest.local_element(i) += stiffness * parts.exchange.local_element(i);
     for (const unsigned int entry : prescribed)
       rest.local_element(entry) = std::numeric_limits<double>::infinity();
     return LineFactors<dim, Number>(parts.lines, stiffness, rest);
@@ -114,8 +110,6 @@ namespace ThermoContact
   void
   StageBlock<dim, Number>::set_exchange()
   {
-    if (is_body)
-      return; // its products have it
     const LevelVector<Number> &exchange = levels.field(level, field).exchange;
     for (unsigned int i = 0; i < exchange.locally_owned_size(); ++i)
       if (exchange.local_element(i) > 0.)

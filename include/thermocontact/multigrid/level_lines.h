@@ -23,13 +23,14 @@ namespace ThermoContact
     LevelLines() = default;
 
     /**
-     * @param vector of the level
+     * @param stiffness the diagonal of the level, a fifth of which is the least
+     *   that the lines have: the heat exchange is there alone
      * @param values what its local part has
      */
     LevelLines(const LevelMatrix<dim, Number>     &matrix,
                const LevelGrid<dim>               &grid,
                const Field::Block                  field,
-               const LevelVector<Number>          &vector,
+               const LevelVector<Number>          &stiffness,
                const std::vector<NodalValue<dim>> &values);
 
     /** From one node of a line to the next one in what follows. */

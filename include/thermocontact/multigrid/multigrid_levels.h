@@ -32,8 +32,8 @@ namespace ThermoContact
     LevelLines<dim, Number> lines;
 
     /**
-     * Heat exchange with the obstacle, row by row, of the temperature; products
-     * of coarser levels leave it out. Of displacements empty.
+     * Heat exchange with the obstacle, row by row, that products leave out: of
+     * the temperature on coarser levels; of displacements empty.
      */
     LevelVector<Number> exchange;
 

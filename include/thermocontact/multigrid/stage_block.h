@@ -95,7 +95,6 @@ namespace ThermoContact
     const double                        mass;      ///< factor of $M$, $M_u$
     const double                        stiffness; ///< of $K+kB$, $S$
     const double                        scale;
-    const bool                          is_body;
     std::vector<unsigned int>           prescribed; ///< local entries
 
     /** Local entries with the stiffness of their springs, over the scale. */
