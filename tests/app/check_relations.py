@@ -228,6 +228,9 @@ def faults(one, other, factors, bound):
     if one.settings["Model/Fields"] == other.settings["Model/Fields"] and [
             e for e in one.events["kind"]] != [e for e in other.events["kind"]]:
         yield f"{len(one.events)} and {len(other.events)} events"
+    coarsest, dofs = (other.summary[name] for name in ("factorized_unknowns", "dofs"))
+    if "iterative" in other.summary["linear_solver"] and not 0 < coarsest < dofs:
+        yield f"{coarsest} unknowns on the coarsest level"
     has_same_times = len(a) == len(b) and numpy.allclose(a["time"], b["time"])
     last = slice(None) if has_same_times else slice(-1, None)
     for name in set(a.names) & set(b.names) - set(COUNTS):
