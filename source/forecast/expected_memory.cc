@@ -64,16 +64,20 @@ namespace ThermoContact
   namespace
   {
     /**
-     * Krylov iterations of a stage beside those of cubes with $\nu=0.3$: flat
-     * and graded cells and $\nu\to1/2$ take more, less so with inertia.
+     * Krylov iterations of a stage beside those of cubes with $\nu=0.3$: long
+     * cells and $\nu\to1/2$ take more, less so with inertia.
      */
     double
     relative_iterations(const Scene &scene)
     {
-      const double aspect   = scene.parameters.mesh.cell_aspect();
+      const auto   along    = scene.parameters.mesh.cell_sizes();
+      const auto   across   = scene.parameters.mesh.cell_sizes_across();
+      const double aspect   = std::max(1.,
+                                     std::max(along.front(), along.back()) /
+                                       std::min(across.front(), across.back()));
       const double softness = std::max(1., 0.57 / scene.material.two_mu);
       const double exponent = scene.material.has_inertia() ? 0.6 : 1.;
-      return std::pow(std::pow(aspect, 0.6) * std::pow(softness, 0.35),
+      return std::pow(std::pow(aspect, 0.4) * std::pow(softness, 0.35),
                       exponent) *
              (scene.material.has_inertia() ? 1. : 1.4);
     }

@@ -64,6 +64,22 @@ namespace ThermoContact
     for (Number &value : inverse_diagonal)
       value = 1 / value;
     block.zero_prescribed(inverse_diagonal);
+    lines.reset();
+    if (auto factors = block.line_factors())
+      lines.emplace(std::move(*factors));
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  ChebyshevSmoother<dim, Number>::precondition(
+    LevelVector<Number> &residual) const
+  {
+    if (lines)
+      lines->solve(residual);
+    else
+      residual.scale(inverse_diagonal);
   }
 
 
@@ -80,7 +96,7 @@ namespace ThermoContact
       r.local_element(i) = Number((first + i) % 11) - 5;
     block.zero_prescribed(r);
     z = r;
-    z.scale(inverse_diagonal);
+    precondition(z);
     p                            = z;
     double              rz       = r * z;
     const double        smallest = Tolerances::rounding_of_single_squares * rz;
@@ -92,7 +108,7 @@ namespace ThermoContact
         const double alpha = rz / (p * product);
         r.add(-alpha, product);
         z = r;
-        z.scale(inverse_diagonal);
+        precondition(z);
         const double next = r * z, beta = next / rz;
         diagonal.push_back(1. / alpha + beta_over_alpha);
         off_diagonal.push_back(std::sqrt(std::max(beta, 0.)) / alpha);
@@ -116,26 +132,33 @@ namespace ThermoContact
                                           const double of_residual) const
   {
     block.vmult(work.product, x);
+    if (lines)
+      {
+        work.product.sadd(-1., b);
+        lines->solve(work.product);
+      }
     const Number *__restrict product = work.product.begin();
     const Number *__restrict rhs     = b.begin();
     const Number *__restrict inverse = inverse_diagonal.begin();
     Number *__restrict update        = work.update.begin();
     Number *__restrict values        = x.begin();
     const Number       f_update = of_update, f_residual = of_residual;
-    const unsigned int n = x.locally_owned_size();
-    if (f_update == 0)
+    const unsigned int n  = x.locally_owned_size();
+    const auto         go = [&](const auto &correction) {
       for (unsigned int i = 0; i < n; ++i)
         {
-          update[i] = f_residual * inverse[i] * (rhs[i] - product[i]);
+          // the first update may be anything
+          update[i] = (f_update == 0 ? 0 : f_update * update[i]) +
+                      f_residual * correction(i);
           values[i] += update[i];
         }
+    };
+    if (lines)
+      go([product](const unsigned int i) { return product[i]; });
     else
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          update[i] = f_update * update[i] +
-                      f_residual * inverse[i] * (rhs[i] - product[i]);
-          values[i] += update[i];
-        }
+      go([=](const unsigned int i) {
+        return inverse[i] * (rhs[i] - product[i]);
+      });
   }
 
 
@@ -163,14 +186,10 @@ namespace ThermoContact
                                               const LevelVector<Number> &b,
                                               const Work &work) const
   {
-    const Number *__restrict rhs     = b.begin();
-    const Number *__restrict inverse = inverse_diagonal.begin();
-    Number *__restrict update        = work.update.begin();
-    Number *__restrict values        = x.begin();
-    const Number       factor        = 1. / theta;
-    const unsigned int n             = x.locally_owned_size();
-    for (unsigned int i = 0; i < n; ++i)
-      values[i] = update[i] = factor * inverse[i] * rhs[i];
+    work.update = b;
+    precondition(work.update);
+    work.update *= 1. / theta;
+    x = work.update;
     go_on(x, b, work);
   }
 

@@ -18,6 +18,9 @@ namespace ThermoContact
     /** By which the distance grows below which nodes are left out. */
     constexpr double growth = 1.25;
 
+    /** Of distances along a body, to those across, that make lines of nodes. */
+    constexpr double thin = 0.7;
+
 
 
     /** Gauss-Lobatto points of the cells of a body. */
@@ -79,6 +82,16 @@ namespace ThermoContact
 
 
   template <int dim>
+  bool
+  LevelGrid<dim>::has_lines() const
+  {
+    return axes[0].size() > 2 && axes[1].size() > 2 &&
+           shortest_distance(axes[0]) < thin * shortest_distance(axes[1]);
+  }
+
+
+
+  template <int dim>
   std::optional<LevelGrid<dim>>
   LevelGrid<dim>::coarsened() const
   {
@@ -89,6 +102,8 @@ namespace ThermoContact
           length  = std::min(length, 2. * shortest_distance(axis));
           longest = std::max(longest, axis.back() - axis.front());
         }
+    if (has_lines())
+      length = 2. * shortest_distance(axes[1]);
     LevelGrid coarse(*this);
     for (length *= 1. + Tolerances::rounding_of_data;
          coarse.n_nodes() > most_nodes * n_nodes() && length < growth * longest;

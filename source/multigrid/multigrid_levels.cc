@@ -80,7 +80,7 @@ namespace ThermoContact
         levels.emplace_back();
         for (const Field::Block field : all_fields)
           if (space.has_field(field))
-            make_field(*matrix, field, levels.back().fields[field]);
+            make_field(*matrix, grid, field, levels.back().fields[field]);
         levels.back().products = std::move(matrix);
       }
     auto products =
@@ -128,10 +128,14 @@ namespace ThermoContact
   void
   MultigridLevels<dim, Number>::make_field(
     const LevelMatrix<dim, Number> &matrix,
+    const LevelGrid<dim>           &grid,
     const Field::Block              field,
     LevelField<dim, Number>        &of_field) const
   {
     make_vectors(matrix, field, of_field);
+    if (grid.has_lines())
+      of_field.lines = LevelLines<dim, Number>(
+        matrix, grid, field, of_field.right, nodal_values(grid, field));
     for (const bool is_mass : {true, false})
       matrix.visit_entries(
         field,
@@ -159,6 +163,14 @@ namespace ThermoContact
     of_field.mass       = products.diagonal(field, 1., 0.);
     of_field.stiffness  = products.diagonal(field, 0., 1.);
     of_field.prescribed = body.discretization.constrained_entries(field);
+    const LevelGrid<dim> grid(body.scene.parameters.mesh);
+    if (grid.has_lines())
+      of_field.lines = LevelLines<dim, Number>(
+        LevelMatrix<dim, Number>(body.scene, body.discretization, grid),
+        grid,
+        field,
+        of_field.right,
+        products.nodal_values(field));
   }
 
 
@@ -190,7 +202,6 @@ namespace ThermoContact
 
     if (field == Field::displacement)
       return;
-    LevelVector<Number> exchange(fine.exchange);
     if (is_finest)
       {
         // row sums of K + kB, of which those of K are zero
@@ -200,9 +211,9 @@ namespace ThermoContact
         for (unsigned int i = 0; i < sums.locally_owned_size(); ++i)
           if (sums.local_element(i) >
               Tolerances::rounding_of_data * fine.stiffness.local_element(i))
-            exchange.local_element(i) = sums.local_element(i);
+            fine.exchange.local_element(i) = sums.local_element(i);
       }
-    fine.transfer.restrict_to(coarse.exchange, exchange);
+    fine.transfer.restrict_to(coarse.exchange, fine.exchange);
   }
 
 

@@ -3,6 +3,7 @@
 #include <thermocontact/multigrid/stage_block.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace ThermoContact
 {
@@ -25,6 +26,7 @@ namespace ThermoContact
                    tau + levels.scene().material.viscosity) /
                 scale)
     , scale(scale)
+    , is_body(level + 1 == levels.n_levels())
     , prescribed(levels.field(level, field).prescribed)
   {
     set_exchange();
@@ -64,6 +66,26 @@ namespace ThermoContact
 
 
 
+  template <int dim, typename Number>
+  std::optional<LineFactors<dim, Number>>
+  StageBlock<dim, Number>::line_factors() const
+  {
+    const LevelField<dim, Number> &parts = levels.field(level, field);
+    if (!parts.lines.partitioner)
+      return {};
+    Vector rest = diagonal();
+    for (unsigned int i = 0; i < rest.locally_owned_size(); ++i)
+      rest.local_element(i) -= stiffness * parts.stiffness.local_element(i);
+    if (is_body && field == Field::temperature)
+      for (unsigned int i = 0; i < rest.locally_owned_size(); ++i)
+        rest.local_element(i) += stiffness * parts.exchange.local_element(i);
+    for (const unsigned int entry : prescribed)
+      rest.local_element(entry) = std::numeric_limits<double>::infinity();
+    return LineFactors<dim, Number>(parts.lines, stiffness, rest);
+  }
+
+
+
   // Beyond it a node is held, and single precision ends at 3e38.
   constexpr double stiffest_spring = 1e30;
 
@@ -92,6 +114,8 @@ namespace ThermoContact
   void
   StageBlock<dim, Number>::set_exchange()
   {
+    if (is_body)
+      return; // its products have it
     const LevelVector<Number> &exchange = levels.field(level, field).exchange;
     for (unsigned int i = 0; i < exchange.locally_owned_size(); ++i)
       if (exchange.local_element(i) > 0.)

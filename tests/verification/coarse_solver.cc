@@ -5,8 +5,8 @@
 //
 // 1. Grids by hand, as distances between nodes. Of 5 x 2 squares of degree 2,
 //    which have 10 x 4, each second node stays: 5 x 2, then 3 x 1, one distance
-//    stays alone. Of 8 x 2 cells eight times as wide as long those along the
-//    body are joined first: 4, 2, 1, and then those across.
+//    stays alone. So it does of 8 x 2 cells eight times as wide as long, whose
+//    smoothers have lines: 4 x 1, then along the body 2 and 1.
 // 2. As preconditioners the cycles are what others are (matrix_free.cc):
 //    symmetric to 1e-10, positive, and half of an error is left at most;
 //    without contact, with springs and with held nodes. In single precision

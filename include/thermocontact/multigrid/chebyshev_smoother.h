@@ -5,13 +5,15 @@
 
 #include <thermocontact/multigrid/stage_block.h>
 
+#include <optional>
+
 namespace ThermoContact
 {
   /**
-   * Chebyshev polynomials in a StageBlock with its diagonal, for the upper
-   * part of the spectrum (Adams, Brezina, Hu and Tuminaro 2003): the
-   * iteration of PreconditionChebyshev, each of its steps in one pass over the
-   * vectors. Vectors are zero at prescribed degrees of freedom.
+   * Chebyshev polynomials in a StageBlock with its diagonal, or with what its
+   * LevelLines are beside it, for the upper part of the spectrum (Adams,
+   * Brezina, Hu and Tuminaro 2003): the iteration of PreconditionChebyshev.
+   * Vectors are zero at prescribed degrees of freedom.
    */
   template <int dim, typename Number>
   class ChebyshevSmoother
@@ -26,7 +28,7 @@ namespace ThermoContact
                       const unsigned int             degree,
                       const double                   range);
 
-    /** Takes the diagonal that the block has at present. */
+    /** Takes the diagonal and lines that the block has at present. */
     void
     update_diagonal();
 
@@ -57,8 +59,13 @@ namespace ThermoContact
     const StageBlock<dim, Number> &block;
     const unsigned int             degree;
     const double                   range;
-    LevelVector<Number> inverse_diagonal; ///< zero for prescribed ones
-    double              theta = 1., delta = 0.;
+    LevelVector<Number> inverse_diagonal;          ///< zero for prescribed ones
+    std::optional<LineFactors<dim, Number>> lines; ///< if there are any
+    double                                  theta = 1., delta = 0.;
+
+    /** A residual becomes that over the diagonal or the lines. */
+    void
+    precondition(LevelVector<Number> &residual) const;
 
     /** The steps after the first one. */
     void

@@ -29,11 +29,18 @@ namespace ThermoContact
 
     /**
      * Each second node left out where they are nearest to each other, whatever
-     * the direction: what is flat or graded becomes cubes, and smoothers need
-     * not treat directions apart. Null: no node can be left out.
+     * the direction, but for lines as if they were along the body what they are
+     * across it: cells become cubes. Null: no node can be left out.
      */
     std::optional<LevelGrid>
     coarsened() const;
+
+    /**
+     * Nodes are nearer to each other along the body than across it, so that
+     * smoothers solve for lines of them, LevelLines.
+     */
+    bool
+    has_lines() const;
 
     /** Ascending. */
     const std::vector<double> &

@@ -3,7 +3,7 @@
 #ifndef thermocontact_multigrid_multigrid_levels_h
 #define thermocontact_multigrid_multigrid_levels_h
 
-#include <thermocontact/multigrid/level_matrix.h>
+#include <thermocontact/multigrid/level_lines.h>
 #include <thermocontact/multigrid/level_transfer.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/cell_products.h>
@@ -28,9 +28,12 @@ namespace ThermoContact
     LevelVector<Number> mass;
     LevelVector<Number> stiffness;
 
+    /** Of grids that have them. */
+    LevelLines<dim, Number> lines;
+
     /**
-     * Heat exchange with the obstacle, row by row, that products leave out: of
-     * the temperature on coarser levels; of displacements empty.
+     * Heat exchange with the obstacle, row by row, of the temperature; products
+     * of coarser levels leave it out. Of displacements empty.
      */
     LevelVector<Number> exchange;
 
@@ -110,6 +113,7 @@ namespace ThermoContact
 
     void
     make_field(const LevelMatrix<dim, Number> &matrix,
+               const LevelGrid<dim>           &grid,
                const Field::Block              field,
                LevelField<dim, Number>        &of_field) const;
 

@@ -5,6 +5,7 @@
 
 #include <thermocontact/multigrid/multigrid_levels.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,10 @@ namespace ThermoContact
       return levels.products(level).make_vector(field);
     }
 
+    /** Those of the lines of the level, if there are any. */
+    std::optional<LineFactors<dim, Number>>
+    line_factors() const;
+
     /** Its entries on the coarsest level, as LevelMatrix::visit_entries(). */
     template <typename Visit>
     void
@@ -90,6 +95,7 @@ namespace ThermoContact
     const double                        mass;      ///< factor of $M$, $M_u$
     const double                        stiffness; ///< of $K+kB$, $S$
     const double                        scale;
+    const bool                          is_body;
     std::vector<unsigned int>           prescribed; ///< local entries
 
     /** Local entries with the stiffness of their springs, over the scale. */
