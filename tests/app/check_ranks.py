@@ -122,6 +122,14 @@ def check_memory_of_study():
         print(f"memory of a study on {ranks}:", len(told) == ranks and
               "run 1: Mesh/Cells = 200" in line and
               all(abs(a / b - 1) < 0.06 for a, b in zip(told, true)) or line)
+    seconds = []  # of a block by the iterative solver: a hundred times as many steps
+    for end in (1, 100):
+        _, screen = run(1, Path("not-made"), "--check", "study.prm", *program.settings((
+            "Dimension=3", "Mesh/Cells=20", "Mesh/Cells across=10", "Time/Step size=0.01",
+            "Solver/Linear solver=iterative", f"Time/End time={end}")))
+        time = re.search(r"processor time: about ([\d:]+)", screen)[1].split(":")
+        seconds.append(sum(int(part) * 60**i for i, part in enumerate(reversed(time))))
+    print("time of a hundred times as many steps:", 50 < seconds[1] / seconds[0] < 150 or seconds)
     os.remove("study.prm")
 
 

@@ -12,11 +12,9 @@ Exit status 77, "skipped", without matplotlib.
 """
 import contextlib
 import io
-import os
 import re
 import struct
 import sys
-import tempfile
 from pathlib import Path
 
 try:
@@ -253,8 +251,4 @@ def main():
     check_refusals(plot)
 
 
-with tempfile.TemporaryDirectory() as scratch:
-    os.chdir(scratch)
-    main()
-    os.chdir("/")
-drawings.finish()
+drawings.run_in_scratch(main)

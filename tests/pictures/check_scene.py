@@ -12,10 +12,8 @@ panels of the space-time picture and of the contact face. Exit status 77,
 "skipped", without matplotlib.
 """
 import math
-import os
 import re
 import sys
-import tempfile
 from pathlib import Path
 
 try:
@@ -180,8 +178,4 @@ def main():
     check_contact_face("turn")
 
 
-with tempfile.TemporaryDirectory() as scratch:
-    os.chdir(scratch)
-    main()
-    os.chdir("/")
-drawings.finish()
+drawings.run_in_scratch(main)

@@ -9,9 +9,7 @@ points of each period; each is compared with the columns that the labels name, o
 the runs that the legend names. Known by hand: which runs belong to a curve, which
 are not drawn. Exit status 77, "skipped", without matplotlib.
 """
-import os
 import sys
-import tempfile
 from pathlib import Path
 
 try:
@@ -207,8 +205,4 @@ def main():
         part(plot, header)
 
 
-with tempfile.TemporaryDirectory() as scratch:
-    os.chdir(scratch)
-    main()
-    os.chdir("/")
-drawings.finish()
+drawings.run_in_scratch(main)

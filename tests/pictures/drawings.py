@@ -7,6 +7,7 @@ import io
 import os
 import subprocess
 import sys
+import tempfile
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
 
@@ -26,6 +27,15 @@ def check(name, good, message=""):
 
 def finish():
     sys.exit(1 if _failed else 0)
+
+
+def run_in_scratch(main):
+    """Calls it in a directory of its own; ends with the status of all checks."""
+    with tempfile.TemporaryDirectory() as scratch:
+        os.chdir(scratch)
+        main()
+        os.chdir("/")
+    finish()
 
 
 def run(directory, prm, *settings):

@@ -27,6 +27,8 @@
 
 #include "../tests.h"
 
+#include "../recorded_run.h"
+
 using namespace ThermoContact;
 
 namespace
@@ -44,27 +46,23 @@ namespace
     const double release =
       zeta * eps / (1. + eps) * std::log((v_0 - v_e) / (g - v_e));
 
-    double        error  = 0.;
-    unsigned int  n_rows = 0, n_contact = 0;
-    Simulation<1> simulation(parameters, MPI_COMM_SELF);
-    const auto    observe = [&](const Simulation<1> &s) {
-      const StepRecord &r = s.record();
-      const double      u =
-        r.time < release ?
-                  v_e + (v_0 - v_e) * std::exp(-(1. + 1. / eps) * r.time / zeta) :
-                  g * std::exp(-(r.time - release) / zeta);
-      raise(error, std::abs(r.displacement_end - u));
-      ++n_rows;
-      n_contact += r.in_contact;
-    };
-    simulation.run({observe});
-
-    const auto &events = simulation.events();
-    const bool  is_released =
+    double       error        = 0.;
+    unsigned int n_contact    = 0;
+    const auto [rows, events] = run<1>("verification/creep-release.prm", {});
+    for (const StepRecord &r : rows)
+      {
+        const double u =
+          r.time < release ?
+            v_e + (v_0 - v_e) * std::exp(-(1. + 1. / eps) * r.time / zeta) :
+            g * std::exp(-(r.time - release) / zeta);
+        raise(error, std::abs(r.displacement_end - u));
+        n_contact += r.in_contact;
+      }
+    const bool is_released =
       events.size() == 2 && events[1].kind == ContactEvent::end;
     const double late = is_released ? events[1].time - release : INFINITY;
     deallog << "creep: rows in contact and not " << (n_contact > 1)
-            << (n_rows - n_contact > 1) << ", u(1) " << within(error, 1e-8)
+            << (rows.size() - n_contact > 1) << ", u(1) " << within(error, 1e-8)
             << ", end of contact " << within(std::abs(late), 1e-8) << std::endl;
   }
 
@@ -81,21 +79,16 @@ namespace
                          parameters.contact.law.at("Compliance");
     const double g   = parameters.contact.gap;
 
-    double        error  = 0.;
-    unsigned int  n_rows = 0, n_contact = 0;
-    Simulation<1> simulation(parameters, MPI_COMM_SELF);
-    const auto    observe = [&](const Simulation<1> &s) {
-      const StepRecord &r = s.record();
-      const double      G = parameters.model.coupling * r.temperature_mean;
-      const double      p = std::max(G - g, 0.) / (1. + eps);
-      raise(error, std::abs(r.displacement_end - (G - p)));
-      raise(error, std::abs(r.contact_force - p));
-      ++n_rows;
-      n_contact += r.in_contact;
-    };
-    simulation.run({observe});
-
-    const auto        &events = simulation.events();
+    double error = 0.;
+    const auto [rows, events] =
+      run<1>("verification/equilibrium.prm", overrides);
+    for (const StepRecord &r : rows)
+      {
+        const double G = parameters.model.coupling * r.temperature_mean;
+        const double p = std::max(G - g, 0.) / (1. + eps);
+        raise(error, std::abs(r.displacement_end - (G - p)));
+        raise(error, std::abs(r.contact_force - p));
+      }
     const unsigned int n_begins =
       std::count_if(events.begin(),
                     events.end(),
