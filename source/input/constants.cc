@@ -163,10 +163,15 @@ namespace ThermoContact
       }
     const SectionOfEntries section(prm, constants_section);
     for (const auto &[name, text] : texts)
-      {
-        prm.declare_entry(name, "", Patterns::Anything(), "A constant.");
-        prm.set(name, text);
-      }
+      try
+        {
+          prm.set(name, text);
+        }
+      catch (const ParameterHandler::ExcEntryUndeclared &)
+        {
+          prm.declare_entry(name, "", Patterns::Anything(), "A constant.");
+          prm.set(name, text);
+        }
     return evaluate_constants(texts);
   }
 

@@ -65,18 +65,20 @@ namespace ThermoContact
     visit_weights(const Visit &visit) const
     {
       for (const Entry &entry : entries)
-        for (unsigned int corner = entry.between;;
-             corner              = (corner - 1) & entry.between)
-          {
-                         Number weight = 1;
-                         for (unsigned int d = 0; d < dim; ++d)
-              if ((entry.between >> d & 1U) != 0)
-                weight *=
-                  (corner >> d & 1U) != 0 ? entry.place[d] : 1 - entry.place[d];
-            visit(entry.row, entry.first + corners[corner], weight);
-            if (corner == 0)
-              break;
-          }
+        {
+          unsigned int corner = 0; // all subsets of the bits
+          do
+            {
+              Number weight = 1;
+              for (unsigned int d = 0; d < dim; ++d)
+                if ((entry.between >> d & 1U) != 0)
+                  weight *= (corner >> d & 1U) != 0 ? entry.place[d] :
+                                                      1 - entry.place[d];
+              visit(entry.row, entry.first + corners[corner], weight);
+              corner = (corner - entry.between) & entry.between;
+            }
+          while (corner != 0);
+        }
     }
   };
 } // namespace ThermoContact

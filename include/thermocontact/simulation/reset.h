@@ -65,9 +65,9 @@ namespace ThermoContact
      *   (C4.4), which finds its contact
      * @param at the end of the step, with the times of the old and new loads
      * @param result in: a step that is accepted, whose state has the time of
-     *   the new loads; out: with the state behind the discontinuity, at the
-     * same time, and its energy; work and numerical dissipation are added to,
-     * and all else, closed_nodes too, is still that of the step
+     *   the new loads; out: with the state behind the discontinuity at that
+     *   time and its energy; work and numerical dissipation are added to, and
+     *   all else, closed_nodes too, is still that of the step
      * @return true if the body or its contact nodes have answered by motion.
      *   Nothing is changed if fixed end and loads of the momentum equation are
      *   continuous there, as at a time that is only listed, or move nothing

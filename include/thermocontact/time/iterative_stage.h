@@ -170,8 +170,7 @@ namespace ThermoContact
     std::vector<std::string> &warnings;
     StageHierarchies<dim>     hierarchies;
 
-    /** Faster than those of the equations, which they are to rounding. */
-    const CellProducts<dim, double> &products;
+    const CellProducts<dim, double> &products; ///< of the equations
 
     double                 tau      = 0.;
     bool                   has_heat = true;      ///< its temperature is unknown
