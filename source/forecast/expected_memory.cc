@@ -15,7 +15,8 @@ namespace ThermoContact
     // Measured, doc/bodies.md.
     constexpr double seconds_of_process = 0.4;
     constexpr double bytes_of_process   = 1.7e8;
-    constexpr double bytes_by_iteration = 600.; // per unknown
+    // Per unknown; and where no lines of nodes across the body are alike.
+    constexpr double bytes_by_iteration = 600., bytes_of_lines = 500.;
 
 
 
@@ -48,7 +49,14 @@ namespace ThermoContact
     if (dim == 1)
       return processes; // its matrices are small
     if (scene.linear_solver.is_iterative)
-      return processes + bytes_by_iteration * n_unknowns;
+      {
+        const MeshParameters &mesh = scene.parameters.mesh;
+        const bool            has_equal_lines =
+          dim == 2 || mesh.grading == 1. || mesh.grading_across == 1.;
+        return processes +
+               (bytes_by_iteration + (has_equal_lines ? 0. : bytes_of_lines)) *
+                 n_unknowns;
+      }
     // neighbours of a node are as many as nodes of the cells around it
     const double width = (scene.parameters.mesh.degree + 1.) / 3.;
     const double n_kept =

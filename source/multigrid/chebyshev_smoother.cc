@@ -59,14 +59,17 @@ namespace ThermoContact
   void
   ChebyshevSmoother<dim, Number>::update_diagonal()
   {
+    lines.reset();
+    if (auto factors = block.line_factors())
+      {
+        lines.emplace(std::move(*factors));
+        return;
+      }
     inverse_diagonal = block.make_vector();
     copy_values(inverse_diagonal, block.diagonal());
     for (Number &value : inverse_diagonal)
       value = 1 / value;
     block.zero_prescribed(inverse_diagonal);
-    lines.reset();
-    if (auto factors = block.line_factors())
-      lines.emplace(std::move(*factors));
   }
 
 

@@ -18,6 +18,7 @@ namespace ThermoContact
                                      const MPI_Comm     communicator)
   {
     this->communicator = communicator;
+    entries.clear();
     const auto strides = coarse.strides();
     for (unsigned int corner = 0; corner < n_corners; ++corner)
       {

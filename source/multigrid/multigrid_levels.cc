@@ -97,6 +97,22 @@ namespace ThermoContact
                     l,
                     field);
         }
+    const LevelGrid<dim> of_body(body.scene.parameters.mesh);
+    if (of_body.has_lines())
+      {
+        const LevelMatrix<dim, Number> matrix(body.scene, space, of_body);
+        for (const Field::Block field : all_fields)
+          if (space.has_field(field))
+            {
+              LevelField<dim, Number> &fine = levels.back().fields[field];
+              fine.lines =
+                LevelLines<dim, Number>(matrix,
+                                        of_body,
+                                        field,
+                                        fine.stiffness,
+                                        products->nodal_values(field));
+            }
+      }
     levels.back().products = std::move(products);
   }
 
@@ -163,14 +179,6 @@ namespace ThermoContact
     of_field.mass       = products.diagonal(field, 1., 0.);
     of_field.stiffness  = products.diagonal(field, 0., 1.);
     of_field.prescribed = body.discretization.constrained_entries(field);
-    const LevelGrid<dim> grid(body.scene.parameters.mesh);
-    if (grid.has_lines())
-      of_field.lines = LevelLines<dim, Number>(
-        LevelMatrix<dim, Number>(body.scene, body.discretization, grid),
-        grid,
-        field,
-        of_field.stiffness,
-        products.nodal_values(field));
   }
 
 

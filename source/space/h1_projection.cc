@@ -9,6 +9,7 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_cartesian.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
@@ -203,15 +204,16 @@ namespace ThermoContact
   {
     const FiniteElement<dim> &fe = discretization.finite_element();
     // The data are no polynomials: more points than the products need.
-    const unsigned int n_points = fe.degree + 3;
+    const unsigned int          n_points = fe.degree + 3;
+    const MappingCartesian<dim> boxes; // which all cells are
     // tables of all components would be larger than the body
     const FiniteElement<dim> &of_component = fe.base_element(0);
-    FEValues<dim>             fe_values(discretization.mapping(),
+    FEValues<dim>             fe_values(boxes,
                             of_component,
                             QGauss<dim>(n_points),
                             update_values | update_hessians |
                               update_quadrature_points | update_JxW_values);
-    FEFaceValues<dim>         face_values(discretization.mapping(),
+    FEFaceValues<dim>         face_values(boxes,
                                   of_component,
                                   QGauss<dim - 1>(n_points),
                                   update_values | update_gradients |

@@ -496,16 +496,13 @@ namespace ThermoContact
       return Utilities::fixed_power<2>(w.local_element(i) *
                                        rows.local_element(i));
     };
-    // a force at nodes without mass moves the others through them, too
-    const double passed_on =
-      1. / hierarchies.current().diagonals[Field::displacement].linfty_norm();
     Sizes squares{};
     for (unsigned int i = 0; i < rows.locally_owned_size(); ++i)
       {
         squares[is_massless(i)] += square(i);
         if (is_massless(i))
           squares[0] +=
-            passed_on * Utilities::fixed_power<2>(rows.local_element(i));
+            Utilities::fixed_power<2>(rows.local_element(i)) / largest_diagonal;
       }
     Sizes sizes;
     for (unsigned int i = 0; i < sizes.size(); ++i)
@@ -527,6 +524,7 @@ namespace ThermoContact
     const MultigridLevels<dim, float> &levels = hierarchies.levels();
     const unsigned int                 finest = levels.n_levels() - 1;
 
+    largest_diagonal = diagonal.linfty_norm();
     // Forces that move something: those beside the pressure that is there.
     Sizes  sizes{};
     Vector rows(rhs.block(Field::displacement));

@@ -59,7 +59,7 @@ namespace ThermoContact
     const StageBlock<dim, Number> &block;
     const unsigned int             degree;
     const double                   range;
-    LevelVector<Number> inverse_diagonal;          ///< zero for prescribed ones
+    LevelVector<Number> inverse_diagonal; ///< without lines; 0: prescribed
     std::optional<LineFactors<dim, Number>> lines; ///< if there are any
     double                                  theta = 1., delta = 0.;
 

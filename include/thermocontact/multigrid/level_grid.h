@@ -29,8 +29,8 @@ namespace ThermoContact
 
     /**
      * Each second node left out where they are nearest to each other, whatever
-     * the direction, but for lines as if they were along the body what they are
-     * across it: cells become cubes. Null: no node can be left out.
+     * the direction; where has_lines(), distances across the body alone count.
+     * Cells become cubes. Null: no node can be left out.
      */
     std::optional<LevelGrid>
     coarsened() const;

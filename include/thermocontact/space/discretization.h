@@ -204,7 +204,8 @@ namespace ThermoContact
 
     /**
      * A vector of zeros for one field or for the whole system. Those of a
-     * field share one partitioner: their assignment is a copy.
+     * field share one partitioner: their assignment is a copy. In scenes
+     * without matrices they have the ghosts that products by cells need.
      */
     Vector
     make_vector(const Field::Block field) const

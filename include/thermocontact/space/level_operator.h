@@ -35,8 +35,9 @@ namespace ThermoContact
     make_vector(const Field::Block field) const = 0;
 
     /**
-     * @p y = (@p mass M + @p stiffness (K + k B)) @p x, or with $M_u$ and $S$.
-     * Without constraints. Collective.
+     * @p y = (@p mass M + @p stiffness K) @p x, or with $M_u$ and $S$; of a
+     * body with the heat exchange, (K + kB + L). Without constraints.
+     * Collective.
      */
     virtual void
     vmult(const Field::Block         field,

@@ -244,7 +244,12 @@ namespace ThermoContact
     /** Rows with mass, and those of contact nodes without it among them. */
     using Sizes = std::array<double, 2>;
 
-    /** Norms of a vector of momentum rows over the roots of the diagonal. */
+    double largest_diagonal = 0.; ///< of the momentum block
+
+    /**
+     * Norms of a vector of momentum rows over the roots of the diagonal,
+     * (D8.4). A force at nodes without mass moves the others through them, too.
+     */
     Sizes
     momentum_sizes(const Vector &rows) const;
 
