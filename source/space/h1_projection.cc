@@ -204,16 +204,18 @@ namespace ThermoContact
   {
     const FiniteElement<dim> &fe = discretization.finite_element();
     // The data are no polynomials: more points than the products need.
-    const unsigned int          n_points = fe.degree + 3;
-    const MappingCartesian<dim> boxes; // which all cells are
+    const unsigned int n_points = fe.degree + 3;
+    // all cells are boxes, of which bodies have many
+    const MappingCartesian<dim> boxes;
+    const Mapping<dim> &mapping = dim == 1 ? discretization.mapping() : boxes;
     // tables of all components would be larger than the body
     const FiniteElement<dim> &of_component = fe.base_element(0);
-    FEValues<dim>             fe_values(boxes,
+    FEValues<dim>             fe_values(mapping,
                             of_component,
                             QGauss<dim>(n_points),
                             update_values | update_hessians |
                               update_quadrature_points | update_JxW_values);
-    FEFaceValues<dim>         face_values(boxes,
+    FEFaceValues<dim>         face_values(mapping,
                                   of_component,
                                   QGauss<dim - 1>(n_points),
                                   update_values | update_gradients |
