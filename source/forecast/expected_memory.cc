@@ -71,27 +71,6 @@ namespace ThermoContact
 
   namespace
   {
-    /**
-     * Krylov iterations of a stage beside those of cubes with $\nu=0.3$: long
-     * cells and $\nu\to1/2$ take more, less so with inertia.
-     */
-    double
-    relative_iterations(const Scene &scene)
-    {
-      const auto   along    = scene.parameters.mesh.cell_sizes();
-      const auto   across   = scene.parameters.mesh.cell_sizes_across();
-      const double aspect   = std::max(1.,
-                                     std::max(along.front(), along.back()) /
-                                       std::min(across.front(), across.back()));
-      const double softness = std::max(1., 0.57 / scene.material.two_mu);
-      const double exponent = scene.material.has_inertia() ? 0.6 : 1.;
-      return std::pow(std::pow(aspect, 0.4) * std::pow(softness, 0.35),
-                      exponent) *
-             (scene.material.has_inertia() ? 1. : 1.4);
-    }
-
-
-
     /** Steps of different sizes, of those that a tolerance chooses. */
     double
     n_step_sizes(const Scene &scene, const double n_steps)
@@ -116,7 +95,7 @@ namespace ThermoContact
       {
         const double set_up = (dim == 2 ? 1e-5 : 2e-5) *
                               std::max(1., std::pow(degree / 4., dim - 1.));
-        const double stage = 1.4e-6 * relative_iterations(scene);
+        const double stage = 1.4e-6 * scene.linear_solver.relative_iterations;
         return seconds_of_process +
                n * (set_up + stage * (n_stages + 0.1 * n_sizes));
       }

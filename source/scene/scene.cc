@@ -7,6 +7,9 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/scene/scene.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace ThermoContact
 {
   namespace
@@ -299,29 +302,49 @@ namespace ThermoContact
 
 
 
+    /** LinearSolver::relative_iterations */
+    double
+    relative_iterations(const Parameters  &parameters,
+                        const SceneFields &fields,
+                        const Material    &material)
+    {
+      if (parameters.dimension == 1 || !fields.has_displacement)
+        return 1.;
+      const auto   along    = parameters.mesh.cell_sizes();
+      const auto   across   = parameters.mesh.cell_sizes_across();
+      const double aspect   = std::max(1.,
+                                     std::max(along.front(), along.back()) /
+                                       std::min(across.front(), across.back()));
+      const double softness = std::max(1., 0.57 / material.two_mu);
+      const double all      = std::pow(aspect, 0.4) * std::pow(softness, 0.35);
+      return material.has_inertia() ? std::pow(all, 0.6) : 1.4 * all;
+    }
+
+
+
     /**
-     * Unknowns up to which factors are faster, doc/bodies.md. Their cost grows
-     * faster than the number of unknowns, the more so the more dimensions a
-     * body has; chosen step sizes take some of them, each with a response for
-     * each contact node.
+     * Unknowns up to which factors are faster, doc/bodies.md. What they cost
+     * for an unknown and a stage grows at least like the root of the number of
+     * unknowns, what iterations cost does not; chosen step sizes take several
+     * factors.
      */
     double
-    largest_for_factors(const Parameters   &parameters,
-                        const SceneContact &contact)
+    largest_for_factors(const Parameters &parameters,
+                        const double      relative_iterations)
     {
-      const double limit = parameters.dimension == 2 ? 2e5 : 1e4;
-      if (!parameters.time.has_error_control())
-        return limit;
-      return contact.law->is_active() ? limit / 4. : limit / 2.;
+      const double limit = parameters.dimension == 2 ? 16000. : 2400.,
+                   worst = std::min(relative_iterations, 4.);
+      return limit * worst * worst /
+             (parameters.time.has_error_control() ? 2. : 1.);
     }
 
 
 
     LinearSolver
-    resolve_linear_solver(const Parameters   &parameters,
-                          const SceneFields  &fields,
-                          const SceneContact &contact,
-                          const std::string  &needs_factors)
+    resolve_linear_solver(const Parameters  &parameters,
+                          const SceneFields &fields,
+                          const Material    &material,
+                          const std::string &needs_factors)
     {
       const SolverParameters &solver = parameters.solver;
       const unsigned int      dim    = parameters.dimension;
@@ -329,6 +352,7 @@ namespace ThermoContact
                           false,
                           solver.linear_tolerance.value_or(
                             Tolerances::default_residual),
+                          relative_iterations(parameters, fields, material),
                           needs_factors,
                           needs_factors};
       if (solver.linear_solver != "automatic")
@@ -342,13 +366,14 @@ namespace ThermoContact
         {
           const double n_unknowns =
             parameters.mesh.n_nodes(dim) * fields.n_components(dim);
-          const double limit  = largest_for_factors(parameters, contact);
+          const double limit =
+            largest_for_factors(parameters, result.relative_iterations);
           result.is_iterative = n_unknowns > limit;
           result.reason       = text(significant(n_unknowns, 3),
                                " unknowns in ",
                                dim,
                                " dimensions, direct up to ",
-                               significant(limit, 3));
+                               significant(limit, 2));
         }
       return result;
     }
@@ -398,7 +423,7 @@ namespace ThermoContact
     , linear_solver(
         resolve_linear_solver(parameters,
                               fields,
-                              contact,
+                              material,
                               reason_for_factors(parameters,
                                                  scheme,
                                                  is_fixed_point,

@@ -275,8 +275,15 @@ namespace ThermoContact
     /** Direct, by blocks along the rod, where one process has all of it. */
     bool is_along_rod;
 
-    double      tolerance; ///< relative residual; of the iterative one
-    std::string reason;    ///< of the choice
+    double tolerance; ///< relative residual; of the iterative one
+
+    /**
+     * Krylov iterations of a stage beside those of cubes with $\nu=0.3$ and
+     * inertia: long cells and $\nu\to1/2$ take more, less so with inertia.
+     */
+    double relative_iterations;
+
+    std::string reason; ///< of the choice
 
     /** What of the scene needs sparse factors; empty: nothing does. */
     std::string needs_factors;
