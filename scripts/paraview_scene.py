@@ -8,7 +8,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import paraview_contact
 import paraview_space_time
 from paraview import servermanager
-from paraview.simple import (Box, ColorBy, CreateView, ExtractSurface,
+from paraview.simple import (Box, Clean, ColorBy, CreateView, ExtractSurface,
                              GetColorTransferFunction, GetScalarBar,
                              LinearExtrusion, PVDReader, Render,
                              SaveScreenshot, Show, Text, Tube, WarpByVector,
@@ -93,8 +93,9 @@ def show_shape(view, path, scale, thickness, colour, opacity):
     end reaches."""
     face = WarpByVector(Input=reader_of(path),
                         Vectors=["POINTS", "displacement"], ScaleFactor=scale)
-    shape = LinearExtrusion(Input=ExtractSurface(Input=face),
-                            ScaleFactor=thickness, Vector=[1, 0, 0])
+    # sides of cells that are one do not become walls
+    surface = Clean(Input=ExtractSurface(Input=face))
+    shape = LinearExtrusion(Input=surface, ScaleFactor=thickness, Vector=[1, 0, 0])
     show_plain(view, shape, colour, opacity).ColorArrayName = ["POINTS", ""]
 
 
@@ -176,7 +177,9 @@ def make_view(snapshots, right, box, width):
              (low[1] + high[1]) / 2]
     away = [-0.35, 0.45, 1.5] if snapshots.dim == 3 else [0, 0, 3]
     view.CameraFocalPoint = focus
-    view.CameraPosition = [f + unit * a for f, a in zip(focus, away)]
+    # in front of all, since what is behind the camera is cut away
+    far = right + sum(high) - sum(low)
+    view.CameraPosition = [f + far * a for f, a in zip(focus, away)]
     view.CameraViewUp = [0, 1, 0]
     return view
 

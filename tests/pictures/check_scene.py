@@ -61,6 +61,9 @@ def scene_of(directory, *arguments):
 
     def screenshot(path, view):
         obstacle = (made.get("LinearExtrusion") or made["Box"])[-1]
+        camera, focus = map(numpy.array, (view.CameraPosition, view.CameraFocalPoint))
+        body = made["WarpByVector"][0].output().points
+        check("all is before the camera", ((camera - body) @ (camera - focus)).min() > 0)
         pictures[Path(path).stem] = (
             view.ViewTime, [text.Text for text in made["Text"]],
             bounds(made["WarpByVector"][0], view.ViewTime),
@@ -173,6 +176,9 @@ def main():
     check_scene("turn", "stress", lambda t: sorted(
         0.02 + 0.1 * y - (0.03 + 0.2 * y) * math.sin(9 * t) for y in (0, 0.2)),
         "--colour", "stress")
+    drawings.run("wide block", "examples/strip.prm", "Time/End time=0.3", "Dimension=3",
+                 "Mesh/Cells=1", "Mesh/Cells across=1", "Mesh/Width=8", "Contact/Gap=0.02")
+    check_scene("wide block", "temperature", lambda t: (0.02, 0.02))
     check_factors()
     check_space_time("rod")
     check_contact_face("turn")

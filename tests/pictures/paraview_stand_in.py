@@ -138,7 +138,7 @@ def install():
             setattr(modules[package], last, module)
     modules[names[-1]].vtk_to_numpy = numpy.asarray
     modules["paraview.servermanager"].Fetch = lambda proxy: proxy.output()
-    proxies = {name: Proxy for name in ("ExtractSurface", "Text", "Tube")}
+    proxies = {name: Proxy for name in ("Clean", "ExtractSurface", "Text", "Tube")}
     modules["paraview.simple"].__dict__.update(
         proxies, Box=Box, WarpByVector=WarpByVector, PVDReader=Reader,
         LinearExtrusion=LinearExtrusion,
