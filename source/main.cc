@@ -138,6 +138,20 @@ namespace ThermoContact
 
 
 
+    void
+    check_processor()
+    {
+#if THERMOCONTACT_LANE_BYTES > 16
+      if (!__builtin_cpu_supports("avx2"))
+        throw ComputationError(
+          "this program was compiled for a processor with AVX2 instructions, "
+          "and this one has none\n  remedy:  build it here, or with cmake "
+          "-DTHERMOCONTACT_AVX2=OFF");
+#endif
+    }
+
+
+
     /** What to do if memory is not enough, perhaps on this rank alone. */
     [[noreturn]] void
     refuse_size(const Parameters &parameters)
@@ -162,6 +176,7 @@ namespace ThermoContact
     void
     run(const CommandLine &command, const Timer &since_start, Log &log)
     {
+      check_processor();
       if (command.show_help || command.show_version)
         {
           log.line(command.show_help ?

@@ -350,8 +350,7 @@ namespace ThermoContact
                           std::max(side * state.contact_pressure[i], 0.),
                           s,
                           end.velocity_into(state, i, side, end_velocity[i]),
-                          Tolerances::rounding_of_penetration *
-                            std::max(size, std::abs(state.gap[i])));
+                          Tolerances::rounding_of_penetration * size);
     };
     for (unsigned int i = 0; i < scratch.size(); ++i)
       scratch[i] = stored(i, 1) - stored(i, -1);

@@ -30,6 +30,12 @@ def box(w):
     return f"if(t>{CENTRE!r},if(t<{CENTRE + w!r},1,0),0)", [CENTRE, CENTRE + w]
 
 
+def inner_box(w):
+    """Of the half at the fixed end alone"""
+    pulse, corners = box(w)
+    return f"if(x<0.5,{pulse},0)", corners
+
+
 def bell(w):
     return (f"exp(-((t-{CENTRE!r})/{w / 2!r})^2)",
             [CENTRE + w * part for part in (-2, -1, -0.5, 0, 0.5, 1, 2)])
@@ -47,7 +53,7 @@ def hat(w):
 KINDS = {  # entry, expression without the pulse, shape, height
     "traction": ("Sources/End traction", "0", bell, lambda w: 0.2 / w),
     "body force": ("Sources/Body force", "0", hat, lambda w: 0.4 / w),
-    "heat source": ("Sources/Heat source", "0", box, lambda w: 10 / w),
+    "heat source": ("Sources/Heat source", "0", inner_box, lambda w: 20 / w),
     "heat flux": ("Sources/End heat flux", "0", bell, lambda w: 5 / w),
     "end": ("Boundary/Fixed end displacement", "0", ramp, lambda w: 0.05),
     "gap": ("Contact/Gap", "0.1", ramp, lambda w: -0.05),

@@ -9,12 +9,13 @@
 // where FILE stands for TEST.prm itself and PRM for the folder of published
 // parameter files; without such a line it runs "FILE" once. "#$ -n 2 ..." runs
 // on two ranks. Prints each command, what the program wrote to standard error,
-// its exit status, but of a command that is refused, 2 and no file, and, for an
-// output directory, the names of its files, the entries of summary.json that a
-// line "#? key key ..." names, and what the script of a line "#! SCRIPT" beside
-// TEST.prm says about it. A line "#% COMMAND" is run by the shell before all
-// others, e.g. to make a file that cannot be kept here. Files that a run leaves
-// outside of the output directory are named.
+// its exit status, and, for an output directory, the names of its files, the
+// entries of summary.json that a line "#? key key ..." names, and what the
+// script of a line "#! SCRIPT" beside TEST.prm says about it; of a command that
+// is refused, with 2 and no file, the message alone, which says what is wrong.
+// A line "#% COMMAND" is run by the shell before all others, e.g. to make a
+// file that cannot be kept here. Files that a run leaves outside of the output
+// directory are named.
 //
 // Most of a short run is the loader's work on two hundred libraries: the
 // program is linked in, and a run is a child of this process that calls its
@@ -243,8 +244,7 @@ __wrap_main(int, char **argv)
                      argument.substr(0, 4) + " " :
                    "";
       const auto files_before = working_files();
-      std::cout << "$ thermocontact " << argument << '\n';
-      const int status =
+      const int  status =
         run_program(replace_all(replace_all(on_ranks ? argument.substr(5) :
                                                        argument,
                                             "FILE",
@@ -252,10 +252,13 @@ __wrap_main(int, char **argv)
                                 "PRM",
                                 prm_dir),
                     launcher);
+      const bool is_refused = status == 2 && working_files() == files_before &&
+                              !fs::exists(output_dir);
+      if (!is_refused)
+        std::cout << "$ thermocontact " << argument << '\n';
       std::cout << replace_all(
         replace_all(words_of_program(meanings), test_dir, ""), prm_dir, "prm");
-      if (status == 2 && working_files() == files_before &&
-          !fs::exists(output_dir))
+      if (is_refused)
         continue;
       std::cout << "exit status " << status;
       for (const std::string &name : working_files())

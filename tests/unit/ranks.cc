@@ -5,13 +5,22 @@
 // (MPI_COMM_SELF) and both run it together (MPI_COMM_WORLD). Dimensions 2 and
 // 3; elastic and rigid obstacle; the paper's iteration; sources. A rod is not
 // shared: its numbers are the same bit for bit. Contact occurs in all of them.
+// Numbers of a step that differ become those of rank 0, a failure of rank 1 is
+// one of rank 0. A SIGTERM that rank 1 gets while rank 0 alone is at work does
+// nothing.
 
+#include <thermocontact/base/serial_section.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <unistd.h>
+
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <csignal>
+#include <thread>
 
 #include "../tests.h"
 
@@ -76,6 +85,60 @@ namespace
               << ", one rank equals two to " << bound << ' '
               << within(difference, bound) << std::endl;
   }
+
+
+
+  void
+  test_agreement(const unsigned int rank)
+  {
+    StepResult result;
+    double     number = 1. + 10. * rank;
+    for (double *value : {&result.work,
+                          &result.dissipation,
+                          &result.lateral_dissipation,
+                          &result.numerical_dissipation,
+                          &result.algebraic,
+                          &result.contact_dissipation,
+                          &result.impulse})
+      *value = number++;
+    result.agree(MPI_COMM_WORLD);
+    const bool none_fails = result.failure.empty();
+    const auto numbers    = Utilities::MPI::all_gather(
+      MPI_COMM_WORLD,
+      std::vector<double>{result.work,
+                             result.dissipation,
+                             result.lateral_dissipation,
+                             result.numerical_dissipation,
+                             result.algebraic,
+                             result.contact_dissipation,
+                             result.impulse});
+    result.failure = rank == 1 ? "of rank 1" : "";
+    result.agree(MPI_COMM_WORLD);
+    if (rank == 0)
+      deallog << "one step: the numbers "
+              << (numbers[1] == std::vector<double>{1, 2, 3, 4, 5, 6, 7})
+              << ", no failure " << none_fails << ", " << result.failure
+              << std::endl;
+  }
+
+
+
+  void
+  test_signal(const unsigned int rank)
+  {
+    const auto numbers = Utilities::MPI::all_gather(MPI_COMM_WORLD, getpid());
+    serial_section(
+      [&]() {
+        const std::chrono::milliseconds time(200);
+        std::this_thread::sleep_for(time); // rank 1 comes to wait
+        kill(numbers[1], SIGTERM);
+        std::this_thread::sleep_for(time);
+      },
+      MPI_COMM_WORLD);
+    const unsigned int n = Utilities::MPI::sum(1u, MPI_COMM_WORLD);
+    if (rank == 0)
+      deallog << "after a signal to rank 1: ranks " << n << std::endl;
+  }
 } // namespace
 
 
@@ -83,7 +146,8 @@ namespace
 void
 main_ranks()
 {
-  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  const unsigned int rank = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  if (rank == 0)
     {
       initlog();
       deallog << "ranks " << Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)
@@ -114,4 +178,6 @@ main_ranks()
               "Time/Scheme=backward euler",
               "Contact/Compliance=0.1"});
   compare<3>("elastic obstacle", {});
+  test_agreement(rank);
+  test_signal(rank);
 }

@@ -14,7 +14,12 @@
 // 3. First contact: of events at 0.4 and 0.9 and of events at 0.5 and 0.6,
 //    0.1; 0 if neither has any, NaN if one has none. Beyond the end of the
 //    reference all is NaN.
+// 4. Peaks between samples: the cubic t^3/3 - 3t^2/2 + 2t + 1 of a first step
+//    from 0 to 1.5 has its largest value 11/6 at t = 1 and falls to t = 2,
+//    behind its end; without rates the parabola 5 - (t - 1.2)^2 through t = 0,
+//    1 and 2 has 5, of its first two samples the larger one, 4.96, counts.
 
+#include <thermocontact/simulation/sampled_peak.h>
 #include <thermocontact/study/trajectory.h>
 
 #include <cmath>
@@ -154,6 +159,23 @@ namespace
     deallog << "beyond the reference NaN " << std::isnan(beyond.maximum[0])
             << ' ' << std::isnan(beyond.final_value[0]) << std::endl;
   }
+
+
+
+  void
+  test_peaks()
+  {
+    SampledPeak of_cubic, of_parabola;
+    of_cubic.add(0., 1., 2.);
+    of_cubic.add(1.5, 1.75, -0.25);
+    deallog << "peaks " << of_cubic.estimate();
+    for (const double t : {0., 1., 2.})
+      {
+        of_parabola.add(t, 5. - (t - 1.2) * (t - 1.2));
+        deallog << ' ' << of_parabola.estimate();
+      }
+    deallog << std::endl;
+  }
 } // namespace
 
 
@@ -165,4 +187,5 @@ main_trajectory()
   test_interpolation();
   test_maximum();
   test_first_contact();
+  test_peaks();
 }

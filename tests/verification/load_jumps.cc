@@ -35,6 +35,10 @@
 //    solver, events located: the sets of all stages settle, so that no more
 //    steps are rejected than with the direct solver (18 instead of 2 if they do
 //    not), and the largest force is the same to 1e-6.
+// 9. The fixed end of one linear cell without heat exchange is 1 hotter at
+// once:
+//    M (1, theta) = (., 0) with M = (2 1; 1 2)/6, so theta(1) = -1/2 in the row
+//    of the jump and E = W = (1/2) int (1 - 3x/2)^2 = 1/8.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -290,6 +294,28 @@ namespace
 
 
   void
+  check_heated_end()
+  {
+    double error = 1.;
+    run<1>({"Model/Fields=temperature",
+            "Mesh/Cells=1",
+            "Mesh/Degree=1",
+            "Initial values/Temperature=0",
+            "Boundary/Heat exchange=0",
+            "Boundary/Fixed end temperature=if(t<0.1,0,1)",
+            "Time/End time=0.2"},
+           [&](const Simulation<1> &s) {
+             const StepRecord &r = s.record();
+             if (std::abs(r.time - 0.1) < 1e-9)
+               error = std::abs(r.temperature_end + 0.5) +
+                       std::abs(r.energy - 0.125) + std::abs(r.work - 0.125);
+           });
+    deallog << "heated end: " << within(error, 1e-12) << std::endl;
+  }
+
+
+
+  void
   check_velocity()
   {
     bool         is_right = true;
@@ -367,6 +393,7 @@ main_load_jumps()
   check_massless_nodes();
   check_close_jumps();
   check_listed_time();
+  check_heated_end();
   check_velocity();
   check_factors();
   const auto [direct, n_direct]       = largest_force("direct");

@@ -99,11 +99,11 @@ namespace ThermoContact
     std::vector<NodalValue<dim>>
     nodal_values(const Field::Block field) const;
 
-    static constexpr unsigned int n_lanes = 16 / sizeof(Number);
+    static constexpr unsigned int n_lanes = Lanes<Number>::n_lanes;
 
   private:
     /** Cells that are treated together; arrays of lanes are aligned. */
-    struct alignas(16) Batch
+    struct alignas(THERMOCONTACT_LANE_BYTES) Batch
     {
       std::array<std::array<Number, n_lanes>, dim> inverse_size;
       std::array<Number, n_lanes>                  volume;

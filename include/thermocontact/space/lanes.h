@@ -17,30 +17,33 @@ namespace ThermoContact
     template <>
     struct LanesData<float>
     {
-      typedef float Type __attribute__((vector_size(16), may_alias));
+      typedef float Type
+        __attribute__((vector_size(THERMOCONTACT_LANE_BYTES), may_alias));
     };
 
     template <>
     struct LanesData<double>
     {
-      typedef double Type __attribute__((vector_size(16), may_alias));
+      typedef double Type
+        __attribute__((vector_size(THERMOCONTACT_LANE_BYTES), may_alias));
     };
   } // namespace internal
 
 
 
   /**
-   * 16 bytes of numbers that one instruction treats together: what every
-   * processor of 64 bits has, so that programs run on all of them.
+   * Numbers that one instruction treats together: 32 bytes of them, or 16,
+   * which every processor of 64 bits has (CMakeLists.txt).
    */
   template <typename Number>
   struct Lanes
   {
-    static constexpr unsigned int n_lanes = 16 / sizeof(Number);
+    static constexpr unsigned int n_lanes =
+      THERMOCONTACT_LANE_BYTES / sizeof(Number);
 
     typename internal::LanesData<Number>::Type data;
 
-    /** A view of numbers that are aligned to 16 bytes. */
+    /** A view of numbers that are aligned to as many bytes. */
     static const Lanes *
     in(const Number *numbers)
     {
