@@ -95,7 +95,8 @@ namespace ThermoContact
       {
         const double set_up = (dim == 2 ? 1e-5 : 2e-5) *
                               std::max(1., std::pow(degree / 4., dim - 1.));
-        const double stage = 1.4e-6 * scene.linear_solver.relative_iterations;
+        const double stage = (scene.material.has_inertia() ? 1.4e-6 : 2e-6) *
+                             scene.linear_solver.relative_iterations;
         return seconds_of_process +
                n * (set_up + stage * (n_stages + 0.1 * n_sizes));
       }

@@ -317,7 +317,7 @@ namespace ThermoContact
                                        std::min(across.front(), across.back()));
       const double softness = std::max(1., 0.57 / material.two_mu);
       const double all      = std::pow(aspect, 0.4) * std::pow(softness, 0.35);
-      return material.has_inertia() ? std::pow(all, 0.6) : 1.4 * all;
+      return std::pow(all, material.has_inertia() ? 0.6 : 1.);
     }
 
 

@@ -5,7 +5,7 @@
 usage: check_ranks.py DIR
 
 DIR holds a finished run of one rank. A rod on two ranks; a body stopped at half of its end
-time and resumed. What the runs of a study take of the memory together.
+time and resumed. What the runs of a study take of the memory together; which solver bodies have.
 """
 import json
 import math
@@ -130,6 +130,12 @@ def check_memory_of_study():
         time = re.search(r"processor time: about ([\d:]+)", screen)[1].split(":")
         seconds.append(sum(int(part) * 60**i for i, part in enumerate(reversed(time))))
     print("time of a hundred times as many steps:", 50 < seconds[1] / seconds[0] < 150 or seconds)
+    # squares, 2 (n + 1)^2 unknowns: up to 16000, and 8000 with chosen steps
+    solvers = [re.search(r"solver +(\w+)", run(1, Path("not-made"), "--check", "study.prm", *program.settings((
+        "Dimension=2", "Mesh/Width=1", "Mesh/Degree=1", "Model/Fields=displacement", f"Mesh/Cells={n}",
+        "Mesh/Cells across=0", f"Time/Step size={step}")))[1])[1]
+               for n, step in ((88, 0.1), (89, 0.1), (62, "automatic"), (63, "automatic"))]
+    print("solvers:", *solvers)
     os.remove("study.prm")
 
 

@@ -278,8 +278,8 @@ namespace ThermoContact
     double tolerance; ///< relative residual; of the iterative one
 
     /**
-     * Krylov iterations of a stage beside those of cubes with $\nu=0.3$ and
-     * inertia: long cells and $\nu\to1/2$ take more, less so with inertia.
+     * Krylov iterations of a stage beside those of cubes with $\nu=0.3$: long
+     * cells and $\nu\to1/2$ take more, less so with inertia.
      */
     double relative_iterations;
 
