@@ -392,8 +392,7 @@ def overrides(settings):
     return (settings,) if isinstance(settings, str) else settings
 
 
-REMEDY = re.compile(r"remedy:  ((?:[A-Z]\w*/[A-Z][\w ]*|Dimension)) = "
-                    r"(.+?)(?:[:,;\n]| or | for |$)", re.MULTILINE)
+REMEDY = re.compile(r"remedy:  ((?:[A-Z]\w*/[A-Z][\w ]*|Dimension)) = (.+?)(?:[:,;\n]| or | for |$)", re.M)
 TOO_LARGE = ("Time/Maximum step size=1e-9",)
 
 
