@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace ThermoContact
 {
@@ -17,9 +18,10 @@ namespace ThermoContact
                                      const unsigned int n_components,
                                      const MPI_Comm     communicator)
   {
+    this->n_components = n_components;
     this->communicator = communicator;
-    entries.clear();
-    const auto strides = coarse.strides();
+    std::vector<Entry> values;
+    const auto         strides = coarse.strides();
     for (unsigned int corner = 0; corner < n_corners; ++corner)
       {
         corners[corner] = 0;
@@ -29,10 +31,8 @@ namespace ThermoContact
       }
     for (const NodalValue<dim> &value : fine)
       {
-        Entry entry{static_cast<unsigned int>(entries.size()),
-                    value.component,
-                    0,
-                    {}};
+        Entry entry{};
+        entry.rows[value.component] = values.size();
         for (unsigned int d = 0; d < dim; ++d)
           {
             const std::vector<double> &x = coarse.positions(d);
@@ -50,14 +50,20 @@ namespace ThermoContact
             entry.place[d] = place;
             entry.first += strides[d] * n_components * cell;
           }
-        entries.push_back(entry);
+        values.push_back(entry);
       }
     // processors predict the loops over corners where they are alike
-    std::stable_sort(entries.begin(),
-                     entries.end(),
-                     [](const Entry &a, const Entry &b) {
-                       return a.between < b.between;
-                     });
+    std::sort(values.begin(), values.end(), [](const Entry &a, const Entry &b) {
+      return std::tie(a.between, a.first, a.place) <
+             std::tie(b.between, b.first, b.place);
+    });
+    entries.clear();
+    for (unsigned int i = 0; i < values.size(); ++i)
+      if (i % n_components == 0)
+        entries.push_back(values[i]);
+      else
+        for (unsigned int c = 0; c < n_components; ++c)
+          entries.back().rows[c] += values[i].rows[c]; // the others have none
   }
 
 

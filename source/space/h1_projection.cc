@@ -4,62 +4,120 @@
 #include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/h1_projection.h>
+#include <thermocontact/space/lanes.h>
 #include <thermocontact/space/linear_map.h>
+
+#include <deal.II/base/polynomial.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <deal.II/dofs/dof_tools.h>
 
+#include <deal.II/fe/fe_tools.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_cartesian.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
-#include <deal.II/numerics/vector_tools_interpolate.h>
-
 #include <algorithm>
+#include <array>
 
 namespace ThermoContact
 {
   namespace
   {
     /**
-     * Adds $(w-w_h,\text{test})$ over a cell or a face.
-     *
-     * @param fe of all components
-     * @param values of the element of one component, of which all are
+     * What basis functions are at the points of a rule along a cell of unit
+     * length. The rule has points at both ends, so that it takes the boundary
+     * terms of an integration by parts with the integral.
      */
-    template <int dim, typename Test>
-    void
-    add_difference(const Function<dim>                        &function,
-                   const SystemVector                         &interpolant,
-                   const FiniteElement<dim>                   &fe,
-                   const std::vector<types::global_dof_index> &dofs,
-                   const FEValuesBase<dim>                    &values,
-                   const Test                                 &test,
-                   dealii::Vector<double>                     &cell_rhs)
+    struct CellLine
     {
-      std::vector<double> differences(values.n_quadrature_points);
-      std::vector<types::global_dof_index> own(values.dofs_per_cell);
-      std::vector<unsigned int>            rows(values.dofs_per_cell);
-      for (unsigned int c = 0; c < fe.n_components(); ++c)
+      explicit CellLine(const unsigned int degree)
+        : nodes(QGaussLobatto<1>(degree + 1).get_points())
+        // The data are no polynomials: more points than the products need.
+        , rule(degree + 3)
+        , values(rule.size(), nodes.size())
+        , mass(nodes.size(), rule.size())
+        , stiffness(nodes.size(), rule.size())
+      {
+        const auto basis = Polynomials::generate_complete_Lagrange_basis(nodes);
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          for (unsigned int q = 0; q < rule.size(); ++q)
+            {
+              std::array<double, 3> derivatives;
+              basis[i].value(rule.point(q)[0], 2, derivatives.data());
+              values(q, i)    = derivatives[0];
+              mass(i, q)      = rule.weight(q) * derivatives[0];
+              stiffness(i, q) = -rule.weight(q) * derivatives[2];
+              if (q == 0)
+                stiffness(i, q) -= derivatives[1];
+              if (q + 1 == rule.size())
+                stiffness(i, q) += derivatives[1];
+            }
+      }
+
+      const std::vector<Point<1>> nodes;
+      const QGaussLobatto<1>      rule;
+      FullMatrix<double>          values;    ///< $\phi_i(x_q)$ by q and i
+      FullMatrix<double>          mass;      ///< $(\phi_i,f)$ from values of f
+      FullMatrix<double>          stiffness; ///< $(\phi_i',f')$ from these
+    };
+
+
+
+    /** Multiplies all lines along each direction of an array by a matrix. */
+    template <int dim>
+    void
+    multiply_lines(const std::array<const FullMatrix<double> *, dim> &matrices,
+                   std::vector<double>                               &array,
+                   std::vector<double>                               &scratch)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
         {
-          for (unsigned int i = 0; i < fe.dofs_per_cell; ++i)
-            if (const auto [component, k] = fe.system_to_component_index(i);
-                component == c)
-              {
-                rows[k] = i;
-                own[k]  = dofs[i];
-              }
-          values.get_function_values(interpolant,
-                                     dealii::make_array_view(own),
-                                     differences);
-          for (const unsigned int q : values.quadrature_point_indices())
-            differences[q] =
-              values.JxW(q) *
-              (function.value(values.quadrature_point(q), c) - differences[q]);
-          for (const unsigned int i : values.dof_indices())
-            for (const unsigned int q : values.quadrature_point_indices())
-              cell_rhs(rows[i]) += differences[q] * test(i, q);
+          const FullMatrix<double> &matrix = *matrices[d];
+          const unsigned int        m = matrix.m(), n = matrix.n();
+          const unsigned int        stride  = power_of(m, d);
+          const unsigned int        n_lines = array.size() / n;
+          scratch.resize(n_lines * m);
+          for (unsigned int line = 0; line < n_lines; ++line)
+            {
+              const unsigned int block = line / stride, inner = line % stride;
+              for (unsigned int i = 0; i < m; ++i)
+                {
+                  double sum = 0.;
+                  for (unsigned int j = 0; j < n; ++j)
+                    sum +=
+                      matrix(i, j) * array[(block * n + j) * stride + inner];
+                  scratch[(block * m + i) * stride + inner] = sum;
+                }
+            }
+          array.swap(scratch);
+        }
+    }
+
+
+
+    /** Values of a component at the points of a tensor product in a cell. */
+    template <int dim>
+    void
+    evaluate(const Function<dim>         &function,
+             const unsigned int           component,
+             const Point<dim>            &lower,
+             const Point<dim>            &upper,
+             const std::vector<Point<1>> &points,
+             std::vector<double>         &values)
+    {
+      values.resize(power_of(points.size(), dim));
+      for (unsigned int q = 0; q < values.size(); ++q)
+        {
+          Point<dim> place;
+          for (unsigned int d = 0, rest = q; d < dim; ++d)
+            {
+              const double part = points[rest % points.size()][0];
+              place[d]          = (1. - part) * lower[d] + part * upper[d];
+              rest /= points.size();
+            }
+          values[q] = function.value(place, component);
         }
     }
 
@@ -198,76 +256,70 @@ namespace ThermoContact
 
 
   template <int dim>
-  SystemVector
-  H1Projection<dim>::correction_rhs(const Function<dim> &function,
-                                    const SystemVector  &interpolant) const
+  void
+  H1Projection<dim>::interpolate(const Function<dim> &function,
+                                 SystemVector        &interpolant,
+                                 SystemVector        &rhs) const
   {
-    const FiniteElement<dim> &fe = discretization.finite_element();
-    // The data are no polynomials: more points than the products need.
-    const unsigned int n_points = fe.degree + 3;
-    // all cells are boxes, of which bodies have many
-    const MappingCartesian<dim> boxes;
-    const Mapping<dim> &mapping = dim == 1 ? discretization.mapping() : boxes;
-    // tables of all components would be larger than the body
-    const FiniteElement<dim> &of_component = fe.base_element(0);
-    FEValues<dim>             fe_values(mapping,
-                            of_component,
-                            QGauss<dim>(n_points),
-                            update_values | update_hessians |
-                              update_quadrature_points | update_JxW_values);
-    FEFaceValues<dim>         face_values(mapping,
-                                  of_component,
-                                  QGauss<dim - 1>(n_points),
-                                  update_values | update_gradients |
-                                    update_normal_vectors |
-                                    update_quadrature_points |
-                                    update_JxW_values);
-
-    SystemVector ghosted(discretization.owned(),
-                         discretization.relevant(),
-                         discretization.communicator());
-    ghosted          = interpolant;
-    SystemVector rhs = discretization.make_system_vector();
-
+    const FiniteElement<dim>       &fe = discretization.finite_element();
+    const CellLine                  line(fe.degree);
+    const std::vector<unsigned int> lexicographic =
+      FETools::hierarchic_to_lexicographic_numbering<dim>(fe.degree);
+    Table<2, unsigned int> rows(fe.n_components(), lexicographic.size());
+    for (unsigned int i = 0; i < fe.dofs_per_cell; ++i)
+      {
+        const auto [component, k]         = fe.system_to_component_index(i);
+        rows(component, lexicographic[k]) = i;
+      }
     dealii::Vector<double>               cell_rhs(fe.dofs_per_cell);
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
+    std::vector<double>                  nodal, differences, part, scratch;
+    std::array<const FullMatrix<double> *, dim> along;
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const typename dealii::Triangulation<dim>::cell_iterator place = cell;
+          const Point<dim> &lower = cell->vertex(0);
+          const Point<dim> &upper =
+            cell->vertex(GeometryInfo<dim>::vertices_per_cell - 1);
+          const Tensor<1, dim> size = upper - lower;
           cell->get_dof_indices(dofs);
           cell_rhs = 0.;
-          fe_values.reinit(place);
-          add_difference(
-            function,
-            ghosted,
-            fe,
-            dofs,
-            fe_values,
-            [&](const unsigned int i, const unsigned int q) {
-              return -trace(fe_values.shape_hessian(i, q));
-            },
-            cell_rhs);
-          for (const unsigned int f : cell->face_indices())
+          for (unsigned int c = 0; c < fe.n_components(); ++c)
             {
-              face_values.reinit(place, f);
-              add_difference(
-                function,
-                ghosted,
-                fe,
-                dofs,
-                face_values,
-                [&](const unsigned int i, const unsigned int q) {
-                  return face_values.shape_grad(i, q) *
-                         face_values.normal_vector(q);
-                },
-                cell_rhs);
+              evaluate(function, c, lower, upper, line.nodes, nodal);
+              for (unsigned int i = 0; i < nodal.size(); ++i)
+                {
+                  const types::global_dof_index dof = dofs[rows(c, i)];
+                  if (discretization.owned().is_element(dof))
+                    interpolant(dof) = nodal[i];
+                }
+              evaluate(
+                function, c, lower, upper, line.rule.get_points(), differences);
+              along.fill(&line.values);
+              multiply_lines<dim>(along, nodal, scratch);
+              for (unsigned int q = 0; q < differences.size(); ++q)
+                differences[q] -= nodal[q];
+              if (std::count(differences.begin(), differences.end(), 0.) ==
+                  std::ptrdiff_t(differences.size()))
+                continue; // most displacements
+              for (unsigned int e = 0; e < dim; ++e)
+                {
+                  part = differences;
+                  along.fill(&line.mass);
+                  along[e] = &line.stiffness;
+                  multiply_lines<dim>(along, part, scratch);
+                  double factor = 1. / (size[e] * size[e]);
+                  for (unsigned int d = 0; d < dim; ++d)
+                    factor *= size[d];
+                  for (unsigned int i = 0; i < part.size(); ++i)
+                    cell_rhs(rows(c, i)) += factor * part[i];
+                }
             }
           constraints.distribute_local_to_global(cell_rhs, dofs, rhs);
         }
+    interpolant.compress(VectorOperation::insert);
     rhs.compress(VectorOperation::add);
-    return rhs;
   }
 
 
@@ -279,11 +331,8 @@ namespace ThermoContact
                              Vector              &displacement)
   {
     SystemVector projection = discretization.make_system_vector();
-    VectorTools::interpolate(discretization.mapping(),
-                             discretization.dof_handler(),
-                             function,
-                             projection);
-    const SystemVector rhs = correction_rhs(function, projection);
+    SystemVector rhs        = discretization.make_system_vector();
+    interpolate(function, projection, rhs);
     if (products != nullptr)
       {
         discretization.split(projection, temperature, displacement);

@@ -44,19 +44,20 @@ namespace ThermoContact
     static constexpr unsigned int n_corners = 1U << dim;
 
     /**
-     * Of a value between nodes of the coarse grid along some directions, the
+     * Of a node between nodes of the coarse grid along some directions, the
      * bits of @p between; the corners that it depends on differ there alone.
      */
     struct Entry
     {
-      unsigned int            row;   ///< of the fine vector
-      unsigned int            first; ///< of the coarse vector
-      unsigned int            between;
-      std::array<Number, dim> place; ///< from there, in parts of the cell
+      unsigned int                  between;
+      unsigned int                  first; ///< of the coarse vector
+      std::array<Number, dim>       place; ///< from there, in parts of the cell
+      std::array<unsigned int, dim> rows;  ///< of components in the fine vector
     };
 
     std::vector<Entry>                  entries; ///< by @p between
     std::array<unsigned int, n_corners> corners; ///< from the first one
+    unsigned int                        n_components;
     MPI_Comm                            communicator = MPI_COMM_SELF;
 
     /** Calls @p visit(row, column, weight). */
@@ -74,7 +75,8 @@ namespace ThermoContact
                 if ((entry.between >> d & 1U) != 0)
                   weight *= (corner >> d & 1U) != 0 ? entry.place[d] :
                                                       1 - entry.place[d];
-              visit(entry.row, entry.first + corners[corner], weight);
+              for (unsigned int c = 0; c < n_components; ++c)
+                visit(entry.rows[c], entry.first + corners[corner] + c, weight);
               corner = (corner - entry.between) & entry.between;
             }
           while (corner != 0);

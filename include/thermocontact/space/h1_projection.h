@@ -67,9 +67,14 @@ namespace ThermoContact
     void
     assemble_laplace_matrix();
 
-    SystemVector
-    correction_rhs(const Function<dim> &function,
-                   const SystemVector  &interpolant) const;
+    /**
+     * @param interpolant out: $w_h$ with the values of $w$ at the nodes
+     * @param rhs out: $(\nabla(w-w_h),\nabla\eta)$, of the correction
+     */
+    void
+    interpolate(const Function<dim> &function,
+                SystemVector        &interpolant,
+                SystemVector        &rhs) const;
 
     /** Adds the correction, without a matrix. */
     void
