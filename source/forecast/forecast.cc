@@ -48,7 +48,25 @@ namespace ThermoContact
 
 
 
-    /** The same of what loads ask for: half a step in each of their widths. */
+    /**
+     * Error-controlled steps of a body that heat moves from one equilibrium to
+     * the next, where the error estimate of any scheme has order 2: a fit,
+     * doc/accuracy.md.
+     */
+    double
+    equilibrium_steps(const Scene &scene)
+    {
+      const TimeParameters &time = scene.parameters.time;
+      return scene.fields.has_temperature && scene.fields.has_displacement &&
+                 !scene.material.has_inertia() &&
+                 !scene.material.has_viscosity() ?
+               4. * std::cbrt(std::min(1., time.end_time) / time.tolerance) :
+               0.;
+    }
+
+
+
+    /** scaled_steps() of what loads ask for: half a step in each width. */
     double
     scaled_steps(const LoadHistory &loads)
     {
@@ -159,10 +177,10 @@ namespace ThermoContact
         cost.is_driven = scene.sources.any();
         const double scaled =
           scaled_steps(scene) + (cost.is_driven ? scaled_steps(loads) : 0.);
-        cost.steps =
-          std::ceil(std::max(scaled / std::pow(time.tolerance,
-                                               scene.scheme.step_exponent),
-                             T / time.maximum_step_size));
+        cost.steps = std::ceil(std::max(
+          {scaled / std::pow(time.tolerance, scene.scheme.step_exponent),
+           equilibrium_steps(scene),
+           T / time.maximum_step_size}));
       }
     else
       {

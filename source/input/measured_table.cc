@@ -157,8 +157,9 @@ namespace ThermoContact
               index =
                 std::find(names.begin(), names.end(), column) - names.begin();
             if (index >= header.size())
-              fail("there is no column '" + quote(column, 60) + "'" +
-                     did_you_mean(column, names),
+              fail(column.empty() ? "one column, where ',' separates columns" :
+                                    "there is no column '" + quote(column, 60) +
+                                      "'" + did_you_mean(column, names),
                    n_lines);
             unit_of_arguments = header[0].unit;
             unit_of_values    = header[index].unit;

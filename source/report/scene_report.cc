@@ -355,7 +355,8 @@ namespace ThermoContact
     std::vector<std::string> scales;
     for (const auto &[name, value] : time_scales(scene))
       scales.push_back(name + ' ' + units.text("time", value));
-    log.line("  scales    " + join_words(scales));
+    if (!scales.empty())
+      log.line("  scales    " + join_words(scales));
     log.line("  steady    " + describe_rest(forecast.rest, scene));
     if (forecast.impact)
       log.line("  impact    " + describe_impact(*forecast.impact, units));

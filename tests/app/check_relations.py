@@ -197,7 +197,8 @@ def conserving(scene):
             exchange_varies(scene) or "Boundary/Fixed end displacement" in scene:
         return None
     bare = {key: value for key, value in scene.items() if not key.startswith((
-        "Contact/", "Time/S", "Time/T", "Output/Period"))} | {"Contact/Condition": "none"}
+        "Contact/", "Time/Scheme", "Time/Start", "Time/Step size", "Time/Tolerance",
+        "Output/Period"))} | {"Contact/Condition": "none"}
     return bare | {"Time/Scheme": "energy conserving", "Time/Step size": "0.002"}, {
         "numerical_dissipation": None}, bare | {"Time/Tolerance": "1e-5"}
 

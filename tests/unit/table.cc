@@ -92,6 +92,7 @@ main_table()
   print_fault("0,1\n1,2\n");
   print_fault("t [ms],f\n0,1\n1,2\n");
   print_fault("time,force\n0,1\n1,2\n", "table(bad.csv, forse, t)");
+  print_fault("t;f\n0;1\n1;2\n");
   print_fault("t,f\n0,1\n1\n");
   print_fault("t,f\n0,1\n1,x\n");
   print_fault("t,f\n0,1\n0,2\n");
