@@ -31,9 +31,8 @@ def box(w):
 
 
 def inner_box(w):
-    """Of the half at the fixed end alone"""
     pulse, corners = box(w)
-    return f"if(x<0.5,{pulse},0)", corners
+    return f"if(x<0.5,{pulse},0)", corners  # in the half at the fixed end alone
 
 
 def bell(w):

@@ -392,6 +392,7 @@ def overrides(settings):
     return (settings,) if isinstance(settings, str) else settings
 
 
+REMEDY = re.compile(r"remedy:  ((?:[A-Z]\w*/[A-Z][\w ]*|Dimension)) = (.+?)(?:[:,;\n]| or | for |$)", re.M)
 TOO_LARGE = ("Time/Maximum step size=1e-9",)
 
 
@@ -420,6 +421,16 @@ def main():
                           f" expected {expected} for {entry}")
     print("refused with the entry named and accepted beside it:",
           "; ".join(faults) or "all")
+
+    # a value that a message recommends is no reason for the same message
+    remedied = {}
+    for scene, (status, message) in answers.items():
+        if found := REMEDY.search(message):
+            remedied[scene] = scene + (f"{found[1]}={found[2]}",)
+    again = check_all(remedied.values())
+    print("refused with the remedy, too:", "; ".join(
+        f"{' '.join(scene)}: {answers[scene][1][:90]!r}" for scene, other in remedied.items()
+        if again[other][0] != 0) or "none", "of about fifty" if len(remedied) > 40 else "of few")
 
     # other tests hold the messages about commands, files and rods in SI units
     messages = [message for status, message in answers.values() if status == 2]

@@ -324,10 +324,12 @@ def extremes(x, values):
 def check_space_time(run):
     """A rod's file over x and t: rows at its interval, the end, the snapshots."""
     mesh, c = run.space_time(), run.contact
+    interval = run.settings.number("Output/Space-time interval")
+    if (mesh is None) != (interval == 0):
+        yield "no space-time.vtu, or one that is not wanted"
     if mesh is None or not scene_of(run).is_rod:
         return
     x, t = mesh.points[:, 0], mesh.points[:, 1]
-    interval = run.settings.number("Output/Space-time interval")
     times = c["time"][due(c["time"], interval, c["time"][-1])]
     yield differences(numpy.unique(t), times, SINGLE, 1.)
     for field, values in mesh.point_data.items():

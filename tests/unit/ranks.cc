@@ -5,9 +5,8 @@
 // (MPI_COMM_SELF) and both run it together (MPI_COMM_WORLD). Dimensions 2 and
 // 3; elastic and rigid obstacle; the paper's iteration; sources. A rod is not
 // shared: its numbers are the same bit for bit. Contact occurs in all of them.
-// Numbers of a step that differ become those of rank 0, a failure of rank 1 is
-// one of rank 0. A SIGTERM that rank 1 gets while rank 0 alone is at work does
-// nothing.
+// All take the numbers of rank 0 and the failure of rank 1. A SIGTERM that rank
+// 1 gets while it waits for rank 0 does nothing.
 
 #include <thermocontact/base/serial_section.h>
 #include <thermocontact/simulation/simulation.h>
@@ -91,34 +90,27 @@ namespace
   void
   test_agreement(const unsigned int rank)
   {
-    StepResult result;
-    double     number = 1. + 10. * rank;
-    for (double *value : {&result.work,
-                          &result.dissipation,
-                          &result.lateral_dissipation,
-                          &result.numerical_dissipation,
-                          &result.algebraic,
-                          &result.contact_dissipation,
-                          &result.impulse})
-      *value = number++;
+    StepResult                  result;
+    const std::vector<double *> numbers{&result.work,
+                                        &result.dissipation,
+                                        &result.lateral_dissipation,
+                                        &result.numerical_dissipation,
+                                        &result.algebraic,
+                                        &result.contact_dissipation,
+                                        &result.impulse};
+    for (unsigned int i = 0; i < numbers.size(); ++i)
+      *numbers[i] = 1. + i + 10. * rank;
     result.agree(MPI_COMM_WORLD);
-    const bool none_fails = result.failure.empty();
-    const auto numbers    = Utilities::MPI::all_gather(
-      MPI_COMM_WORLD,
-      std::vector<double>{result.work,
-                             result.dissipation,
-                             result.lateral_dissipation,
-                             result.numerical_dissipation,
-                             result.algebraic,
-                             result.contact_dissipation,
-                             result.impulse});
+    const bool   none_fails = result.failure.empty();
+    unsigned int n_right    = 0;
+    for (unsigned int i = 0; i < numbers.size(); ++i)
+      n_right += *numbers[i] == 1. + i;
+    n_right        = Utilities::MPI::sum(n_right, MPI_COMM_WORLD);
     result.failure = rank == 1 ? "of rank 1" : "";
     result.agree(MPI_COMM_WORLD);
     if (rank == 0)
-      deallog << "one step: the numbers "
-              << (numbers[1] == std::vector<double>{1, 2, 3, 4, 5, 6, 7})
-              << ", no failure " << none_fails << ", " << result.failure
-              << std::endl;
+      deallog << "one step: numbers of rank 0 " << n_right << ", no failure "
+              << none_fails << ", " << result.failure << std::endl;
   }
 
 
