@@ -287,6 +287,10 @@ namespace ThermoContact
       .means("Fields (VTU) are written at the first step end at or after each "
              "multiple of this time, and at T; 0: none.",
              "time");
+    entry("Fields cells", fields_cells, Selection("linear|Lagrange"))
+      .means("linear: cells of degree p are written as p^d cells of degree 1; "
+             "Lagrange: as they are, as Lagrange cells of VTK, whose "
+             "polynomials ParaView draws.");
     entry("Contact interval", contact_interval, duration)
       .means("Rows of contact.csv are written at the first step end at or "
              "after each multiple of this time, and at T; 0: every step.",

@@ -42,8 +42,9 @@ namespace ThermoContact
      * Temperature, displacement, velocity and stress of a state as this rank's
      * part of a VTU file, without header and footer: pieces of some cells each,
      * since patches need several times the memory of the fields. Cells of
-     * degree p are cut into p parts along each direction. The stress is
-     * $C\varepsilon(u+\zeta v)-a\theta I$, if dim > 1 a tensor in space.
+     * degree p are cut into p parts along each direction, or are Lagrange
+     * cells. The stress is $C\varepsilon(u+\zeta v)-a\theta I$, if dim > 1 a
+     * tensor in space.
      *
      * @param cycle number of the snapshot
      */
@@ -70,6 +71,8 @@ namespace ThermoContact
       VtuCells<dim> cells("fields/fields-*.vtu", names, units);
       cells.flags.time  = units.of("time")(state.time);
       cells.flags.cycle = cycle;
+      cells.flags.write_higher_order_cells =
+        body.scene.parameters.output.fields_cells == "Lagrange";
       if (fields.has_displacement)
         {
           cells.join(first, first + dim - 1);

@@ -155,6 +155,9 @@ namespace ThermoContact
                     output.space_time_interval == 0.,
                   {"Output/Land on output times"},
                   "Output/Contact interval = 0 and no other interval is set");
+    unused.add_if(output.fields_interval == 0.,
+                  {"Output/Fields cells"},
+                  "Output/Fields interval = 0");
     unused.add_if(!parameters.study.is_active(),
                   {"Study/Reference",
                    "Study/Repetitions",

@@ -9,6 +9,7 @@ limit u_r,r on it, and lambda and mu of (M1.6). Far from the ends s_xx = t, no o
 stress, and e_xx = t/E, E = 2 mu (1 + nu), e_rr = -nu e_xx. Probes: the polynomials
 of the snapshots. Snapshots are in single precision: bound 1e-4 of t. Then the
 stress is falsified, without the strain around the axis and as in a plane.
+Cells are Lagrange cells of VTK: corners around, then the points on the edges.
 """
 import sys
 
@@ -68,13 +69,27 @@ def faults_of_probes(run, states):
                 yield f"{field} at {place}"
 
 
+def faults_of_cells(run):
+    p = int(run.settings["Mesh/Degree"])
+    s = numpy.arange(1, p) / p
+    outline = [*[(0, 0), (1, 0), (1, 1), (0, 1)], *[(t, 0) for t in s], *[(1, t) for t in s],
+               *[(t, 1) for t in s], *[(0, t) for t in s]]
+    for _, mesh in run.snapshots():
+        for places in mesh.points[mesh.cells[0].data][..., :2]:
+            low, high = places.min(axis=0), places.max(axis=0)
+            found = (places - low) / (high - low)
+            if found.shape[0] != (p + 1)**2 or abs(found[:4 * p] - outline).max() > 1e-5:
+                yield f"Lagrange cell at {low}"
+
+
 def main():
     run = Run(sys.argv[1])
     states = [Snapshot(time, mesh, int(run.settings["Mesh/Degree"]))
               for time, mesh in run.snapshots()]
     nu = run.settings.number("Model/Poisson ratio")
     stresses = [state.fields["stress"] for state in states]
-    faults = [*faults_of(run, states, stresses), *faults_of_probes(run, states)]
+    faults = [*faults_of(run, states, stresses), *faults_of_probes(run, states),
+              *faults_of_cells(run)]
     plane = [numpy.array(stress) for stress in stresses]
     for stress in plane:
         stress[..., 2, 2] = 0

@@ -31,7 +31,7 @@ VALUES = {
     "Time/Minimum step size": "1e-6", "Time/Maximum step size": "0.1",
     "Time/Locate contact events": "true", "Solver/Fixed point tolerance": "1e-9",
     "Solver/Fixed point iterations": "50", "Solver/Linear tolerance": "1e-8",
-    "Output/Land on output times": "true",
+    "Output/Land on output times": "true", "Output/Fields cells": "Lagrange",
     "Output/SI": "false", "Scales/Time unit": "ms", "Scales/Temperature unit": "C",
     "Study/Reference": "Time/Tolerance = 1e-9", "Study/Repetitions": "2",
     "Study/Target error": "1e-3", "Study/Keep files": "true",
@@ -104,6 +104,8 @@ SCENES = [
     ("Output/Contact interval = 0 and no other interval is set",
      "Output/Land on output times", QUIET, QUIET + ("Output/Contact interval=1",),
      ("Output/Fields interval=1",), QUIET + ("Output/Space-time interval=1",)),
+    ("Output/Fields interval = 0", "Output/Fields cells", QUIET,
+     ("Output/Fields interval=1",)),
     ("Study/Vary = (empty)", """Study/Reference; Study/Repetitions; Study/Target error;
      Study/Keep files""", (), STUDY),
     ("Scales/Length = none", "Output/SI; Scales/Time unit; Scales/Temperature unit", (),

@@ -233,6 +233,7 @@ namespace ThermoContact
   {
     std::string directory;
     double      fields_interval  = 0.1;
+    std::string fields_cells     = "linear";
     double      contact_interval = 0.;
     std::string probes; ///< read by probe_positions()
     double      space_time_interval = 0.;
