@@ -36,6 +36,17 @@ namespace ThermoContact
       return dim == 2 ? 330. * std::pow(n_unknowns, 1.22) :
                         92. * std::pow(n_unknowns, 1.54);
     }
+
+
+
+    /** Sets of factors of a Reset: its Equilibrium, where it is not trivial. */
+    unsigned int
+    n_equilibria(const Scene &scene)
+    {
+      const ContactLaw &law = *scene.contact.law;
+      return !scene.material.has_inertia() ||
+             (law.is_active() && law.is_rigid());
+    }
   } // namespace
 
 
@@ -64,7 +75,7 @@ namespace ThermoContact
         n_kept_factorizations(dim, static_cast<std::size_t>(n_unknowns)) :
         1.;
     return processes + std::pow(width, dim) * matrix_bytes(dim) * n_unknowns +
-           n_kept * factor_bytes(n_unknowns, dim);
+           (n_kept + n_equilibria(scene)) * factor_bytes(n_unknowns, dim);
   }
 
 
@@ -103,15 +114,15 @@ namespace ThermoContact
     const double set_up =
       (dim == 2 ? 1e-5 : 3e-5) * std::pow((degree + 1.) / 3., dim) * n;
     const double factor =
-      dim == 2 ? 1e-8 * std::pow(n, 1.6) : 2e-8 * std::pow(n, 2.);
+      dim == 2 ? 2e-7 * std::pow(n, 1.5) : 5e-8 * std::pow(n, 2.);
     const double stage =
-      dim == 2 ? 2e-8 * std::pow(n, 1.4) : 2e-8 * std::pow(n, 1.54);
-    const double n_responses = scene.parameters.time.has_error_control() &&
-                                   scene.contact.law->is_active() ?
-                                 n_sizes * std::pow(n, (dim - 1.) / dim) / 2. :
-                                 0.;
-    return seconds_of_process + set_up + n_sizes * factor +
-           (n_stages + n_responses) * stage;
+      dim == 2 ? 2e-8 * std::pow(n, 1.4) : 3.5e-8 * std::pow(n, 1.54);
+    const double n_factors = n_sizes + n_equilibria(scene);
+    const double n_contact = scene.contact.law->is_active() ?
+                               scene.parameters.mesh.n_contact_nodes(dim) :
+                               0.;
+    return seconds_of_process + set_up + n_factors * factor +
+           (n_stages + n_factors * n_contact) * stage;
   }
 
 

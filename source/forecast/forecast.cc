@@ -83,10 +83,9 @@ namespace ThermoContact
     double
     contact_face_bytes(const Parameters &parameters)
     {
-      const MeshParameters &mesh = parameters.mesh;
-      const double          n_along =
-        std::ldexp(mesh.n_cells_across() * mesh.degree, mesh.refinements);
-      return 1900. + 8. * std::pow(2. * n_along, parameters.dimension - 1.);
+      const unsigned int dim = parameters.dimension;
+      return 1900. +
+             8. * std::pow(2., dim - 1.) * parameters.mesh.n_contact_nodes(dim);
     }
 
 

@@ -131,10 +131,17 @@ namespace ThermoContact
   double
   MeshParameters::n_nodes(const unsigned int dim) const
   {
-    const auto along = [this](const unsigned int n_cells) {
-      return degree * std::ldexp(n_cells, refinements) + 1.;
-    };
-    return along(cells) * std::pow(along(n_cells_across()), dim - 1.);
+    return (degree * std::ldexp(cells, refinements) + 1.) *
+           n_contact_nodes(dim);
+  }
+
+
+
+  double
+  MeshParameters::n_contact_nodes(const unsigned int dim) const
+  {
+    return std::pow(degree * std::ldexp(n_cells_across(), refinements) + 1.,
+                    dim - 1.);
   }
 
 

@@ -148,6 +148,10 @@ namespace ThermoContact
     double
     n_nodes(const unsigned int dim) const;
 
+    /** Of these, those of the contact end. */
+    double
+    n_contact_nodes(const unsigned int dim) const;
+
     /**
      * Lengths of the cells along the rod before the refinements, in geometric
      * progression.
