@@ -80,49 +80,13 @@ namespace ThermoContact
 
 
 
-  namespace
-  {
-    /** Steps of different sizes, of those that a tolerance chooses. */
-    double
-    n_step_sizes(const Scene &scene, const double n_steps)
-    {
-      return scene.parameters.time.has_error_control() ?
-               std::min(1. + 0.25 * n_steps, 20.) :
-               1.;
-    }
-  } // namespace
-
-
-
   double
   expected_cpu_seconds(const Scene &scene, const double n_steps)
   {
-    const unsigned int dim      = scene.parameters.dimension;
-    const double       n        = scene.n_unknowns();
-    const double       degree   = scene.parameters.mesh.degree;
-    const double       n_stages = n_steps * scene.scheme.n_stages;
-    const double       n_sizes  = n_step_sizes(scene, n_steps);
-    if (scene.linear_solver.is_iterative)
-      {
-        const double set_up = (dim == 2 ? 1e-5 : 2e-5) *
-                              std::max(1., std::pow(degree / 4., dim - 1.));
-        const double stage = (scene.material.has_inertia() ? 1.4e-6 : 2e-6) *
-                             scene.linear_solver.relative_iterations;
-        return seconds_of_process +
-               n * (set_up + stage * (n_stages + 0.1 * n_sizes));
-      }
-    const double set_up =
-      (dim == 2 ? 1e-5 : 3e-5) * std::pow((degree + 1.) / 3., dim) * n;
-    const double factor =
-      dim == 2 ? 2e-7 * std::pow(n, 1.5) : 5e-8 * std::pow(n, 2.);
-    const double stage =
-      dim == 2 ? 2e-8 * std::pow(n, 1.4) : 3.5e-8 * std::pow(n, 1.54);
-    const double n_factors = n_sizes + n_equilibria(scene);
-    const double n_contact = scene.contact.law->is_active() ?
-                               scene.parameters.mesh.n_contact_nodes(dim) :
-                               0.;
-    return seconds_of_process + set_up + n_factors * factor +
-           (n_stages + n_factors * n_contact) * stage;
+    const double n_sizes = n_step_sizes(scene.parameters, n_steps);
+    return seconds_of_process +
+           scene.linear_solver.cost.seconds(n_sizes + n_equilibria(scene),
+                                            n_steps * scene.scheme.n_stages);
   }
 
 

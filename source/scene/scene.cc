@@ -302,41 +302,12 @@ namespace ThermoContact
 
 
 
-    /** LinearSolver::relative_iterations */
-    double
-    relative_iterations(const Parameters  &parameters,
-                        const SceneFields &fields,
-                        const Material    &material)
-    {
-      if (parameters.dimension == 1 || !fields.has_displacement)
-        return 1.;
-      const auto   along    = parameters.mesh.cell_sizes();
-      const auto   across   = parameters.mesh.cell_sizes_across();
-      const double aspect   = std::max(1.,
-                                     std::max(along.front(), along.back()) /
-                                       std::min(across.front(), across.back()));
-      const double softness = std::max(1., 0.57 / material.two_mu);
-      const double all      = std::pow(aspect, 0.4) * std::pow(softness, 0.35);
-      return std::pow(all, material.has_inertia() ? 0.6 : 1.);
-    }
-
-
-
     /**
-     * Unknowns up to which factors are faster, doc/bodies.md. What they cost
-     * for an unknown and a stage grows at least like the root of the number of
-     * unknowns, what iterations cost does not; chosen step sizes take several
-     * factors.
+     * Run for which the cheaper solver is chosen: not this one, so that one
+     * that goes on to a later T has the same solver.
      */
-    double
-    largest_for_factors(const Parameters &parameters,
-                        const double      relative_iterations)
-    {
-      const double limit = parameters.dimension == 2 ? 16000. : 2400.,
-                   worst = std::min(relative_iterations, 4.);
-      return limit * worst * worst /
-             (parameters.time.has_error_control() ? 2. : 1.);
-    }
+    constexpr double n_steps_of_choice  = 50.;
+    constexpr double n_stages_of_choice = 250.;
 
 
 
@@ -344,6 +315,7 @@ namespace ThermoContact
     resolve_linear_solver(const Parameters  &parameters,
                           const SceneFields &fields,
                           const Material    &material,
+                          const bool         has_contact,
                           const std::string &needs_factors)
     {
       const SolverParameters &solver = parameters.solver;
@@ -352,9 +324,15 @@ namespace ThermoContact
                           false,
                           solver.linear_tolerance.value_or(
                             Tolerances::default_residual),
-                          relative_iterations(parameters, fields, material),
+                          {},
                           needs_factors,
                           needs_factors};
+      const double            n_unknowns =
+        parameters.mesh.n_nodes(dim) * fields.n_components(dim);
+      const SolverCost factors =
+                         cost_of_factors(parameters, n_unknowns, has_contact),
+                       iterations =
+                         cost_of_iterations(parameters, material, n_unknowns);
       if (solver.linear_solver != "automatic")
         {
           result.is_iterative = solver.linear_solver == "iterative";
@@ -364,17 +342,21 @@ namespace ThermoContact
         result.is_along_rod = dim == 1;
       else
         {
-          const double n_unknowns =
-            parameters.mesh.n_nodes(dim) * fields.n_components(dim);
-          const double limit =
-            largest_for_factors(parameters, result.relative_iterations);
-          result.is_iterative = n_unknowns > limit;
+          const auto seconds = [&](const SolverCost &cost) {
+            return cost.seconds(n_step_sizes(parameters, n_steps_of_choice),
+                                n_stages_of_choice);
+          };
+          result.is_iterative = seconds(iterations) < seconds(factors);
           result.reason       = text(significant(n_unknowns, 3),
-                               " unknowns in ",
-                               dim,
-                               " dimensions, direct up to ",
-                               significant(limit, 2));
+                               " unknowns, ",
+                               n_stages_of_choice,
+                               " stages about ",
+                               significant(seconds(factors), 2),
+                               " s by factors, ",
+                               significant(seconds(iterations), 2),
+                               " s by iterations");
         }
+      result.cost = result.is_iterative ? iterations : factors;
       return result;
     }
   } // namespace
@@ -424,6 +406,7 @@ namespace ThermoContact
         resolve_linear_solver(parameters,
                               fields,
                               material,
+                              contact.law->is_active(),
                               reason_for_factors(parameters,
                                                  scheme,
                                                  is_fixed_point,

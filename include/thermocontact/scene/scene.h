@@ -10,6 +10,7 @@
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/rest_profile.h>
 #include <thermocontact/method/scheme.h>
+#include <thermocontact/scene/solver_cost.h>
 
 #include <algorithm>
 #include <cmath>
@@ -277,12 +278,7 @@ namespace ThermoContact
 
     double tolerance; ///< relative residual; of the iterative one
 
-    /**
-     * Krylov iterations of a stage beside those of cubes with $\nu=0.3$: long
-     * cells and $\nu\to1/2$ take more, less so with inertia.
-     */
-    double relative_iterations;
-
+    SolverCost  cost;
     std::string reason; ///< of the choice
 
     /** What of the scene needs sparse factors; empty: nothing does. */
