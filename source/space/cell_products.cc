@@ -4,6 +4,7 @@
 #include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/massless_contact.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 
@@ -497,7 +498,15 @@ namespace ThermoContact
                                    const LevelVector<Number> &x) const
   {
     sum_up(y, x, [&](const auto size) {
-      add_cells<decltype(size)::value>(field, {mass, stiffness}, y, x);
+      if (on_grid)
+        on_grid->add(field == Field::temperature ? OnGrid::heat :
+                                                   OnGrid::momentum,
+                     mass,
+                     stiffness,
+                     y.begin(),
+                     x.begin());
+      else
+        add_cells<decltype(size)::value>(field, {mass, stiffness}, y, x);
       visit_faces(field,
                   mass,
                   stiffness,
@@ -536,7 +545,10 @@ namespace ThermoContact
                                         const LevelVector<Number> &u) const
   {
     sum_up(heat, u, [&](const auto size) {
-      divergence_on_cells<decltype(size)::value>(heat, u);
+      if (on_grid)
+        on_grid->add(OnGrid::divergence, 0., 1., heat.begin(), u.begin());
+      else
+        divergence_on_cells<decltype(size)::value>(heat, u);
     });
   }
 
@@ -549,7 +561,11 @@ namespace ThermoContact
     const LevelVector<Number> &theta) const
   {
     sum_up(momentum, theta, [&](const auto size) {
-      thermal_stress_on_cells<decltype(size)::value>(momentum, theta);
+      if (on_grid)
+        on_grid->add(
+          OnGrid::thermal_stress, 0., 1., momentum.begin(), theta.begin());
+      else
+        thermal_stress_on_cells<decltype(size)::value>(momentum, theta);
     });
   }
 
@@ -757,6 +773,30 @@ namespace ThermoContact
             collect_lumped_mass(field, cells);
         }
     collect_faces(scene);
+    if (n == 2 &&
+        Utilities::MPI::n_mpi_processes(discretization.communicator()) == 1)
+      make_grid_products(scene);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  CellProducts<dim, Number>::make_grid_products(const Scene &scene)
+  {
+    const LevelGrid<dim> grid(scene.parameters.mesh);
+    std::array<std::vector<unsigned int>, 2>
+      entries; // of their first component
+    for (const Field::Block field : all_fields)
+      if (discretization.has_field(field))
+        {
+          const auto values = nodal_values(field);
+          entries[field].resize(grid.n_nodes());
+          for (unsigned int i = 0; i < values.size(); ++i)
+            if (values[i].component == 0)
+              entries[field][grid.number(values[i].node)] = i;
+        }
+    on_grid = std::make_unique<const OnGrid>(scene, geometry, grid, entries);
   }
 
 
