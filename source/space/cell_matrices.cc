@@ -45,7 +45,7 @@ namespace ThermoContact
                              discretization.geometry().area_over_perimeter()))
     , cell_values(discretization.mapping(),
                   discretization.finite_element(),
-                  QGauss<dim>(discretization.degree() + 1),
+                  QGauss<dim>(dim == 1 ? discretization.degree() + 1 : 1),
                   update_values | update_quadrature_points | update_JxW_values)
     , face_values(discretization.mapping(),
                   discretization.finite_element(),

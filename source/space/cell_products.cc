@@ -991,6 +991,7 @@ namespace ThermoContact
       if (cell->is_locally_owned())
         {
           cell->get_dof_indices(dofs);
+          const Tensor<1, dim> size = size_of<dim>(cell);
           for (unsigned int j = 0; j < dofs.size(); ++j)
             {
               const unsigned int c = fe.system_to_component_index(j).first;
@@ -1001,7 +1002,7 @@ namespace ThermoContact
                 continue;
               Point<dim> node = cell->vertex(0);
               for (unsigned int d = 0; d < dim; ++d)
-                node[d] += fe.unit_support_point(j)[d] * size_of<dim>(cell)[d];
+                node[d] += fe.unit_support_point(j)[d] * size[d];
               result[owned.index_within_set(dof)] = {c - first, node};
             }
         }
@@ -1054,16 +1055,19 @@ namespace ThermoContact
     const FiniteElement<dim> &fe = discretization.finite_element();
     HeatExchangeFaces<dim>    faces(scene, discretization);
     FEValues<dim>             massless_values(discretization.mapping(),
-                                  fe,
+                                  fe.base_element(0),
                                   massless_quadrature<dim>(n - 1,
                                                            has_lumped_mass),
                                   update_values | update_quadrature_points |
                                     update_JxW_values);
-    std::vector<std::size_t>  axial_dofs;
-    for (unsigned int i = 0; i < fe.dofs_per_cell; ++i)
-      if (fe.system_to_component_index(i).first ==
-          discretization.first_component(Field::displacement))
-        axial_dofs.push_back(i);
+    std::vector<std::size_t>  nodes, axial_dofs;
+    for (unsigned int i = 0; scene.contact.has_massless_nodes && i < n_nodes;
+         ++i)
+      {
+        nodes.push_back(i);
+        axial_dofs.push_back(fe.component_to_system_index(
+          discretization.first_component(Field::displacement), i));
+      }
 
     std::array<Sums, 2>                  at_end; // of the fields
     Sums                                 at_sides;
@@ -1094,10 +1098,12 @@ namespace ThermoContact
           if (!scene.contact.has_massless_nodes ||
               !touches_contact_end<dim>(cell))
             continue;
-          massless_values.reinit(cell);
-          add(Field::displacement,
-              mass_between(discretization, axial_dofs, massless_values, 1.),
-              at_end[Field::displacement]);
+          massless_values.reinit(
+            typename Triangulation<dim>::active_cell_iterator(cell));
+          CellMatrix mass =
+            mass_between(discretization, nodes, massless_values, 1.);
+          mass.dofs = axial_dofs;
+          add(Field::displacement, mass, at_end[Field::displacement]);
         }
     const auto keep = [](const Sums &sums, std::vector<Entry> &entries) {
       for (const auto &[place, value] : sums)

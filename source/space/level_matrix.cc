@@ -332,12 +332,15 @@ namespace ThermoContact
     const auto buffer = [&](const unsigned int b) {
       return buffers.data() + margin + b * stride;
     };
-    const unsigned int *entry = entries[plan.from].data();
-    for (unsigned int i = 0; i < n_planes; ++i)
-      for (unsigned int node = 0; node < n_plane; ++node, ++entry)
-        for (unsigned int c = 0; c < n_from; ++c)
-          plane(c, i)[node] = x[*entry + c];
-    entry = entries[plan.to].data();
+    const auto strides = grid.strides();
+    for (unsigned int c = 0; c < n_from; ++c)
+      for (unsigned int i = 0; i < n_planes; ++i)
+        {
+          const unsigned int *const entry = &entries[plan.from][i * n_plane];
+          Number *const             to    = plane(c, i);
+          for (unsigned int node = 0; node < n_plane; ++node)
+            to[node] = x[entry[node] + c];
+        }
     for (unsigned int i = 0; i < n_planes; ++i)
       {
         for (unsigned int s = 0; s < plan.sums.size(); ++s)
@@ -368,12 +371,16 @@ namespace ThermoContact
             apply(&coefficients[coefficient(step.direction, step.kind)],
                   buffer(step.from),
                   buffer(step.to),
-                  grid.strides()[step.direction],
+                  strides[step.direction],
                   length);
           }
-        for (unsigned int node = 0; node < n_plane; ++node, ++entry)
-          for (unsigned int c = 0; c < n_to; ++c)
-            y[*entry + c] += buffer(plan.rows[c])[node];
+        const unsigned int *const entry = &entries[plan.to][i * n_plane];
+        for (unsigned int c = 0; c < n_to; ++c)
+          {
+            const Number *const from = buffer(plan.rows[c]);
+            for (unsigned int node = 0; node < n_plane; ++node)
+              y[entry[node] + c] += from[node];
+          }
       }
   }
 
