@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/tolerances.h>
 #include <thermocontact/multigrid/level_lines.h>
 
 #include <deal.II/base/mpi.h>
@@ -28,19 +27,8 @@ namespace ThermoContact
     // indices of vectors by rows of the matrix, whole on every rank
     std::vector<unsigned int> indices(grid.n_nodes() * n_components);
     for (unsigned int i = 0; i < values.size(); ++i)
-      {
-        unsigned int node = 0;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            const std::vector<double> &x = grid.positions(d);
-            const double               below =
-              values[i].node[d] * (1. - Tolerances::rounding_of_data);
-            node += grid.strides()[d] *
-                    (std::lower_bound(x.begin(), x.end(), below) - x.begin());
-          }
-        indices[node * n_components + values[i].component] =
-          owned.nth_index_in_set(i);
-      }
+      indices[grid.number(values[i].node) * n_components +
+              values[i].component] = owned.nth_index_in_set(i);
     Utilities::MPI::sum(indices, communicator, indices);
 
     std::vector<unsigned int> own; // indices, line by line

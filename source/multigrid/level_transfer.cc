@@ -69,17 +69,56 @@ namespace ThermoContact
 
 
   template <int dim, typename Number>
+  template <unsigned int n>
+  void
+  LevelTransfer<dim, Number>::prolongate(Number       *fine,
+                                         const Number *coarse) const
+  {
+    for (const Entry &entry : entries)
+      {
+        std::array<Number, n> sum{};
+        visit_weights(entry,
+                      [&](const unsigned int column, const Number weight) {
+                        for (unsigned int c = 0; c < n; ++c)
+                          sum[c] += weight * coarse[column + c];
+                      });
+        for (unsigned int c = 0; c < n; ++c)
+          fine[entry.rows[c]] += sum[c];
+      }
+  }
+
+
+
+  template <int dim, typename Number>
+  template <unsigned int n>
+  void LevelTransfer<dim, Number>::restrict(Number       *coarse,
+                                            const Number *fine) const
+  {
+    for (const Entry &entry : entries)
+      {
+        std::array<Number, n> value;
+        for (unsigned int c = 0; c < n; ++c)
+          value[c] = fine[entry.rows[c]];
+        visit_weights(entry,
+                      [&](const unsigned int column, const Number weight) {
+                        for (unsigned int c = 0; c < n; ++c)
+                          coarse[column + c] += weight * value[c];
+                      });
+      }
+  }
+
+
+
+  template <int dim, typename Number>
   void
   LevelTransfer<dim, Number>::prolongate_and_add(
     LevelVector<Number>       &fine,
     const LevelVector<Number> &coarse) const
   {
-    const Number *from = coarse.begin();
-    Number       *to   = fine.begin();
-    visit_weights(
-      [&](const unsigned int row,
-          const unsigned int column,
-          const Number       weight) { to[row] += weight * from[column]; });
+    if (n_components == 1)
+      prolongate<1>(fine.begin(), coarse.begin());
+    else
+      prolongate<dim>(fine.begin(), coarse.begin());
   }
 
 
@@ -89,13 +128,12 @@ namespace ThermoContact
   LevelTransfer<dim, Number>::restrict_to(LevelVector<Number>       &coarse,
                                           const LevelVector<Number> &fine) const
   {
-    coarse             = Number();
-    const Number *from = fine.begin();
-    Number       *to   = coarse.begin();
-    visit_weights(
-      [&](const unsigned int row,
-          const unsigned int column,
-          const Number       weight) { to[column] += weight * from[row]; });
+    coarse     = Number();
+    Number *to = coarse.begin();
+    if (n_components == 1)
+      restrict<1>(to, fine.begin());
+    else
+      restrict<dim>(to, fine.begin());
     if (Utilities::MPI::n_mpi_processes(communicator) == 1)
       return;
     const unsigned int        n = coarse.locally_owned_size();

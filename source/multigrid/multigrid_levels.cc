@@ -69,13 +69,13 @@ namespace ThermoContact
       coarser_grids<dim>(body.scene.parameters.mesh);
     coarse_matrix_ =
       std::make_unique<const LevelMatrix<dim, double>>(body.scene,
-                                                       space,
+                                                       space.geometry(),
                                                        grids[0]);
     for (const LevelGrid<dim> &grid : grids)
       {
         auto matrix =
           std::make_unique<const LevelMatrix<dim, Number>>(body.scene,
-                                                           space,
+                                                           space.geometry(),
                                                            grid);
         levels.emplace_back();
         for (const Field::Block field : all_fields)
@@ -100,7 +100,9 @@ namespace ThermoContact
     const LevelGrid<dim> of_body(body.scene.parameters.mesh);
     if (of_body.has_lines())
       {
-        const LevelMatrix<dim, Number> matrix(body.scene, space, of_body);
+        const LevelMatrix<dim, Number> matrix(body.scene,
+                                              space.geometry(),
+                                              of_body);
         for (const Field::Block field : all_fields)
           if (space.has_field(field))
             {

@@ -2,6 +2,8 @@
 
 #include <thermocontact/space/cell_matrices.h>
 
+#include <utility>
+
 namespace ThermoContact
 {
   template <int dim>
@@ -12,12 +14,20 @@ namespace ThermoContact
                const double                    coefficient)
   {
     FullMatrix<double> matrix(dofs.size(), dofs.size());
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-      for (unsigned int j = 0; j < dofs.size(); ++j)
-        for (const unsigned int q : values.quadrature_point_indices())
-          matrix(i, j) += coefficient * values.shape_value(dofs[i], q) *
-                          values.shape_value(dofs[j], q) *
-                          discretization.geometry().weight(values, q);
+    // few functions differ from zero at points that are nodes along a direction
+    std::vector<std::pair<unsigned int, double>> present;
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        present.clear();
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (const double value = values.shape_value(dofs[i], q); value != 0.)
+            present.emplace_back(i, value);
+        const double weight =
+          coefficient * discretization.geometry().weight(values, q);
+        for (const auto &[i, first] : present)
+          for (const auto &[j, second] : present)
+            matrix(i, j) += weight * first * second;
+      }
     return {dofs, matrix};
   }
 
@@ -35,7 +45,7 @@ namespace ThermoContact
                              discretization.geometry().area_over_perimeter()))
     , cell_values(discretization.mapping(),
                   discretization.finite_element(),
-                  QGauss<dim>(discretization.degree() + 1),
+                  QGauss<dim>(dim == 1 ? discretization.degree() + 1 : 1),
                   update_values | update_quadrature_points | update_JxW_values)
     , face_values(discretization.mapping(),
                   discretization.finite_element(),

@@ -4,6 +4,7 @@
 #include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/massless_contact.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 
@@ -497,7 +498,15 @@ namespace ThermoContact
                                    const LevelVector<Number> &x) const
   {
     sum_up(y, x, [&](const auto size) {
-      add_cells<decltype(size)::value>(field, {mass, stiffness}, y, x);
+      if (on_grid)
+        on_grid->add(field == Field::temperature ? OnGrid::heat :
+                                                   OnGrid::momentum,
+                     mass,
+                     stiffness,
+                     y.begin(),
+                     x.begin());
+      else
+        add_cells<decltype(size)::value>(field, {mass, stiffness}, y, x);
       visit_faces(field,
                   mass,
                   stiffness,
@@ -536,7 +545,10 @@ namespace ThermoContact
                                         const LevelVector<Number> &u) const
   {
     sum_up(heat, u, [&](const auto size) {
-      divergence_on_cells<decltype(size)::value>(heat, u);
+      if (on_grid)
+        on_grid->add(OnGrid::divergence, 0., 1., heat.begin(), u.begin());
+      else
+        divergence_on_cells<decltype(size)::value>(heat, u);
     });
   }
 
@@ -549,7 +561,11 @@ namespace ThermoContact
     const LevelVector<Number> &theta) const
   {
     sum_up(momentum, theta, [&](const auto size) {
-      thermal_stress_on_cells<decltype(size)::value>(momentum, theta);
+      if (on_grid)
+        on_grid->add(
+          OnGrid::thermal_stress, 0., 1., momentum.begin(), theta.begin());
+      else
+        thermal_stress_on_cells<decltype(size)::value>(momentum, theta);
     });
   }
 
@@ -757,6 +773,30 @@ namespace ThermoContact
             collect_lumped_mass(field, cells);
         }
     collect_faces(scene);
+    if (n == 2 &&
+        Utilities::MPI::n_mpi_processes(discretization.communicator()) == 1)
+      make_grid_products(scene);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  CellProducts<dim, Number>::make_grid_products(const Scene &scene)
+  {
+    const LevelGrid<dim> grid(scene.parameters.mesh);
+    std::array<std::vector<unsigned int>, 2>
+      entries; // of their first component
+    for (const Field::Block field : all_fields)
+      if (discretization.has_field(field))
+        {
+          const auto values = nodal_values(field);
+          entries[field].resize(grid.n_nodes());
+          for (unsigned int i = 0; i < values.size(); ++i)
+            if (values[i].component == 0)
+              entries[field][grid.number(values[i].node)] = i;
+        }
+    on_grid = std::make_unique<const OnGrid>(scene, geometry, grid, entries);
   }
 
 
@@ -951,6 +991,7 @@ namespace ThermoContact
       if (cell->is_locally_owned())
         {
           cell->get_dof_indices(dofs);
+          const Tensor<1, dim> size = size_of<dim>(cell);
           for (unsigned int j = 0; j < dofs.size(); ++j)
             {
               const unsigned int c = fe.system_to_component_index(j).first;
@@ -961,7 +1002,7 @@ namespace ThermoContact
                 continue;
               Point<dim> node = cell->vertex(0);
               for (unsigned int d = 0; d < dim; ++d)
-                node[d] += fe.unit_support_point(j)[d] * size_of<dim>(cell)[d];
+                node[d] += fe.unit_support_point(j)[d] * size[d];
               result[owned.index_within_set(dof)] = {c - first, node};
             }
         }
@@ -1014,16 +1055,19 @@ namespace ThermoContact
     const FiniteElement<dim> &fe = discretization.finite_element();
     HeatExchangeFaces<dim>    faces(scene, discretization);
     FEValues<dim>             massless_values(discretization.mapping(),
-                                  fe,
+                                  fe.base_element(0),
                                   massless_quadrature<dim>(n - 1,
                                                            has_lumped_mass),
                                   update_values | update_quadrature_points |
                                     update_JxW_values);
-    std::vector<std::size_t>  axial_dofs;
-    for (unsigned int i = 0; i < fe.dofs_per_cell; ++i)
-      if (fe.system_to_component_index(i).first ==
-          discretization.first_component(Field::displacement))
-        axial_dofs.push_back(i);
+    std::vector<std::size_t>  nodes, axial_dofs;
+    for (unsigned int i = 0; scene.contact.has_massless_nodes && i < n_nodes;
+         ++i)
+      {
+        nodes.push_back(i);
+        axial_dofs.push_back(fe.component_to_system_index(
+          discretization.first_component(Field::displacement), i));
+      }
 
     std::array<Sums, 2>                  at_end; // of the fields
     Sums                                 at_sides;
@@ -1054,10 +1098,12 @@ namespace ThermoContact
           if (!scene.contact.has_massless_nodes ||
               !touches_contact_end<dim>(cell))
             continue;
-          massless_values.reinit(cell);
-          add(Field::displacement,
-              mass_between(discretization, axial_dofs, massless_values, 1.),
-              at_end[Field::displacement]);
+          massless_values.reinit(
+            typename Triangulation<dim>::active_cell_iterator(cell));
+          CellMatrix mass =
+            mass_between(discretization, nodes, massless_values, 1.);
+          mass.dofs = axial_dofs;
+          add(Field::displacement, mass, at_end[Field::displacement]);
         }
     const auto keep = [](const Sums &sums, std::vector<Entry> &entries) {
       for (const auto &[place, value] : sums)

@@ -3,6 +3,7 @@
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/conjugate_gradients.h>
+#include <thermocontact/space/expression_function.h>
 #include <thermocontact/space/h1_projection.h>
 #include <thermocontact/space/lanes.h>
 #include <thermocontact/space/linear_map.h>
@@ -271,6 +272,8 @@ namespace ThermoContact
         const auto [component, k]         = fe.system_to_component_index(i);
         rows(component, lexicographic[k]) = i;
       }
+    const auto *const expressions =
+      dynamic_cast<const ExpressionFunction<dim> *>(&function);
     dealii::Vector<double>               cell_rhs(fe.dofs_per_cell);
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     std::vector<double>                  nodal, differences, part, scratch;
@@ -294,15 +297,15 @@ namespace ThermoContact
                   if (discretization.owned().is_element(dof))
                     interpolant(dof) = nodal[i];
                 }
+              if (expressions != nullptr &&
+                  expressions->components()[c].is_constant())
+                continue; // it is its interpolant, as most displacements
               evaluate(
                 function, c, lower, upper, line.rule.get_points(), differences);
               along.fill(&line.values);
               multiply_lines<dim>(along, nodal, scratch);
               for (unsigned int q = 0; q < differences.size(); ++q)
                 differences[q] -= nodal[q];
-              if (std::count(differences.begin(), differences.end(), 0.) ==
-                  std::ptrdiff_t(differences.size()))
-                continue; // most displacements
               for (unsigned int e = 0; e < dim; ++e)
                 {
                   part = differences;

@@ -30,7 +30,9 @@ namespace ThermoContact
     , exchange_coefficient(scene.heat.linear_coefficient())
     , fe_values(discretization.mapping(),
                 discretization.finite_element(),
-                QGauss<dim>(n_points(discretization)),
+                QGauss<dim>(data.heat_source || data.body_force ?
+                              n_points(discretization) :
+                              1), // tables of high degrees are large
                 update_values | update_quadrature_points | update_JxW_values)
     , face_values(discretization.mapping(),
                   discretization.finite_element(),

@@ -3,8 +3,8 @@
 #ifndef thermocontact_multigrid_level_lines_h
 #define thermocontact_multigrid_level_lines_h
 
-#include <thermocontact/multigrid/level_matrix.h>
 #include <thermocontact/multigrid/level_transfer.h>
+#include <thermocontact/space/level_matrix.h>
 
 #include <memory>
 #include <vector>

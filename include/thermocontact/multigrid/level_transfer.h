@@ -3,8 +3,8 @@
 #ifndef thermocontact_multigrid_level_transfer_h
 #define thermocontact_multigrid_level_transfer_h
 
-#include <thermocontact/multigrid/level_grid.h>
 #include <thermocontact/space/cell_products.h>
+#include <thermocontact/space/level_grid.h>
 
 #include <array>
 #include <vector>
@@ -60,28 +60,31 @@ namespace ThermoContact
     unsigned int                        n_components;
     MPI_Comm                            communicator = MPI_COMM_SELF;
 
-    /** Calls @p visit(row, column, weight). */
+    /** Calls @p visit(column of the first component, weight) for a node. */
     template <typename Visit>
     void
-    visit_weights(const Visit &visit) const
+    visit_weights(const Entry &entry, const Visit &visit) const
     {
-      for (const Entry &entry : entries)
+      unsigned int corner = 0; // all subsets of the bits
+      do
         {
-          unsigned int corner = 0; // all subsets of the bits
-          do
-            {
-              Number weight = 1;
-              for (unsigned int d = 0; d < dim; ++d)
-                if ((entry.between >> d & 1U) != 0)
-                  weight *= (corner >> d & 1U) != 0 ? entry.place[d] :
-                                                      1 - entry.place[d];
-              for (unsigned int c = 0; c < n_components; ++c)
-                visit(entry.rows[c], entry.first + corners[corner] + c, weight);
-              corner = (corner - entry.between) & entry.between;
-            }
-          while (corner != 0);
+          Number weight = 1;
+          for (unsigned int d = 0; d < dim; ++d)
+            if ((entry.between >> d & 1U) != 0)
+              weight *=
+                (corner >> d & 1U) != 0 ? entry.place[d] : 1 - entry.place[d];
+          visit(entry.first + corners[corner], weight);
+          corner = (corner - entry.between) & entry.between;
         }
+      while (corner != 0);
     }
+
+    template <unsigned int n>
+    void
+    prolongate(Number *fine, const Number *coarse) const;
+
+    template <unsigned int n>
+    void restrict(Number *coarse, const Number *fine) const;
   };
 } // namespace ThermoContact
 

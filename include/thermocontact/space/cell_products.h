@@ -7,11 +7,12 @@
 #include <thermocontact/space/cell_matrices.h>
 #include <thermocontact/space/discretization.h>
 #include <thermocontact/space/lanes.h>
-#include <thermocontact/space/level_operator.h>
+#include <thermocontact/space/level_matrix.h>
 
 #include <deal.II/base/aligned_vector.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace ThermoContact
@@ -160,6 +161,11 @@ namespace ThermoContact
     unsigned int              first_at_end = 0;
     std::array<FieldCells, 2> fields;
 
+    using OnGrid = LevelMatrix<dim, Number>;
+
+    /** Of degree 1 on one rank, for products cell by cell; else null. */
+    std::unique_ptr<const OnGrid> on_grid;
+
     /**
      * Values of basis functions at quadrature points (q, i) and the transpose,
      * derivatives of the polynomials of the points there (q, r) and the
@@ -202,6 +208,9 @@ namespace ThermoContact
 
     void
     compute_strides();
+
+    void
+    make_grid_products(const Scene &scene);
 
     /** The cells of a rank, those at the contact end last. */
     std::vector<std::vector<Cell>>

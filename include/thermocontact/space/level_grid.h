@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_multigrid_level_grid_h
-#define thermocontact_multigrid_level_grid_h
+#ifndef thermocontact_space_level_grid_h
+#define thermocontact_space_level_grid_h
 
 #include <thermocontact/input/parameters.h>
 
@@ -61,6 +61,10 @@ namespace ThermoContact
 
     dealii::Point<dim>
     node(const Index &index) const;
+
+    /** Of the node at a point, to rounding. */
+    unsigned int
+    number(const dealii::Point<dim> &node) const;
 
   private:
     std::array<std::vector<double>, 2> axes; ///< along, across

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/multigrid/level_grid.h>
+#include <thermocontact/space/level_grid.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -158,6 +158,23 @@ namespace ThermoContact
     for (unsigned int d = 0; d < dim; ++d)
       point[d] = positions(d)[index[d]];
     return point;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  LevelGrid<dim>::number(const dealii::Point<dim> &node) const
+  {
+    unsigned int number = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const std::vector<double> &x = positions(d);
+        const double below = node[d] * (1. - Tolerances::rounding_of_data);
+        number += strides()[d] *
+                  (std::lower_bound(x.begin(), x.end(), below) - x.begin());
+      }
+    return number;
   }
 
 
