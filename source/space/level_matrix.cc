@@ -4,6 +4,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -60,18 +61,21 @@ namespace ThermoContact
                                         const bool has_massless_nodes)
     : material(scene.material)
     , grid(grid)
+    , degree(grid.degree())
+    , width(2 * degree + 1)
     , has_mass(has_mass)
     , entries(std::move(entries))
     , n_plane(grid.strides()[0])
-    , margin((grid.positions(1).size() + n_lanes) / n_lanes * n_lanes)
+    , margin((degree * grid.strides()[1] + n_lanes) / n_lanes * n_lanes)
     , length((n_plane + n_lanes - 1) / n_lanes * n_lanes)
-    , coefficients(std::size_t(dim - 1) * n_kinds * 3 * length)
+    , coefficients(std::size_t(dim - 1) * n_kinds * width * length)
   {
+    Assert(degree <= 2, ExcNotImplemented());
     integrate(geometry, false, has_massless_nodes);
     integrate(geometry, true, false);
     for (unsigned int d = 1; d < dim; ++d)
       for (unsigned int kind = 0; kind < n_kinds; ++kind)
-        for (unsigned int k = 0; k < 3; ++k)
+        for (unsigned int k = 0; k < width; ++k)
           for (unsigned int node = 0; node < n_plane; ++node)
             coefficients[coefficient(d, Kind(kind)) + k * length + node] =
               axes[1][kind][k][grid.index(node)[d]];
@@ -87,40 +91,36 @@ namespace ThermoContact
                                       const bool           is_across,
                                       const bool           has_massless_nodes)
   {
-    const std::vector<double>        &x = grid.positions(is_across);
-    const QGauss<1>                   rule(2);
-    std::array<Tridiagonal, n_kinds> &axis = axes[is_across];
-    for (Tridiagonal &matrix : axis)
-      for (std::vector<double> &diagonal : matrix)
-        diagonal.assign(x.size(), 0.);
-    for (unsigned int cell = 0; cell + 1 < x.size(); ++cell)
+    const std::vector<double>   &x = grid.positions(is_across);
+    const QGauss<1>              rule(degree + 1);
+    std::array<Banded, n_kinds> &axis = axes[is_across];
+    for (Banded &matrix : axis)
+      matrix.assign(width, std::vector<double>(x.size()));
+    std::vector<ValueAndSlope> basis(degree + 1);
+    for (unsigned int first = 0; first + 1 < x.size(); first += degree)
       for (unsigned int q = 0; q < rule.size(); ++q)
         {
-          const double size = x[cell + 1] - x[cell];
+          const double size = x[first + degree] - x[first];
           Point<dim>   point;
-          point[1]            = x[cell] + rule.point(q)[0] * size;
+          point[1]            = x[first] + rule.point(q)[0] * size;
           const double weight = rule.weight(q) * size *
                                 (is_across ? geometry.weight_at(point) : 1.);
           const double across =
             is_across ? geometry.strain_per_displacement(point) : 0.;
-          for (unsigned int i = 0; i < 2; ++i)
-            for (unsigned int j = 0; j < 2; ++j)
+          for (unsigned int i = 0; i <= degree; ++i)
+            basis[i] = lagrange(&x[first], degree, i, point[1]);
+          for (unsigned int i = 0; i <= degree; ++i)
+            for (unsigned int j = 0; j <= degree; ++j)
               {
-                const auto value_of = [&](const unsigned int basis) {
-                  return basis == 0 ? 1. - rule.point(q)[0] : rule.point(q)[0];
-                };
-                const auto slope_of = [&](const unsigned int basis) {
-                  return (basis == 0 ? -1. : 1.) / size;
-                };
                 const auto add = [&](const Kind kind, const double value) {
-                  axis[kind][1 + j - i][cell + i] += weight * value;
+                  axis[kind][degree + j - i][first + i] += weight * value;
                 };
-                const double value = value_of(i), other_value = value_of(j);
-                const double slope = slope_of(i), other_slope = slope_of(j);
-                const double strain       = slope + across * value;
+                const auto &[value, slope]             = basis[i];
+                const auto &[other_value, other_slope] = basis[j];
+                const double strain                    = slope + across * value;
                 const double other_strain = other_slope + across * other_value;
                 add(mass_of_all, value * other_value);
-                if (!has_massless_nodes || cell + 2 < x.size())
+                if (!has_massless_nodes || first + degree + 1 < x.size())
                   add(mass_of_axial, value * other_value);
                 add(gradients, slope * other_slope);
                 add(normal,
@@ -279,26 +279,25 @@ namespace ThermoContact
 
   namespace
   {
-    /** @p to = or += coefficients times neighbours, which are @p stride off. */
-    template <bool is_first, typename Number>
+    /**
+     * @p to = or += coefficients times @p width neighbours, from the one that
+     * @p from is the place of, @p stride places to the next.
+     */
+    template <unsigned int width, bool is_first, typename Number>
     void
     apply_within_plane(const Number      *coefficient,
                        const Number      *from,
                        Number            *to,
-                       const int          stride,
+                       const unsigned int stride,
                        const unsigned int length)
     {
       using Batched = Lanes<Number>;
       for (unsigned int i = 0; i < length; i += Batched::n_lanes)
         {
-          Batched sum =
-            Batched::load(coefficient + length + i) * Batched::load(from + i);
-          if (!is_first)
-            sum += Batched::load(to + i);
-          sum += Batched::load(coefficient + i) *
-                 Batched::load(from + int(i) - stride);
-          sum += Batched::load(coefficient + 2 * length + i) *
-                 Batched::load(from + i + stride);
+          Batched sum = is_first ? Batched{} : Batched::load(to + i);
+          for (unsigned int k = 0; k < width; ++k)
+            sum += Batched::load(coefficient + k * length + i) *
+                   Batched::load(from + k * stride + i);
           sum.store(to + i);
         }
     }
@@ -313,6 +312,23 @@ namespace ThermoContact
                                 const double   stiffness,
                                 Number        *y,
                                 const Number  *x) const
+  {
+    if (degree == 1)
+      add_planes<3>(op, mass, stiffness, y, x);
+    else
+      add_planes<5>(op, mass, stiffness, y, x);
+  }
+
+
+
+  template <int dim, typename Number>
+  template <unsigned int width>
+  void
+  LevelMatrix<dim, Number>::add_planes(const Operator op,
+                                       const double   mass,
+                                       const double   stiffness,
+                                       Number        *y,
+                                       const Number  *x) const
   {
     using Batched                   = Lanes<Number>;
     const Plan        &plan         = plans[op];
@@ -345,31 +361,36 @@ namespace ThermoContact
       {
         for (unsigned int s = 0; s < plan.sums.size(); ++s)
           {
-            std::array<double, 3> factors{};
-            for (const Term &term : plan.sums[s].terms)
-              for (unsigned int k = 0; k < 3; ++k)
-                factors[k] += (mass * term.mass + stiffness * term.stiffness) *
-                              axes[0][term.kinds[0]][k][i];
-            const unsigned int  c      = plan.sums[s].column;
-            const Number *const before = plane(c, i > 0 ? i - 1 : i);
-            const Number *const at     = plane(c, i);
-            const Number *const next   = plane(c, i + 1 < n_planes ? i + 1 : i);
-            const Number        of_before = factors[0], of_own = factors[1],
-                         of_next = factors[2];
-            Number *const to     = buffer(s);
+            std::array<const Number *, width> from;
+            std::array<Number, width>         factors;
+            for (unsigned int k = 0; k < width; ++k)
+              {
+                double sum = 0.; // of what is not there: 0
+                for (const Term &term : plan.sums[s].terms)
+                  sum += (mass * term.mass + stiffness * term.stiffness) *
+                         axes[0][term.kinds[0]][k][i];
+                factors[k] = sum;
+                from[k] =
+                  plane(plan.sums[s].column,
+                        std::clamp(i + k, degree, n_planes + degree - 1) -
+                          degree);
+              }
+            Number *const to = buffer(s);
             for (unsigned int node = 0; node < length; node += n_lanes)
-              (Batched::load(before + node) * of_before +
-               Batched::load(at + node) * of_own +
-               Batched::load(next + node) * of_next)
-                .store(to + node);
+              {
+                Batched sum{};
+                for (unsigned int k = 0; k < width; ++k)
+                  sum += Batched::load(from[k] + node) * factors[k];
+                sum.store(to + node);
+              }
           }
         for (const Step &step : plan.steps)
           {
             const auto apply = step.is_first ?
-                                 apply_within_plane<true, Number> :
-                                 apply_within_plane<false, Number>;
+                                 apply_within_plane<width, true, Number> :
+                                 apply_within_plane<width, false, Number>;
             apply(&coefficients[coefficient(step.direction, step.kind)],
-                  buffer(step.from),
+                  buffer(step.from) - degree * strides[step.direction],
                   buffer(step.to),
                   strides[step.direction],
                   length);

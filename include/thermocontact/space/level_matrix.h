@@ -17,9 +17,10 @@
 namespace ThermoContact
 {
   /**
-   * The matrices (D1.5) of elements of degree 1 on a grid: sums of products of
-   * tridiagonal matrices of its directions, by which they are multiplied,
-   * plane across the body by plane. Without heat exchange and constraints.
+   * The matrices (D1.5) of the elements of a grid, of degree 1 or 2: sums of
+   * products of banded matrices of its directions, by which they are
+   * multiplied, plane across the body by plane. Without heat exchange and
+   * constraints.
    *
    * As LevelOperator of a coarser level, whole on every rank and with a
    * consistent mass: a coarse contact node stands for nodes with mass, too;
@@ -88,18 +89,20 @@ namespace ThermoContact
       const unsigned int      n        = n_components(field);
       const std::vector<Term> of_field = terms(of(field));
       for (unsigned int node = 0; node < grid.n_nodes(); ++node)
-        for (int k = 0; k < power_of(3, dim); ++k)
+        for (int k = 0; k < power_of(width, dim); ++k)
           {
             const auto                    place = grid.index(node);
             int                           other = node;
-            std::array<unsigned int, dim> neighbour; // before, itself, next
+            std::array<unsigned int, dim> neighbour; // from the first one on
             bool                          is_there = true;
             for (unsigned int d = 0; d < dim; ++d)
               {
-                neighbour[d] = k / power_of(3, d) % 3;
-                is_there     = is_there && place[d] + neighbour[d] > 0 &&
-                           place[d] + neighbour[d] <= grid.positions(d).size();
-                other += (int(neighbour[d]) - 1) * int(grid.strides()[d]);
+                neighbour[d] = k / power_of(width, d) % width;
+                is_there =
+                  is_there && place[d] + neighbour[d] >= degree &&
+                  place[d] + neighbour[d] < grid.positions(d).size() + degree;
+                other +=
+                  (int(neighbour[d]) - int(degree)) * int(grid.strides()[d]);
               }
             if (!is_there)
               continue;
@@ -118,7 +121,7 @@ namespace ThermoContact
     }
 
   private:
-    /** Tridiagonal matrices of a direction, integrals of basis functions. */
+    /** Banded matrices of a direction, integrals of basis functions. */
     enum Kind : unsigned int
     {
       mass_of_all,
@@ -132,8 +135,8 @@ namespace ThermoContact
       n_kinds
     };
 
-    /** Rows have what is before, on and after the diagonal. */
-    using Tridiagonal = std::array<std::vector<double>, 3>;
+    /** The entry of node i with node i + k - degree at [k][i]. */
+    using Banded = std::vector<std::vector<double>>;
 
     /** A product of matrices, one for each direction, between components. */
     struct Term
@@ -175,13 +178,15 @@ namespace ThermoContact
 
     const Material       material;
     const LevelGrid<dim> grid;
+    const unsigned int   degree;
+    const unsigned int   width; ///< of the bands
     const bool           has_mass;
     const Entries        entries;
     const unsigned int   n_plane; ///< nodes of a plane across the body
     const unsigned int   margin;  ///< between planes, for neighbours
     const unsigned int   length;  ///< of a plane, filled up
 
-    std::array<std::array<Tridiagonal, n_kinds>, 2> axes; ///< along, across
+    std::array<std::array<Banded, n_kinds>, 2> axes; ///< along, across
 
     /** Those across, for each node of a plane; see coefficient(). */
     AlignedVector<Number> coefficients;
@@ -205,7 +210,7 @@ namespace ThermoContact
     std::size_t
     coefficient(const unsigned int direction, const Kind kind) const
     {
-      return std::size_t((direction - 1) * n_kinds + kind) * 3 * length;
+      return std::size_t((direction - 1) * n_kinds + kind) * width * length;
     }
 
     LevelMatrix(const Scene          &scene,
@@ -223,6 +228,15 @@ namespace ThermoContact
 
     std::vector<Term>
     terms(const Operator op) const;
+
+    /** add() with bands of a known width. */
+    template <unsigned int width>
+    void
+    add_planes(const Operator op,
+               const double   mass,
+               const double   stiffness,
+               Number        *y,
+               const Number  *x) const;
 
     Plan
     make_plan(const Operator op) const;
