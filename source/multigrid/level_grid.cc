@@ -13,13 +13,19 @@ namespace ThermoContact
   namespace
   {
     /** A level has at most this part of the nodes of the next finer one. */
-    constexpr double most_nodes = 0.7;
+    constexpr double most_nodes = 0.8;
 
     /** By which the distance grows below which nodes are left out. */
     constexpr double growth = 1.25;
 
-    /** Of distances along a body, to those across, that make lines of nodes. */
-    constexpr double thin = 0.7;
+    /**
+     * Length of a cell over the width of the body at most: longer ones cannot
+     * bend.
+     */
+    constexpr double longest_cell = 4.;
+
+    /** Of coarser levels; flows without dilatation need two. */
+    constexpr unsigned int largest_degree = 2;
 
 
 
@@ -45,27 +51,31 @@ namespace ThermoContact
 
 
     double
-    shortest_distance(const std::vector<double> &nodes)
+    shortest_cell(const std::vector<double> &nodes, const unsigned int degree)
     {
       double shortest = std::numeric_limits<double>::infinity();
-      for (unsigned int i = 1; i < nodes.size(); ++i)
-        shortest = std::min(shortest, nodes[i] - nodes[i - 1]);
+      for (unsigned int i = 0; i + degree < nodes.size(); i += degree)
+        shortest = std::min(shortest, nodes[i + degree] - nodes[i]);
       return shortest;
     }
 
 
 
-    /** Without nodes whose neighbours are no farther than @p length apart. */
+    /** With one cell for two that are no longer than @p length together. */
     std::vector<double>
-    thinned(const std::vector<double> &nodes, const double length)
+    thinned(const std::vector<double> &nodes,
+            const unsigned int         degree,
+            const double               length)
     {
       std::vector<double> result{nodes.front()};
-      for (unsigned int i = 0; i + 1 < nodes.size();)
+      for (unsigned int i = 0, next = 0; i + 1 < nodes.size(); i = next)
         {
-          const bool is_left_out =
-            i + 2 < nodes.size() && nodes[i + 2] - nodes[i] <= length;
-          i += is_left_out ? 2 : 1;
-          result.push_back(nodes[i]);
+          next = i + 2 * degree;
+          if (next >= nodes.size() || nodes[next] - nodes[i] > length)
+            next = i + degree;
+          if (degree > 1)
+            result.push_back(nodes[(i + next) / 2]);
+          result.push_back(nodes[next]);
         }
       return result;
     }
@@ -73,21 +83,31 @@ namespace ThermoContact
 
 
 
+  ValueAndSlope
+  lagrange(const double      *nodes,
+           const unsigned int degree,
+           const unsigned int i,
+           const double       x)
+  {
+    ValueAndSlope result{1., 0.};
+    for (unsigned int j = 0; j <= degree; ++j)
+      if (j != i)
+        {
+          const double length = nodes[i] - nodes[j], part = x - nodes[j];
+          result.slope = (result.slope * part + result.value) / length;
+          result.value *= part / length;
+        }
+    return result;
+  }
+
+
+
   template <int dim>
   LevelGrid<dim>::LevelGrid(const MeshParameters &mesh)
     : axes{{nodes_of_cells(mesh, mesh.cell_sizes()),
             nodes_of_cells(mesh, mesh.cell_sizes_across())}}
+    , degree_(mesh.degree)
   {}
-
-
-
-  template <int dim>
-  bool
-  LevelGrid<dim>::has_lines() const
-  {
-    return axes[0].size() > 2 && axes[1].size() > 2 &&
-           shortest_distance(axes[0]) < thin * shortest_distance(axes[1]);
-  }
 
 
 
@@ -95,20 +115,30 @@ namespace ThermoContact
   std::optional<LevelGrid<dim>>
   LevelGrid<dim>::coarsened() const
   {
+    LevelGrid  coarse(*this);
+    const auto thin = [&](const double length) {
+      coarse.axes = {{thinned(axes[0],
+                              degree_,
+                              std::min(length, longest_cell * axes[1].back())),
+                      thinned(axes[1], degree_, length)}};
+    };
+    if (degree_ > largest_degree)
+      {
+        coarse.degree_ = largest_degree;
+        thin(0.);
+        return coarse;
+      }
     double length = std::numeric_limits<double>::infinity(), longest = 0.;
     for (const std::vector<double> &axis : axes)
-      if (axis.size() > 2)
+      if (axis.size() > degree_ + 1)
         {
-          length  = std::min(length, 2. * shortest_distance(axis));
+          length  = std::min(length, 2. * shortest_cell(axis, degree_));
           longest = std::max(longest, axis.back() - axis.front());
         }
-    if (has_lines())
-      length = 2. * shortest_distance(axes[1]);
-    LevelGrid coarse(*this);
     for (length *= 1. + Tolerances::rounding_of_data;
          coarse.n_nodes() > most_nodes * n_nodes() && length < growth * longest;
          length *= growth)
-      coarse.axes = {{thinned(axes[0], length), thinned(axes[1], length)}};
+      thin(length);
     if (coarse.n_nodes() == n_nodes())
       return {};
     return coarse;

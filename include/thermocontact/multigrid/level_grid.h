@@ -13,10 +13,28 @@
 
 namespace ThermoContact
 {
+  /** A function of one variable at a point. */
+  struct ValueAndSlope
+  {
+    double value;
+    double slope;
+  };
+
+
+
+  /** The polynomial that is 1 at node @p i of @p degree + 1 and 0 at others. */
+  ValueAndSlope
+  lagrange(const double      *nodes,
+           const unsigned int degree,
+           const unsigned int i,
+           const double       x);
+
+
+
   /**
    * The nodes of a level of multigrid: positions along the body times the same
-   * positions in all directions across it. Numbered along the last direction
-   * first.
+   * positions in all directions across it. Cells of an axis begin at each
+   * degree()-th one. Numbered along the last direction first.
    */
   template <int dim>
   class LevelGrid
@@ -28,19 +46,20 @@ namespace ThermoContact
     explicit LevelGrid(const MeshParameters &mesh);
 
     /**
-     * Each second node left out where they are nearest to each other, whatever
-     * the direction; where has_lines(), distances across the body alone count.
-     * Cells become cubes. Null: no node can be left out.
+     * Two cells become one where they are shortest, whatever the direction, so
+     * that cells become cubes, and later as wide as a slender body and a few
+     * times as long; above degree 2 the cells remain and have degree 2. The
+     * nodes are some of those there were. Null: no node can be left out.
      */
     std::optional<LevelGrid>
     coarsened() const;
 
-    /**
-     * Nodes are nearer to each other along the body than across it, so that
-     * smoothers solve for lines of them, LevelLines.
-     */
-    bool
-    has_lines() const;
+    /** Of the polynomials on a cell. */
+    unsigned int
+    degree() const
+    {
+      return degree_;
+    }
 
     /** Ascending. */
     const std::vector<double> &
@@ -64,6 +83,7 @@ namespace ThermoContact
 
   private:
     std::array<std::vector<double>, 2> axes; ///< along, across
+    unsigned int                       degree_;
   };
 } // namespace ThermoContact
 

@@ -15,8 +15,8 @@
 namespace ThermoContact
 {
   /**
-   * The stage matrices of a coarser level, of elements of degree 1 on its grid,
-   * whole on every rank. Without heat exchange, and with a consistent mass: a
+   * The stage matrices of a coarser level, of the elements of its grid, whole
+   * on every rank. Without heat exchange, and with a consistent mass: a
    * coarse contact node stands for nodes with mass, too; without, residuals of
    * those would move it without resistance in a short stage.
    */
@@ -51,31 +51,31 @@ namespace ThermoContact
     {
       const unsigned int n = n_components(field);
       for (const Kind &kind : kinds)
-        {
-          combine(kind, field, mass, stiffness);
-          for (const Neighbour &neighbour : kind.neighbours)
-            for (const unsigned int line : kind.lines)
-              for (unsigned int node = 0; node < n_line; ++node)
-                for (unsigned int k = 0; k < 3; ++k)
-                  for (unsigned int c = 0; c < n; ++c)
-                    for (unsigned int e = 0; e < n; ++e)
-                      if (node + k > 0 && node + k <= n_line)
-                        visit((line * n_line + node) * n + c,
-                              ((line + neighbour.offset) * n_line + node + k -
-                               1) *
-                                  n +
-                                e,
-                              coefficients[index(n, neighbour.number, c, k, e) *
-                                             length +
-                                           node]);
-        }
+        for (const Neighbour &neighbour : kind.neighbours)
+          for (const unsigned int line : kind.lines)
+            for (unsigned int node = 0; node < n_line; ++node)
+              for (unsigned int k = 0; k < reach; ++k)
+                for (unsigned int c = 0; c < n; ++c)
+                  for (unsigned int e = 0; e < n; ++e)
+                    if (node + k >= degree && node + k < n_line + degree)
+                      visit((line * n_line + node) * n + c,
+                            ((line + neighbour.offset) * n_line + node + k -
+                             degree) *
+                                n +
+                              e,
+                            stiffness * kind.stiffness[field][index(
+                                          n, neighbour.number, c, k, e, node)] +
+                              (c == e ?
+                                 mass * kind.mass[index(
+                                          1, neighbour.number, 0, k, 0, node)] :
+                                 0.));
     }
 
   private:
     /** A line beside another one, or that one itself. */
     struct Neighbour
     {
-      unsigned int number; ///< digits to the base of 3, 1 for the same place
+      unsigned int number; ///< digits to the base of @p reach
       int          offset; ///< of its number among the lines
     };
 
@@ -94,16 +94,15 @@ namespace ThermoContact
 
     static constexpr unsigned int n_lanes = Lanes<Number>::n_lanes;
 
+    const unsigned int degree;
+    const unsigned int reach;  ///< nodes that a node is coupled with on a line
     const unsigned int n_line; ///< nodes of a line
     const unsigned int n_lines;
     const unsigned int length; ///< of a line whose end is filled up
     std::vector<Kind>  kinds;
 
-    /** Filled up lines of factor and product, component by component. */
-    mutable std::vector<Number> factors, sums;
-
-    /** As in Kind, of the matrix of a product. */
-    mutable std::vector<Number> coefficients;
+    /** Filled up lines of factors and product, component by component. */
+    mutable std::vector<Number> of_stiffness, of_mass, sums;
 
     static unsigned int
     n_components(const Field::Block field)
@@ -112,32 +111,36 @@ namespace ThermoContact
     }
 
     /**
-     * Place in Kind of the entries of the component @p c of a node with the
-     * component @p e of the node @p k - 1 places farther in a line beside.
+     * Place in Kind of the entry of the component @p c of a node of a line with
+     * the component @p e of the node @p k - degree places farther in a line
+     * beside.
      */
-    static unsigned int
+    std::size_t
     index(const unsigned int n_components,
           const unsigned int neighbour,
           const unsigned int c,
           const unsigned int k,
-          const unsigned int e)
+          const unsigned int e,
+          const unsigned int node) const
     {
-      return ((neighbour * n_components + c) * 3 + k) * n_components + e;
+      return (((std::size_t(neighbour) * n_components + c) * reach + k) *
+                n_components +
+              e) *
+               length +
+             node;
     }
 
-    /** The integrals over the cells around a line. */
+    /** The matrices of the cells around a line. */
+    template <typename CellOf>
     void
-    add_cells(const Scene          &scene,
-              const Geometry<dim>  &geometry,
-              const LevelGrid<dim> &grid,
+    add_cells(const LevelGrid<dim> &grid,
+              const CellOf         &cell_of,
               Kind                 &kind) const;
 
-    /** Makes the coefficients. */
+    /** Calls @p visit(entry of a vector, place in filled up lines). */
+    template <unsigned int n, typename Visit>
     void
-    combine(const Kind        &kind,
-            const Field::Block field,
-            const double       mass,
-            const double       stiffness) const;
+    visit_values(const Visit &visit) const;
 
     template <unsigned int n>
     void
