@@ -59,10 +59,10 @@ namespace ThermoContact
   void
   ChebyshevSmoother<dim, Number>::update_diagonal()
   {
-    lines.reset();
-    if (auto factors = block.line_factors())
+    subspaces.reset();
+    if (auto factors = block.subspace_factors())
       {
-        lines.emplace(std::move(*factors));
+        subspaces.emplace(std::move(*factors));
         return;
       }
     inverse_diagonal = block.make_vector();
@@ -79,8 +79,8 @@ namespace ThermoContact
   ChebyshevSmoother<dim, Number>::precondition(
     LevelVector<Number> &residual) const
   {
-    if (lines)
-      lines->solve(residual);
+    if (subspaces)
+      subspaces->apply(residual);
     else
       residual.scale(inverse_diagonal);
   }
@@ -135,10 +135,10 @@ namespace ThermoContact
                                           const double of_residual) const
   {
     block.vmult(work.product, x);
-    if (lines)
+    if (subspaces)
       {
         work.product.sadd(-1., b);
-        lines->solve(work.product);
+        subspaces->apply(work.product);
       }
     const Number *__restrict product = work.product.begin();
     const Number *__restrict rhs     = b.begin();
@@ -156,7 +156,7 @@ namespace ThermoContact
           values[i] += update[i];
         }
     };
-    if (lines)
+    if (subspaces)
       go([product](const unsigned int i) { return product[i]; });
     else
       go([=](const unsigned int i) {

@@ -20,15 +20,11 @@ namespace ThermoContact
   {
     this->n_components = n_components;
     this->communicator = communicator;
+    degree             = coarse.degree();
+    strides            = {};
+    for (unsigned int d = 0; d < dim; ++d)
+      strides[d] = coarse.strides()[d] * n_components;
     std::vector<Entry> values;
-    const auto         strides = coarse.strides();
-    for (unsigned int corner = 0; corner < n_corners; ++corner)
-      {
-        corners[corner] = 0;
-        for (unsigned int d = 0; d < dim; ++d)
-          if ((corner >> d & 1U) != 0)
-            corners[corner] += strides[d] * n_components;
-      }
     for (const NodalValue<dim> &value : fine)
       {
         Entry entry{};
@@ -36,26 +32,28 @@ namespace ThermoContact
         for (unsigned int d = 0; d < dim; ++d)
           {
             const std::vector<double> &x = coarse.positions(d);
-            // the last node is the upper one of the last cell
-            unsigned int cell =
-              std::upper_bound(x.begin() + 1, x.end() - 1, value.node[d]) -
-              x.begin() - 1;
-            const double place =
-              (value.node[d] - x[cell]) / (x[cell + 1] - x[cell]);
-            if (std::abs(place - std::round(place)) >=
-                Tolerances::rounding_of_data)
-              entry.between |= 1U << d;
-            else
-              cell += std::lround(place);
-            entry.place[d] = place;
-            entry.first += strides[d] * n_components * cell;
+            const double               at =
+              value.node[d] * (1. - Tolerances::rounding_of_data);
+            unsigned int node =
+              std::lower_bound(x.begin(), x.end(), at) - x.begin();
+            entry.weights[d] = {{1.}};
+            if (std::abs(x[node] - value.node[d]) >
+                Tolerances::rounding_of_data * x.back())
+              {
+                entry.between |= 1U << d;
+                node = (node - 1) / degree * degree; // its cell begins there
+                for (unsigned int k = 0; k <= degree; ++k)
+                  entry.weights[d][k] =
+                    lagrange(&x[node], degree, k, value.node[d]).value;
+              }
+            entry.first += strides[d] * node;
           }
         values.push_back(entry);
       }
     // processors predict the loops over corners where they are alike
     std::sort(values.begin(), values.end(), [](const Entry &a, const Entry &b) {
-      return std::tie(a.between, a.first, a.place) <
-             std::tie(b.between, b.first, b.place);
+      return std::tie(a.between, a.first, a.weights) <
+             std::tie(b.between, b.first, b.weights);
     });
     entries.clear();
     for (unsigned int i = 0; i < values.size(); ++i)
@@ -128,19 +126,43 @@ namespace ThermoContact
   LevelTransfer<dim, Number>::restrict_to(LevelVector<Number>       &coarse,
                                           const LevelVector<Number> &fine) const
   {
-    coarse     = Number();
-    Number *to = coarse.begin();
+    coarse = Number();
     if (n_components == 1)
-      restrict<1>(to, fine.begin());
+      restrict<1>(coarse.begin(), fine.begin());
     else
-      restrict<dim>(to, fine.begin());
+      restrict<dim>(coarse.begin(), fine.begin());
+    sum_over_ranks(coarse);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  LevelTransfer<dim, Number>::inject_to(LevelVector<Number>       &coarse,
+                                        const LevelVector<Number> &fine) const
+  {
+    coarse = Number();
+    for (const Entry &entry : entries)
+      if (entry.between == 0)
+        for (unsigned int c = 0; c < n_components; ++c)
+          coarse.local_element(entry.first + c) =
+            fine.local_element(entry.rows[c]);
+    sum_over_ranks(coarse);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  LevelTransfer<dim, Number>::sum_over_ranks(LevelVector<Number> &coarse) const
+  {
     if (Utilities::MPI::n_mpi_processes(communicator) == 1)
       return;
     const unsigned int        n = coarse.locally_owned_size();
-    const std::vector<Number> own(to, to + n);
+    const std::vector<Number> own(coarse.begin(), coarse.begin() + n);
     Utilities::MPI::sum(make_array_view(own),
                         communicator,
-                        make_array_view(to, to + n));
+                        make_array_view(coarse.begin(), coarse.begin() + n));
   }
 
 

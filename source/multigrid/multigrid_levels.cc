@@ -97,24 +97,6 @@ namespace ThermoContact
                     l,
                     field);
         }
-    const LevelGrid<dim> of_body(body.scene.parameters.mesh);
-    if (of_body.has_lines())
-      {
-        const LevelMatrix<dim, Number> matrix(body.scene,
-                                              space.geometry(),
-                                              of_body);
-        for (const Field::Block field : all_fields)
-          if (space.has_field(field))
-            {
-              LevelField<dim, Number> &fine = levels.back().fields[field];
-              fine.lines =
-                LevelLines<dim, Number>(matrix,
-                                        of_body,
-                                        field,
-                                        fine.stiffness,
-                                        products->nodal_values(field));
-            }
-      }
     levels.back().products = std::move(products);
   }
 
@@ -163,9 +145,9 @@ namespace ThermoContact
             (is_mass ? of_field.mass : of_field.stiffness).local_element(row) =
               value;
         });
-    if (grid.has_lines())
-      of_field.lines = LevelLines<dim, Number>(
-        matrix, grid, field, of_field.stiffness, nodal_values(grid, field));
+    if (field == Field::displacement && has_subspaces())
+      of_field.subspaces =
+        make_subspaces(grid, nodal_values(grid, field), of_field);
   }
 
 
@@ -181,6 +163,24 @@ namespace ThermoContact
     of_field.mass       = products.diagonal(field, 1., 0.);
     of_field.stiffness  = products.diagonal(field, 0., 1.);
     of_field.prescribed = body.discretization.constrained_entries(field);
+    if (field == Field::displacement && has_subspaces())
+      of_field.subspaces =
+        make_subspaces(LevelGrid<dim>(body.scene.parameters.mesh),
+                       products.nodal_values(field),
+                       of_field);
+  }
+
+
+
+  template <int dim, typename Number>
+  std::unique_ptr<const LevelSubspaces<dim, Number>>
+  MultigridLevels<dim, Number>::make_subspaces(
+    const LevelGrid<dim>               &grid,
+    const std::vector<NodalValue<dim>> &values,
+    const LevelField<dim, Number>      &of_field) const
+  {
+    return std::make_unique<const LevelSubspaces<dim, Number>>(
+      grid, body.scene.material, of_field.right, values);
   }
 
 
@@ -205,9 +205,9 @@ namespace ThermoContact
     LevelVector<Number> marks(fine.right), coarse_marks(coarse.right);
     for (const unsigned int entry : fine.prescribed)
       marks.local_element(entry) = 1.;
-    fine.transfer.restrict_to(coarse_marks, marks);
+    fine.transfer.inject_to(coarse_marks, marks);
     for (unsigned int i = 0; i < coarse_marks.locally_owned_size(); ++i)
-      if (coarse_marks.local_element(i) >= 1)
+      if (coarse_marks.local_element(i) > 0)
         coarse.prescribed.push_back(i);
 
     if (field == Field::displacement)

@@ -66,18 +66,20 @@ namespace ThermoContact
 
 
   template <int dim, typename Number>
-  std::optional<LineFactors<dim, Number>>
-  StageBlock<dim, Number>::line_factors() const
+  std::optional<SubspaceFactors<dim, Number>>
+  StageBlock<dim, Number>::subspace_factors() const
   {
     const LevelField<dim, Number> &parts = levels.field(level, field);
-    if (!parts.lines.partitioner)
+    if (!parts.subspaces)
       return {};
     Vector rest = diagonal();
     for (unsigned int i = 0; i < rest.locally_owned_size(); ++i)
-      rest.local_element(i) -= stiffness * parts.stiffness.local_element(i);
+      rest.local_element(i) = mass * parts.mass.local_element(i);
+    for (const auto &[entry, spring] : springs)
+      rest.local_element(entry) += spring;
     for (const unsigned int entry : prescribed)
       rest.local_element(entry) = std::numeric_limits<double>::infinity();
-    return LineFactors<dim, Number>(parts.lines, stiffness, rest);
+    return SubspaceFactors<dim, Number>(*parts.subspaces, stiffness, rest);
   }
 
 

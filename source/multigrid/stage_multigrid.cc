@@ -21,14 +21,18 @@ namespace ThermoContact
 
     /**
      * Three steps treat a range of 15. What keeps its volume is soft beside
-     * what does not, by $\mu/\lambda$, and coarser levels do not have it all:
-     * the range grows with $\lambda/\mu$, the steps with its root.
+     * what does not, by $\mu/\lambda$: where no subspaces are for it, the range
+     * grows with $\lambda/\mu$, the steps with its root.
      */
     Smoothing
-    smoothing(const Field::Block field, const Material &material)
+    smoothing(const Field::Block field,
+              const bool         has_subspaces,
+              const Material    &material)
     {
       if (field == Field::temperature)
         return {2, 15.};
+      if (has_subspaces)
+        return {4, 25.};
       constexpr double   most_steps = 24.;
       const double       ratio      = 2. * material.lambda / material.two_mu;
       const unsigned int degree =
@@ -69,11 +73,8 @@ namespace ThermoContact
         }
       if (fine.held.size() > 0)
         {
-          // its own node has the weight 1, or it is among others that are held
           copy_values(values, fine.held);
-          fine_field.transfer.restrict_to(coarse, values);
-          for (Number &held : coarse)
-            held = held >= 1;
+          fine_field.transfer.inject_to(coarse, values);
           set(result.held, 1.);
         }
       return result;
@@ -96,7 +97,8 @@ namespace ThermoContact
     scale = StageBlock<dim, Number>(levels, finest, field, tau)
               .diagonal()
               .linfty_norm();
-    const Smoothing steps = smoothing(field, levels.scene().material);
+    const Smoothing steps =
+      smoothing(field, levels.has_subspaces(), levels.scene().material);
     for (unsigned int l = 0; l < levels.n_levels(); ++l)
       {
         Level &level = stage_levels[l];
@@ -116,34 +118,33 @@ namespace ThermoContact
 
 
   template <int dim, typename Number>
-  std::unique_ptr<const LAPACKFullMatrix<double>>
+  std::unique_ptr<const BandFactors>
   StageMultigrid<dim, Number>::make_factors() const
   {
-    const StageBlock<dim, Number> &block   = *stage_levels[0].block;
-    auto                           factors = std::make_unique<Factors>();
-    factors->reinit(coarse_values.size());
-    factors->set_property(LAPACKSupport::symmetric);
-    block.visit_entries(
-      [&](const unsigned int row,
-          const unsigned int column,
-          const double       value) { (*factors)(row, column) += value; });
+    const StageBlock<dim, Number> &block = *stage_levels[0].block;
+    const unsigned int             n     = coarse_values.size();
+    std::vector<bool>              is_held(n);
     for (const unsigned int held : block.prescribed_entries())
-      {
-        for (unsigned int i = 0; i < coarse_values.size(); ++i)
-          (*factors)(held, i) = (*factors)(i, held) = 0.;
-        (*factors)(held, held) = 1.;
-      }
-    try
-      {
-        factors->compute_cholesky_factorization();
-      }
-    catch (const ExceptionBase &)
-      {
-        throw ComputationError(
-          "the coarsest level of multigrid is not positive\n"
-          "  remedy:  check the coefficients of section Model, the mesh and "
-          "Time/Step size for extreme values");
-      }
+      is_held[held] = true;
+    unsigned int band = 0;
+    block.visit_entries(
+      [&](const unsigned int row, const unsigned int column, const double) {
+        band = std::max(band, row > column ? row - column : 0);
+      });
+    auto factors = std::make_unique<BandFactors>(n, band);
+    block.visit_entries([&](const unsigned int row,
+                            const unsigned int column,
+                            const double       value) {
+      if (row >= column && !is_held[row] && !is_held[column])
+        factors->entry(row, column) += value;
+    });
+    for (const unsigned int held : block.prescribed_entries())
+      factors->entry(held, held) = 1.;
+    if (!factors->factorize())
+      throw ComputationError(
+        "the coarsest level of multigrid is not positive\n"
+        "  remedy:  check the coefficients of section Model, the mesh and "
+        "Time/Step size for extreme values");
     return factors;
   }
 

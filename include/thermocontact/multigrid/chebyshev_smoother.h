@@ -10,10 +10,10 @@
 namespace ThermoContact
 {
   /**
-   * Chebyshev polynomials in a StageBlock with its diagonal, or with what its
-   * LevelLines are beside it, for the upper part of the spectrum (Adams,
-   * Brezina, Hu and Tuminaro 2003): the iteration of PreconditionChebyshev.
-   * Vectors are zero at prescribed degrees of freedom.
+   * Chebyshev polynomials in a StageBlock with its diagonal, or of
+   * displacements with its LevelSubspaces, for the upper part of the spectrum
+   * (Adams, Brezina, Hu and Tuminaro 2003): the iteration of
+   * PreconditionChebyshev. Vectors are zero at prescribed degrees of freedom.
    */
   template <int dim, typename Number>
   class ChebyshevSmoother
@@ -28,7 +28,7 @@ namespace ThermoContact
                       const unsigned int             degree,
                       const double                   range);
 
-    /** Takes the diagonal and lines that the block has at present. */
+    /** Takes the diagonal or subspaces that the block has at present. */
     void
     update_diagonal();
 
@@ -59,11 +59,11 @@ namespace ThermoContact
     const StageBlock<dim, Number> &block;
     const unsigned int             degree;
     const double                   range;
-    LevelVector<Number> inverse_diagonal; ///< without lines; 0: prescribed
-    std::optional<LineFactors<dim, Number>> lines; ///< if there are any
-    double                                  theta = 1., delta = 0.;
+    LevelVector<Number>            inverse_diagonal; ///< 0: prescribed; or
+    std::optional<SubspaceFactors<dim, Number>> subspaces;
+    double                                      theta = 1., delta = 0.;
 
-    /** A residual becomes that over the diagonal or the lines. */
+    /** A residual becomes that over the diagonal or in the subspaces. */
     void
     precondition(LevelVector<Number> &residual) const;
 

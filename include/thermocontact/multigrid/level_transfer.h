@@ -3,8 +3,8 @@
 #ifndef thermocontact_multigrid_level_transfer_h
 #define thermocontact_multigrid_level_transfer_h
 
-#include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/level_grid.h>
+#include <thermocontact/space/cell_products.h>
 
 #include <array>
 #include <vector>
@@ -12,8 +12,8 @@
 namespace ThermoContact
 {
   /**
-   * Linear interpolation from a grid, whose vectors are whole on every rank, to
-   * the next finer level, which has its nodes and others.
+   * Interpolation by the elements of a grid, whose vectors are whole on every
+   * rank, at the next finer level, which has its nodes and others.
    */
   template <int dim, typename Number>
   class LevelTransfer
@@ -39,44 +39,50 @@ namespace ThermoContact
     restrict_to(LevelVector<Number>       &coarse,
                 const LevelVector<Number> &fine) const;
 
-  private:
-    /** Corners of the coarse cell that a node is in. */
-    static constexpr unsigned int n_corners = 1U << dim;
+    /** The values of the nodes of the grid, in place of @p coarse. Collective.
+     */
+    void
+    inject_to(LevelVector<Number>       &coarse,
+              const LevelVector<Number> &fine) const;
 
+  private:
     /**
      * Of a node between nodes of the coarse grid along some directions, the
-     * bits of @p between; the corners that it depends on differ there alone.
+     * bits of @p between: it depends on all nodes of the cell there, on one
+     * along the others.
      */
     struct Entry
     {
-      unsigned int                  between;
-      unsigned int                  first; ///< of the coarse vector
-      std::array<Number, dim>       place; ///< from there, in parts of the cell
-      std::array<unsigned int, dim> rows;  ///< of components in the fine vector
+      unsigned int                           between;
+      unsigned int                           first; ///< of the coarse vector
+      std::array<std::array<Number, 3>, dim> weights;
+      std::array<unsigned int, dim> rows; ///< of components in the fine vector
     };
 
-    std::vector<Entry>                  entries; ///< by @p between
-    std::array<unsigned int, n_corners> corners; ///< from the first one
-    unsigned int                        n_components;
-    MPI_Comm                            communicator = MPI_COMM_SELF;
+    std::vector<Entry>          entries; ///< by @p between
+    std::array<unsigned int, 3> strides; ///< to the next node of the grid
+    unsigned int                degree;
+    unsigned int                n_components;
+    MPI_Comm                    communicator = MPI_COMM_SELF;
 
-    /** Calls @p visit(column of the first component, weight) for a node. */
+    void
+    sum_over_ranks(LevelVector<Number> &coarse) const;
+
+    /** Calls @p visit(entry of the coarse vector, weight). */
     template <typename Visit>
     void
     visit_weights(const Entry &entry, const Visit &visit) const
     {
-      unsigned int corner = 0; // all subsets of the bits
-      do
-        {
-          Number weight = 1;
-          for (unsigned int d = 0; d < dim; ++d)
-            if ((entry.between >> d & 1U) != 0)
-              weight *=
-                (corner >> d & 1U) != 0 ? entry.place[d] : 1 - entry.place[d];
-          visit(entry.first + corners[corner], weight);
-          corner = (corner - entry.between) & entry.between;
-        }
-      while (corner != 0);
+      const auto last = [&](const unsigned int d) {
+        return (entry.between >> d & 1U) != 0 ? degree : 0U;
+      };
+      for (unsigned int i = 0; i <= last(0); ++i)
+        for (unsigned int j = 0; j <= last(1); ++j)
+          for (unsigned int k = 0; k <= last(2); ++k)
+            visit(entry.first + i * strides[0] + j * strides[1] +
+                    k * strides[2],
+                  entry.weights[0][i] * entry.weights[1][j] *
+                    (dim == 3 ? entry.weights[dim - 1][k] : Number(1)));
     }
 
     template <unsigned int n>

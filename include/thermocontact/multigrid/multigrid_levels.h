@@ -3,7 +3,8 @@
 #ifndef thermocontact_multigrid_multigrid_levels_h
 #define thermocontact_multigrid_multigrid_levels_h
 
-#include <thermocontact/multigrid/level_lines.h>
+#include <thermocontact/space/level_matrix.h>
+#include <thermocontact/multigrid/level_subspaces.h>
 #include <thermocontact/multigrid/level_transfer.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/cell_products.h>
@@ -28,8 +29,8 @@ namespace ThermoContact
     LevelVector<Number> mass;
     LevelVector<Number> stiffness;
 
-    /** Of grids that have them. */
-    LevelLines<dim, Number> lines;
+    /** Of displacements, or null. */
+    std::unique_ptr<const LevelSubspaces<dim, Number>> subspaces;
 
     /**
      * Heat exchange with the obstacle, row by row, that products leave out: of
@@ -86,6 +87,14 @@ namespace ThermoContact
       return body.discretization.has_field(field);
     }
 
+    /** Smoothers of displacements correct in LevelSubspaces. */
+    bool
+    has_subspaces() const
+    {
+      return LevelSubspaces<dim, Number>::are_for(
+        body.scene, body.discretization.geometry());
+    }
+
     const Scene &
     scene() const
     {
@@ -121,6 +130,11 @@ namespace ThermoContact
     make_field_of_body(const CellProducts<dim, Number> &products,
                        const Field::Block               field,
                        LevelField<dim, Number>         &of_field) const;
+
+    std::unique_ptr<const LevelSubspaces<dim, Number>>
+    make_subspaces(const LevelGrid<dim>               &grid,
+                   const std::vector<NodalValue<dim>> &values,
+                   const LevelField<dim, Number>      &of_field) const;
 
     /**
      * The transfer from a grid to the next finer level, and what the field on

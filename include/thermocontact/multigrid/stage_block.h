@@ -54,9 +54,9 @@ namespace ThermoContact
       return levels.products(level).make_vector(field);
     }
 
-    /** Those of the lines of the level, if there are any. */
-    std::optional<LineFactors<dim, Number>>
-    line_factors() const;
+    /** Those of displacements. */
+    std::optional<SubspaceFactors<dim, Number>>
+    subspace_factors() const;
 
     /** Its entries on the coarsest level, as LevelMatrix::visit_entries(). */
     template <typename Visit>

@@ -3,10 +3,9 @@
 #ifndef thermocontact_multigrid_stage_multigrid_h
 #define thermocontact_multigrid_stage_multigrid_h
 
+#include <thermocontact/multigrid/band_factors.h>
 #include <thermocontact/multigrid/chebyshev_smoother.h>
 #include <thermocontact/multigrid/multigrid_levels.h>
-
-#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <memory>
 #include <vector>
@@ -57,12 +56,10 @@ namespace ThermoContact
     double                              scale = 1.; ///< of matrices
     std::vector<Level>                  stage_levels;
 
-    using Factors = LAPACKFullMatrix<double>;
-
-    std::unique_ptr<const Factors> factors_without_contact;
-    std::unique_ptr<const Factors> factors_with_contact; ///< last rows
-    bool                           has_contact = false;
-    mutable dealii::Vector<double> coarse_values;
+    std::unique_ptr<const BandFactors> factors_without_contact;
+    std::unique_ptr<const BandFactors> factors_with_contact; ///< last rows
+    bool                               has_contact = false;
+    mutable std::vector<double>        coarse_values;
 
     /** Springs and held nodes of a level and of those that are coarser. */
     void
@@ -73,7 +70,7 @@ namespace ThermoContact
      *
      * @throw ComputationError if it is not positive
      */
-    std::unique_ptr<const Factors>
+    std::unique_ptr<const BandFactors>
     make_factors() const;
 
     /** On the coarsest level. */

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_multigrid_band_factors_h
+#define thermocontact_multigrid_band_factors_h
+
+#include <vector>
+
+namespace ThermoContact
+{
+  /** A symmetric positive matrix with a band, and its Cholesky factors. */
+  class BandFactors
+  {
+  public:
+    /** Zeros; entries are between rows no farther apart than @p band. */
+    BandFactors(const unsigned int n, const unsigned int band);
+
+    /** The entry of a column and a row that is not before it. */
+    double &
+    entry(const unsigned int row, const unsigned int column)
+    {
+      return columns[std::size_t(column) * band + row];
+    }
+
+    /** In place. @return false if the matrix is not positive */
+    bool
+    factorize();
+
+    /** In place: right-hand side to solution. */
+    void
+    solve(std::vector<double> &x) const;
+
+  private:
+    const unsigned int  n;
+    const unsigned int  band;
+    std::vector<double> columns; ///< from the diagonal down, behind each other
+  };
+} // namespace ThermoContact
+
+#endif
