@@ -15,8 +15,35 @@ namespace ThermoContact
     // Measured, doc/bodies.md.
     constexpr double seconds_of_process = 0.4;
     constexpr double bytes_of_process   = 1.7e8;
-    // Per unknown; and where no lines of nodes across the body are alike.
-    constexpr double bytes_by_iteration = 600., bytes_of_lines = 500.;
+    // Per unknown, without what grows with the degree.
+    constexpr double bytes_by_iteration = 600.;
+
+
+
+    /**
+     * Of a body without matrices, by its degree: values of basis functions at
+     * the points of all faces of a cell in all orientations, with the rules of
+     * loads and of heat exchange; entries between contact nodes without mass,
+     * twice, and while they are collected in a tree.
+     */
+    double
+    bytes_of_degree(const Scene &scene, const unsigned int n_ranks)
+    {
+      const MeshParameters &mesh           = scene.parameters.mesh;
+      const unsigned int    dim            = scene.parameters.dimension;
+      const double          degree         = mesh.degree;
+      const double          n_faces        = dim == 2 ? 4. * 2. : 6. * 8.;
+      constexpr double      bytes_of_entry = 16. + 12. + 72.;
+      const double          tables =
+        n_faces * std::pow(degree + 1., dim) *
+        (std::pow(degree + 3., dim - 1.) + std::pow(degree + 1., dim - 1.));
+      const double n_entries =
+        scene.contact.has_massless_nodes ?
+          std::pow(mesh.n_cells_across() << mesh.refinements, dim - 1.) *
+            degree * std::pow(degree + 1., 2. * (dim - 1.)) :
+          0.;
+      return n_ranks * sizeof(double) * tables + bytes_of_entry * n_entries;
+    }
 
 
 
@@ -60,14 +87,8 @@ namespace ThermoContact
     if (dim == 1)
       return processes; // its matrices are small
     if (scene.linear_solver.is_iterative)
-      {
-        const MeshParameters &mesh = scene.parameters.mesh;
-        const bool            has_equal_lines =
-          dim == 2 || mesh.grading == 1. || mesh.grading_across == 1.;
-        return processes +
-               (bytes_by_iteration + (has_equal_lines ? 0. : bytes_of_lines)) *
-                 n_unknowns;
-      }
+      return processes + bytes_by_iteration * n_unknowns +
+             bytes_of_degree(scene, n_ranks);
     // neighbours of a node are as many as nodes of the cells around it
     const double width = (scene.parameters.mesh.degree + 1.) / 3.;
     const double n_kept =

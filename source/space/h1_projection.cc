@@ -98,11 +98,16 @@ namespace ThermoContact
 
 
 
-    /** Values of a component at the points of a tensor product in a cell. */
+    /**
+     * Values of a component at the points of a tensor product in a cell.
+     *
+     * @param varies along a direction; else it is evaluated once there
+     */
     template <int dim>
     void
     evaluate(const Function<dim>         &function,
              const unsigned int           component,
+             const std::array<bool, dim> &varies,
              const Point<dim>            &lower,
              const Point<dim>            &upper,
              const std::vector<Point<1>> &points,
@@ -111,14 +116,19 @@ namespace ThermoContact
       values.resize(power_of(points.size(), dim));
       for (unsigned int q = 0; q < values.size(); ++q)
         {
-          Point<dim> place;
-          for (unsigned int d = 0, rest = q; d < dim; ++d)
+          Point<dim>   place;
+          unsigned int same = q; // the first point with this value
+          for (unsigned int d = 0, rest = q, stride = 1; d < dim; ++d)
             {
-              const double part = points[rest % points.size()][0];
-              place[d]          = (1. - part) * lower[d] + part * upper[d];
+              const unsigned int i    = rest % points.size();
+              const double       part = points[i][0];
+              place[d] = (1. - part) * lower[d] + part * upper[d];
+              same -= varies[d] ? 0 : i * stride;
               rest /= points.size();
+              stride *= points.size();
             }
-          values[q] = function.value(place, component);
+          values[q] =
+            same < q ? values[same] : function.value(place, component);
         }
     }
 
@@ -274,6 +284,11 @@ namespace ThermoContact
       }
     const auto *const expressions =
       dynamic_cast<const ExpressionFunction<dim> *>(&function);
+    std::vector<std::array<bool, dim>> varies(fe.n_components());
+    for (unsigned int c = 0; c < fe.n_components(); ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        varies[c][d] = expressions == nullptr ||
+                       expressions->components()[c].depends_on({"xyz"[d]});
     dealii::Vector<double>               cell_rhs(fe.dofs_per_cell);
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     std::vector<double>                  nodal, differences, part, scratch;
@@ -290,7 +305,8 @@ namespace ThermoContact
           cell_rhs = 0.;
           for (unsigned int c = 0; c < fe.n_components(); ++c)
             {
-              evaluate(function, c, lower, upper, line.nodes, nodal);
+              evaluate<dim>(
+                function, c, varies[c], lower, upper, line.nodes, nodal);
               for (unsigned int i = 0; i < nodal.size(); ++i)
                 {
                   const types::global_dof_index dof = dofs[rows(c, i)];
@@ -300,8 +316,13 @@ namespace ThermoContact
               if (expressions != nullptr &&
                   expressions->components()[c].is_constant())
                 continue; // it is its interpolant, as most displacements
-              evaluate(
-                function, c, lower, upper, line.rule.get_points(), differences);
+              evaluate<dim>(function,
+                            c,
+                            varies[c],
+                            lower,
+                            upper,
+                            line.rule.get_points(),
+                            differences);
               along.fill(&line.values);
               multiply_lines<dim>(along, nodal, scratch);
               for (unsigned int q = 0; q < differences.size(); ++q)
