@@ -3,6 +3,7 @@
 import collections
 import concurrent.futures
 import contextlib
+import functools
 import hashlib
 import json
 import math
@@ -125,6 +126,7 @@ class Parser:
         path = str(self.copy / name)
         return self.index.parse(path, ["-x", "c++", *self.flags], [(path, text)])
 
+    @functools.lru_cache(None)
     def source(self, name):
         source = Source(name, (self.copy / name).read_text(ENCODING))
         unit = self.index.parse(str(self.copy / name),
@@ -351,7 +353,7 @@ class Journal:
 
 def try_faults(faults, tests, journal, options):
     """Each test with each fault that it reaches and that nothing has noticed."""
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for test in tests:
             left = set(faults) - set(journal.noticed())
             if not left or journal.costs.get(test.name, 0) > options.longest:
@@ -395,7 +397,7 @@ def run(top, options):
     subprocess.run([top / "scripts/install_packages", "numdiff", "perl",
                     "python3-clang", "python3-meshio", "python3-matplotlib"],
                    check=True)
-    os.nice(10)
+    os.nice(5)
     work = top / "build/mutate"
     copy, tree = work / "source", work / "release"
     tree.mkdir(parents=True, exist_ok=True)
