@@ -19,6 +19,8 @@ SIGNS = {"+": "-", "-": "+", "+=": "-=", "-=": "+="}
 # of numbers the other way round, since ends of intervals are seldom met
 COMPARISONS = {"<": ">", ">": "<", "<=": ">=", ">=": "<=", "==": "!=", "!=": "=="}
 BOUNDARIES = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "=="}
+# of twice a number the same as of itself
+SIGN_ALONE = re.compile(r"[=<>] 0\.$|^0\. [=!<>]")
 # What they check is an error of the programmer; the tests of messages have others.
 ASSERTIONS = re.compile(r"\b(Assert\w*|static_assert|Declare?Exception\w*)\s*\(")
 
@@ -125,7 +127,9 @@ class Source:
         if parent is None or not parent.kind.is_expression():
             return
         word = self.word(cursor)
-        if kind_of(cursor) in FLOATING and word != "0." and cursor.kind in (
+        if kind_of(cursor) in FLOATING and not re.search(
+                r"^0\.$|infinity\(\)$", word) and not SIGN_ALONE.search(
+                    self.word(parent)) and cursor.kind in (
                 Kind.CALL_EXPR, Kind.DECL_REF_EXPR, Kind.MEMBER_REF_EXPR,
                 Kind.ARRAY_SUBSCRIPT_EXPR, Kind.FLOATING_LITERAL):
             self.choose("factor 2", cursor, f"2 * ({word})")
