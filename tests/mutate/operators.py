@@ -21,6 +21,8 @@ COMPARISONS = {"<": ">", ">": "<", "<=": ">=", ">=": "<=", "==": "!=", "!=": "==
 BOUNDARIES = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "=="}
 # of twice a number the same as of itself
 SIGN_ALONE = re.compile(r"[=<>] 0\.$|^0\. [=!<>]")
+# what an early return does, too, and what is left of an assertion
+NOTHING_LEFT = re.compile(r"(return *(false|0\.?|\{\}|\"\"|nullptr)?)?;?$")
 # What they check is an error of the programmer; the tests of messages have others.
 ASSERTIONS = re.compile(r"\b(Assert\w*|static_assert|Declare?Exception\w*)\s*\(")
 
@@ -160,7 +162,8 @@ class Source:
             if child.kind.is_expression():
                 self.add("dropped statement", (begin, begin, "if (!(FAULT)) "),
                          (end, end, ""))
-            if parent is not None and parent.kind in FUNCTIONS and number > 0:
+            if parent is not None and parent.kind in FUNCTIONS and number > 0 and not (
+                    NOTHING_LEFT.match(self.text[begin:end])):
                 value = "" if parent.result_type.kind == TypeKind.VOID or (
                     parent.kind == Kind.CONSTRUCTOR) else " {}"
                 self.add("early return",
