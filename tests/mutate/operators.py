@@ -142,7 +142,7 @@ class Source:
                 self.choose("one less", cursor, f"({word}) - 1")
 
     def arguments(self, cursor, *_):
-        if cursor.kind != Kind.CALL_EXPR or cursor.spelling in ("operator==", "operator!="):
+        if cursor.kind != Kind.CALL_EXPR or re.match(r"operator.*=$", cursor.spelling):
             return
         given = [argument for argument in cursor.get_arguments() if argument]
         for first, second in zip(given, given[1:]):
