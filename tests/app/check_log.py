@@ -149,4 +149,5 @@ this_run = Run(sys.argv[1])
 faults = [*faults_of_scales(this_run), *faults_of_forecast(this_run)]
 if this_run.summary["status"] == "done":
     faults += [*faults_of_result(this_run), *faults_of_tenths(this_run)]
-print("log.txt:", "; ".join(faults) or "as summary.json and the tables")
+print("log.txt:", "; ".join(faults) or "as summary.json and the tables",
+      end="\n" if __name__ == "__main__" else "; ")
