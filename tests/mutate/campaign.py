@@ -401,7 +401,8 @@ def try_faults(faults, tests, journal, options):
 
 def next_trial(faults, tests, journal, busy, longest):
     """The fault and the test with most hope to a second: how many faults of the room the
-    test has noticed, of those that it was tried with, or of all rooms, of few."""
+    test has noticed, of those that it was tried with; of few how many of all rooms, and
+    before that dear tests look at more."""
     noticed = collections.Counter()
     tried = collections.Counter()
     for (number, name), is_noticed in journal.tried.items():
@@ -414,7 +415,7 @@ def next_trial(faults, tests, journal, busy, longest):
         cost = journal.costs.get(test.name, math.inf)
         if cost > longest or cost == math.inf:
             continue
-        hope = (noticed[test.name] + 1) / (tried[test.name] + 3)
+        hope = (noticed[test.name] + 2 * cost / (cost + 10)) / (tried[test.name] + 2)
         for number in left & journal.reached[test.name]:
             key = test.name, room(faults[number])
             value = (noticed[key] + 2 * hope) / (tried[key] + 2) / (cost + 0.1)
