@@ -659,6 +659,9 @@ def check_head(run):
     for title, words in lines.items():
         if not re.search(rf"^  {title} +.*{re.escape(words)}", run.log, re.MULTILINE):
             yield f"{title}: not {words}"
+    if scene.has_obstacle and scene.condition != "rigid" and not re.search(
+            rf"^  contact +.*epsilon = {scene.epsilon:g},", run.log, re.MULTILINE):
+        yield f"contact: not epsilon = {scene.epsilon:g}"
     is_fast = s["Time/Step size"] == "automatic" and any(
         re.search(r"(sin|cos)\(\d\*t", value) for value in s.values())
     if is_fast != (" steps end at 0 jumps and 0 kinks, and are at most " in run.log):
