@@ -149,7 +149,6 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
                          static_cast<int>(options.size()) + 1});
     options.push_back({nullptr, 0, nullptr, 0});
     opterr = 0; // messages are ours
-    optind = 1;
     for (int o;
          optopt = 0,
          (o = getopt_long(argc, argv, ":", options.data(), nullptr)) != -1;)

@@ -64,7 +64,7 @@ namespace ThermoContact
         refuse(constant,
                name == name_of_constants ?
                  "NAME stands for a name of yours" :
-                 "'" + quote(name, 60) + "' cannot be the name of a constant",
+                 "'" + quote(name) + "' cannot be the name of a constant",
                "letters, digits and '_' that begin with a letter, and are no "
                "function, variable or pi",
                "");

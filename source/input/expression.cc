@@ -467,7 +467,7 @@ namespace ThermoContact
                     begin);
       for (const std::string &other : known_names())
         known.push_back(other);
-      cannot_read("there is no name '" + quote(name, 40) + "'" +
+      cannot_read("there is no name '" + quote(name) + "'" +
                     did_you_mean(name, known),
                   begin);
     }
@@ -489,7 +489,7 @@ namespace ThermoContact
                begin);
       const Operation *const function = find_operation(name);
       if (function == nullptr)
-        cannot_read("there is no function '" + quote(name, 40) + "()'" +
+        cannot_read("there is no function '" + quote(name) + "()'" +
                       did_you_mean(name, function_names()),
                     begin);
       std::vector<unsigned int> arguments;

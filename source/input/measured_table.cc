@@ -158,7 +158,7 @@ namespace ThermoContact
                 std::find(names.begin(), names.end(), column) - names.begin();
             if (index >= header.size())
               fail(column.empty() ? "one column, where ',' separates columns" :
-                                    "there is no column '" + quote(column, 60) +
+                                    "there is no column '" + quote(column) +
                                       "'" + did_you_mean(column, names),
                    n_lines);
             unit_of_arguments = header[0].unit;
@@ -172,10 +172,10 @@ namespace ThermoContact
         const auto number_at = [&](const unsigned int i) {
           const auto number = parse_number(cells[i]);
           if (!number)
-            fail("'" + quote(cells[i], 60) + "' is no number", n_lines);
+            fail("'" + quote(cells[i]) + "' is no number", n_lines);
           const auto converted = in_base_units(*number, header[i].unit);
           if (!converted)
-            fail("'" + quote(header[i].unit, 60) + "' is no unit of a load",
+            fail("'" + quote(header[i].unit) + "' is no unit of a load",
                  n_lines);
           return *converted;
         };

@@ -150,7 +150,7 @@ namespace ThermoContact
               fail(place(),
                    "a statement of more than " +
                      std::to_string(max_statement_size) + " characters, '" +
-                     quote(trim(line), 60) + "'",
+                     quote(trim(line)) + "'",
                    "give a parameter file (.prm)");
             if (const std::string trimmed = trim(line);
                 !trimmed.empty() && trimmed.back() == '\\')
@@ -229,7 +229,7 @@ namespace ThermoContact
             {place, section + entry, trim(rest.substr(equal_sign + 1))});
         else
           fail(place,
-               "cannot read '" + quote(statement, 60) + "'",
+               "cannot read '" + quote(statement) + "'",
                "a line is 'set Entry = value', 'subsection Name', 'end', "
                "'include FILE', a comment after '#', or empty");
       }
@@ -419,7 +419,7 @@ namespace ThermoContact
     const std::string path       = trim(argument.substr(0, equal_sign));
     if (equal_sign == std::string::npos || path.empty() || path.back() == '/')
       throw InputError(std::string(command_line_place) +
-                       ": cannot read '--set " + quote(argument, 60) +
+                       ": cannot read '--set " + quote(argument) +
                        "'\n  remedy:  --set 'Section/Entry=value'");
     return {command_line_place, path, trim(argument.substr(equal_sign + 1))};
   }

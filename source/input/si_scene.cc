@@ -91,9 +91,9 @@ namespace ThermoContact
             convert_unit(split->number, split->unit, unit_of(kind)))
         return number;
       refuse(assignment,
-             is_unit(split->unit) ? split->unit + " is no unit of " + kind :
-                                    "'" + quote(split->unit, 60) +
-                                      "' is no unit that UDUNITS-2 knows",
+             is_unit(split->unit) ?
+               split->unit + " is no unit of " + kind :
+               "'" + quote(split->unit) + "' is no unit that UDUNITS-2 knows",
              "a number in " + unit_of(kind) + ", or with another unit of " +
                kind,
              kind == "temperature" ?

@@ -150,7 +150,7 @@ namespace ThermoContact
         if (section.rfind(known + "/", 0) == 0)
           remedy = "close section " + known + " with 'end' first; ";
       }
-    throw InputError(place + ": there is no section " + quote(section, 60) +
+    throw InputError(place + ": there is no section " + quote(section) +
                      "\n  remedy:  " + remedy + "sections are " + all);
   }
 
@@ -168,11 +168,11 @@ namespace ThermoContact
     if (near.empty())
       check_section(assignment.place, section);
     const std::string fault =
-      all.empty()     ? "there is no section " + quote(section, 60) :
-      section.empty() ? "there is no entry " + quote(assignment.path, 60) +
+      all.empty()     ? "there is no section " + quote(section) :
+      section.empty() ? "there is no entry " + quote(assignment.path) +
                           " outside of the sections" :
                         "section " + section + " has no entry " +
-                          quote(name_of(assignment.path), 60);
+                          quote(name_of(assignment.path));
     throw InputError(assignment.place + ": " + fault + "\n  remedy:  " +
                      (near.empty() ? "entries there are " + all :
                                      "did you mean " + near +

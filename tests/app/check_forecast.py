@@ -15,6 +15,7 @@ import re
 import sys
 from pathlib import Path
 
+import check_log  # noqa: F401 - says what it finds
 from run_files import Settings
 
 

@@ -49,7 +49,8 @@ def expected_lines(run):
     if s["predicted_in_contact"] is not None:
         yield "steady", "; differs in ", [(s["difference_" + key], TWO, 1e-12)
                                           for key in keys]
-    parts = [last["energy"], last["dissipation"], last["numerical_dissipation"]]
+    parts = [last[name] for name in ("energy", "dissipation", "contact_dissipation",
+                                     "numerical_dissipation") if name in last]
     first, shown = run.contact["energy"][0], parts.copy()
     if "lateral_dissipation" in last:  # the part of the dissipation behind it
         shown.insert(2, last["lateral_dissipation"])
@@ -72,6 +73,20 @@ def faults_of_result(run):
     if words in ("open", "in contact") and (words == "in contact") != run.summary[
             "final_in_contact"]:
         yield f"final: {words}"
+
+
+def faults_of_energy(run):
+    if not re.search(r"defect -?\d(\.\d)?(e-\d+)?$", last_line(run.log, "energy")):
+        yield "a defect of more than two digits"
+
+
+def faults_of_start(run):
+    """That of the paper ends at u_0 + dt u_1."""
+    c = run.contact
+    if "displacement" in run.summary["fields"] and c["step"][1] == 1:
+        u, end = c["displacement_end"][:2], c["step_size"][1] * c["velocity_end"][0]
+        if (", start of the paper" in run.log) != (abs(u[1] - u[0] - end) < 1e-14):
+            yield "not the start that it says"
 
 
 def faults_of_tenths(run):
@@ -106,7 +121,8 @@ def time_scales(settings):
         yield from ((name, value) for name, value in (
             ("wave", b**0.5), ("viscous", zeta),
             ("contact", max((epsilon**2 * b * zeta)**(1 / 3), epsilon * b**0.5)
-             if settings["Contact/Condition"] == "normal compliance" else 0)) if value)
+             if settings["Contact/Condition"] == "normal compliance" and not
+             settings.number("Contact/Damping") else 0)) if value)
 
 
 def faults_of_scales(run):
@@ -146,7 +162,9 @@ def faults_of_forecast(run):
 
 
 this_run = Run(sys.argv[1])
-faults = [*faults_of_scales(this_run), *faults_of_forecast(this_run)]
+looks = [faults_of_scales, faults_of_forecast, faults_of_start]
 if this_run.summary["status"] == "done":
-    faults += [*faults_of_result(this_run), *faults_of_tenths(this_run)]
-print("log.txt:", "; ".join(faults) or "as summary.json and the tables")
+    looks += [faults_of_result, faults_of_energy, faults_of_tenths]
+faults = [fault for look in looks for fault in look(this_run)]
+print("log.txt:", "; ".join(faults) or "as summary.json and the tables",
+      end="\n" if __name__ == "__main__" else "; ")

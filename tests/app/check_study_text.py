@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""study.txt and the lines of log.txt, recomputed from study.csv.
+"""study.txt, the table of study.md and the lines of log.txt, recomputed from study.csv.
 
 A table for the runs of a set that differ in the refined entry alone: of the last entry
 among step size, tolerance and cells with several numbers, and rates log2(e/e')/log2(N/N')
@@ -111,6 +111,22 @@ def log_lines(study, settings):
            f"{study['solves'][best]:.0f} solves, {study['loop_seconds'][best]:g} s.")
 
 
+def wrong_cells(run):
+    """Of study.md: runs by their files, numbers with six digits, else the words."""
+    lines = (run.directory / "study.md").read_text().splitlines()
+    head, _, *rows = [[" ".join(word.split()) for word in line.split("|")[1:-1]]
+                      for line in lines if line.startswith("|")]
+    for i, row in enumerate(rows):
+        has_files = (run.directory / f"run-{i}").exists()
+        yield from [row[0]] if row[0] != (f"[{i}](run-{i}/)" if has_files else f"{i}") else []
+        for name, word in zip(head[1:], row[1:]):
+            value = run.study[name][i]
+            if word != (" ".join(value.split()) if isinstance(value, str) else f"{value:.6g}"):
+                yield f"{name}: {word}"
+    if len(rows) != len(run.study) or len(head) < 10:
+        yield "rows"
+
+
 def main():
     run = Run(sys.argv[1])
     study, text = run.study, (run.directory / "study.txt").read_text()
@@ -135,9 +151,9 @@ def main():
     print("study.txt:", "; ".join(wrong) or "as study.csv")
 
     said = [" ".join(line.split()) for line in run.log.splitlines()]
-    print("log.txt:", "; ".join(f"no line {line!r}" for line in
-                                log_lines(study, run.settings) if line not in said)
-          or "as study.csv")
+    print("log.txt, study.md:", "; ".join([
+        f"no line {line!r}" for line in log_lines(study, run.settings) if line not in said] +
+        list(wrong_cells(run))) or "as study.csv")
 
 
 main()

@@ -162,7 +162,8 @@ def as_stated(path, reason, answer):
     """One of several reasons may be named."""
     status, message = answer
     return status == 2 and message.startswith(
-        f"{path} = {VALUES[path]} has no effect, since {reason}\n")
+        f"{path} = {VALUES[path]} has no effect, since {reason}\n  remedy:  remove the "
+        f"entry or change {reason.partition(' = ')[0]}\n")
 
 
 def uncovered():

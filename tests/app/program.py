@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs of the program, for the scripts check_*.py."""
+import atexit
 import json
 import os
 import re
@@ -18,6 +19,7 @@ def _forks():
         _OF_THREAD.forks = subprocess.Popen(
             [os.environ["THERMOCONTACT_FORKS"]], stdin=subprocess.PIPE,
             stdout=subprocess.PIPE, text=True)
+        atexit.register(_OF_THREAD.forks.communicate)  # its time is part of a test's
     return _OF_THREAD.forks
 
 

@@ -615,6 +615,16 @@ def check_names(run):
             "body force": scene.moves and s["Sources/Body force"] != "0"}.items():
         if (name in terms) != bool(is_there):
             yield f"terms: {name}"
+    if scene.has_obstacle and s.get("Contact/Massless nodes") == "automatic" and s.get(
+            "Mesh/Mass matrix") != "midpoint" and ", start of the paper" not in run.log:
+        n, degree = int(s["Mesh/Cells"]), int(s["Mesh/Degree"])
+        ratio = s.number("Mesh/Grading", 1)**(1 / max(1, n - 1))
+        h = 1 / sum(ratio**i for i in range(n)) / degree
+        stiffness = 1 + (h / scene.epsilon if scene.condition == "normal compliance" else 0)
+        if ("massless contact nodes" in terms) != (scene.b > 0 and not scene.c and n * degree > 1 and (
+                scene.conserves or not scene.is_rod and scene.condition == "rigid" or
+                scene.zeta < h * math.sqrt(scene.b * stiffness))):
+            yield "massless contact nodes"
     words = re.search(r"^  terms +(.*(?:\n {12,}\S.*)*)", run.log, re.MULTILINE)
     if words and ", ".join(terms) != re.sub(r"\s+", " ", words[1]):
         yield f"terms of the log: {words[1]}"
@@ -649,6 +659,9 @@ def check_head(run):
     for title, words in lines.items():
         if not re.search(rf"^  {title} +.*{re.escape(words)}", run.log, re.MULTILINE):
             yield f"{title}: not {words}"
+    if scene.has_obstacle and scene.condition != "rigid" and not re.search(
+            rf"^  contact +.*epsilon = {scene.epsilon:g},", run.log, re.MULTILINE):
+        yield f"contact: not epsilon = {scene.epsilon:g}"
     is_fast = s["Time/Step size"] == "automatic" and any(
         re.search(r"(sin|cos)\(\d\*t", value) for value in s.values())
     if is_fast != (" steps end at 0 jumps and 0 kinks, and are at most " in run.log):

@@ -65,7 +65,7 @@ def draw_heat(r, s):
 
 def draw_motion(r, s, heat):
     s["Model/Inertia"] = r.choice(["1", "1", "1", "0.3", "0"])
-    s["Model/Viscosity"] = r.choice(["0.2", "0.2", "0.5", "0.02"])
+    s["Model/Viscosity"] = r.choice(["0.2", "0.2", "0.4", "0.02"])
     if heat:
         s["Model/Coupling"] = r.choice(["0.017", "0.3", "-0.1"])
         s["Model/Thermoelastic heating"] = r.choice(["true", "true", "false"])

@@ -3,6 +3,7 @@
 import collections
 import concurrent.futures
 import contextlib
+import functools
 import hashlib
 import json
 import math
@@ -125,6 +126,7 @@ class Parser:
         path = str(self.copy / name)
         return self.index.parse(path, ["-x", "c++", *self.flags], [(path, text)])
 
+    @functools.lru_cache(None)
     def source(self, name):
         source = Source(name, (self.copy / name).read_text(ENCODING))
         unit = self.index.parse(str(self.copy / name),
@@ -199,10 +201,15 @@ def draw(parser, top, copy, options):
 def refused(parser, source, faults):
     """Those that do not compile, by the lines of the messages."""
     wrong = parser.errors(source.name, apply(source.text, faults)) if faults else ()
+    return at_lines(wrong, faults)
+
+
+def at_lines(lines, faults):
+    """Those of one file at the lines of messages, or all if there is none there."""
     of_lines = {number for number, fault in faults.items() if any(
         fault.line <= line - 1 <= fault.line + fault.was.count(" ") // 4 + 2
-        for line in wrong)}  # below the line that switches faults on
-    return of_lines or (set(faults) if wrong else set())
+        for line in lines)}  # below the line that switches faults on
+    return of_lines or (set(faults) if lines else set())
 
 
 def with_faults(texts, faults):
@@ -212,20 +219,23 @@ def with_faults(texts, faults):
             for name in {fault.file for fault in faults.values()}}
 
 
-def build(copy, tree, texts, journal, targets):
+def build(copy, tree, texts, journal, jobs, targets):
     """All faults at once; those that the compiler refuses, though libclang does
     not, are left out."""
     while True:
         for name, text in {**texts, **with_faults(texts, journal.faults)}.items():
             write(copy / name, text.encode(ENCODING))
         try:
-            run_quietly(tree / "build.log", "make", "-C", tree, *targets)
+            run_quietly(tree / "build.log", "make", f"-j{jobs}", "-C", tree, *targets)
             return
         except Failure:
-            places = re.findall(rf"{re.escape(str(copy))}/(\S+?):\d+:\d+: error",
-                                (tree / "build.log").read_text(errors="replace"))
-            refused = [number for number, fault in journal.faults.items()
-                       if fault.file in places]
+            lines = collections.defaultdict(set)
+            for name, line in re.findall(rf"{re.escape(str(copy))}/(\S+?):(\d+):\d+: error",
+                                         (tree / "build.log").read_text(errors="replace")):
+                lines[name].add(int(line))
+            refused = set().union(*(at_lines(wrong, {
+                number: fault for number, fault in journal.faults.items()
+                if fault.file == name}) for name, wrong in lines.items()))
             if not refused:
                 raise
             for number in refused:
@@ -278,7 +288,7 @@ def set_limits(cost):
     resource.setrlimit(resource.RLIMIT_FSIZE, (LARGEST_FILE,) * 2)
     resource.setrlimit(resource.RLIMIT_AS, (LARGEST_MEMORY,) * 2)
     if cost is not None:
-        resource.setrlimit(resource.RLIMIT_CPU, (int(20 + 5 * cost),) * 2)
+        resource.setrlimit(resource.RLIMIT_CPU, (int(5 + 5 * cost),) * 2)
 
 
 def tests_of(tree, costs, regex):
@@ -333,7 +343,7 @@ class Journal:
         elif kind == "refused":
             del self.faults[values[0]]
         elif kind == "test":
-            name, self.costs[name], self.reached[name] = values[0], *values[1:]
+            name, self.costs[name], self.reached[name] = *values[:2], set(values[2])
         else:
             number, name, is_noticed = values
             self.tried[number, name] = is_noticed
@@ -350,31 +360,68 @@ class Journal:
 
 
 def try_faults(faults, tests, journal, options):
-    """Each test with each fault that it reaches and that nothing has noticed."""
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for test in tests:
-            left = set(faults) - set(journal.noticed())
-            if not left or journal.costs.get(test.name, 0) > options.longest:
-                continue
-            if test.name not in journal.reached:
-                with tempfile.NamedTemporaryFile("r", prefix="mutate-") as reached:
-                    fails, cost = test.run(THERMOCONTACT_REACHED=reached.name)
-                    numbers = sorted({int(line) for line in reached})
+    """All tests without a fault, then test after test with each fault that it reaches
+    until one notices it."""
+    lock = threading.Lock()
+    busy = set()
+
+    def measure(test):
+        with tempfile.TemporaryDirectory(prefix="mutate-") as directory:
+            path, numbers = f"{directory}/reached", set()
+            os.mkfifo(path)  # a file would meet the limits that tests set
+            reader = threading.Thread(target=lambda: numbers.update(map(int, open(path))))
+            reader.start()
+            with open(path, "w"):
+                fails, cost = test.run(THERMOCONTACT_REACHED=path)
+            reader.join()
+        with lock:
+            if fails:
+                print(f"  {test.name} fails without a fault: left out", flush=True)
+            else:
+                journal.write("test", test.name, cost, sorted(numbers))
+
+    def work(_):
+        while True:
+            with lock:
+                number, test = next_trial(faults, tests, journal, busy, options.longest)
+                if test is None:
+                    return
+                busy.add(number)
+            fails, _ = test.run(journal.costs[test.name], THERMOCONTACT_FAULT=str(number))
+            with lock:
+                busy.remove(number)
+                journal.write("tried", number, test.name, fails)
                 if fails:
-                    print(f"  {test.name} fails without a fault: left out", flush=True)
-                    continue
-                journal.write("test", test.name, cost, numbers)
-            if journal.costs[test.name] > options.longest:
-                continue
-            jobs = {pool.submit(test.run, journal.costs[test.name],
-                                THERMOCONTACT_FAULT=str(number)): number
-                    for number in sorted(left & set(journal.reached[test.name]))
-                    if (number, test.name) not in journal.tried}
-            for job in concurrent.futures.as_completed(jobs):
-                fails, _ = job.result()
-                journal.write("tried", jobs[job], test.name, fails)
-                if fails:
-                    print(f"  {jobs[job]}: {test.name}", flush=True)
+                    print(f"  {number}: {test.name}", flush=True)
+
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        list(pool.map(measure, [test for test in tests if test.name not in journal.reached]))
+        list(pool.map(work, range(options.jobs)))
+
+
+def next_trial(faults, tests, journal, busy, longest):
+    """The fault and the test with most hope to a second: how many faults of the room the
+    test has noticed, of those that it was tried with; of few how many of all rooms, and
+    before that dear tests look at more."""
+    noticed = collections.Counter()
+    tried = collections.Counter()
+    for (number, name), is_noticed in journal.tried.items():
+        for key in (name, (name, room(faults[number]))):
+            tried[key] += 1
+            noticed[key] += is_noticed
+    left = set(faults) - set(journal.noticed()) - busy
+    best = 0, None, None
+    for test in tests:
+        cost = journal.costs.get(test.name, math.inf)
+        if cost > longest or cost == math.inf:
+            continue
+        hope = (noticed[test.name] + 2 * cost / (cost + 10)) / (tried[test.name] + 2)
+        for number in left & journal.reached[test.name]:
+            key = test.name, room(faults[number])
+            value = (noticed[key] + 2 * hope) / (tried[key] + 2) / (cost + 0.1)
+            if value > best[0] and (number, test.name) not in journal.tried:
+                best = value, number, test
+    return best[1:]
 
 
 def room(fault):
@@ -395,7 +442,7 @@ def run(top, options):
     subprocess.run([top / "scripts/install_packages", "numdiff", "perl",
                     "python3-clang", "python3-meshio", "python3-matplotlib"],
                    check=True)
-    os.nice(10)
+    os.nice(5)
     work = top / "build/mutate"
     copy, tree = work / "source", work / "release"
     tree.mkdir(parents=True, exist_ok=True)
@@ -415,7 +462,7 @@ def run(top, options):
             journal.write("fault", number, fault)
     tests = tests_of(tree, journal.costs, options.tests)
     print(f"noticed by, of {len(tests)} tests, after building {tree}:", flush=True)
-    build(copy, tree, texts, journal, [
+    build(copy, tree, texts, journal, options.jobs, [
         "thermocontact", "thermocontact_test_driver", *targets_of(tests)])
     try_faults(journal.faults, tests, journal, options)
     return report(journal.faults, journal)

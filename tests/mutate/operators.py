@@ -19,6 +19,10 @@ SIGNS = {"+": "-", "-": "+", "+=": "-=", "-=": "+="}
 # of numbers the other way round, since ends of intervals are seldom met
 COMPARISONS = {"<": ">", ">": "<", "<=": ">=", ">=": "<=", "==": "!=", "!=": "=="}
 BOUNDARIES = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "=="}
+# of twice a number the same as of itself
+SIGN_ALONE = re.compile(r"[=<>] 0\.$|^0\. [=!<>]")
+# what an early return does, too, and what is left of an assertion
+NOTHING_LEFT = re.compile(r"(return *(false|0\.?|\{\}|\"\"|nullptr)?)?;?$")
 # What they check is an error of the programmer; the tests of messages have others.
 ASSERTIONS = re.compile(r"\b(Assert\w*|static_assert|Declare?Exception\w*)\s*\(")
 
@@ -125,7 +129,9 @@ class Source:
         if parent is None or not parent.kind.is_expression():
             return
         word = self.word(cursor)
-        if kind_of(cursor) in FLOATING and word != "0." and cursor.kind in (
+        if kind_of(cursor) in FLOATING and not re.search(
+                r"^0\.$|infinity\(\)$", word) and not SIGN_ALONE.search(
+                    self.word(parent)) and cursor.kind in (
                 Kind.CALL_EXPR, Kind.DECL_REF_EXPR, Kind.MEMBER_REF_EXPR,
                 Kind.ARRAY_SUBSCRIPT_EXPR, Kind.FLOATING_LITERAL):
             self.choose("factor 2", cursor, f"2 * ({word})")
@@ -136,7 +142,7 @@ class Source:
                 self.choose("one less", cursor, f"({word}) - 1")
 
     def arguments(self, cursor, *_):
-        if cursor.kind != Kind.CALL_EXPR or cursor.spelling in ("operator==", "operator!="):
+        if cursor.kind != Kind.CALL_EXPR or re.match(r"operator.*=$", cursor.spelling):
             return
         given = [argument for argument in cursor.get_arguments() if argument]
         for first, second in zip(given, given[1:]):
@@ -156,7 +162,8 @@ class Source:
             if child.kind.is_expression():
                 self.add("dropped statement", (begin, begin, "if (!(FAULT)) "),
                          (end, end, ""))
-            if parent is not None and parent.kind in FUNCTIONS and number > 0:
+            if parent is not None and parent.kind in FUNCTIONS and number > 0 and not (
+                    NOTHING_LEFT.match(self.text[begin:end])):
                 value = "" if parent.result_type.kind == TypeKind.VOID or (
                     parent.kind == Kind.CONSTRUCTOR) else " {}"
                 self.add("early return",
