@@ -37,15 +37,13 @@ namespace ThermoContact
   {
     const unsigned int dim      = parameters.dimension;
     const double       degree   = parameters.mesh.degree;
-    const auto         along    = parameters.mesh.cell_sizes();
-    const auto         across   = parameters.mesh.cell_sizes_across();
-    const double       aspect   = std::max(1.,
-                                   std::max(along.front(), along.back()) /
-                                     std::min(across.front(), across.back()));
-    const double       softness = std::max(1., 0.57 / material.two_mu);
-    const double       relative =
-      std::pow(std::pow(aspect, 0.4) * std::pow(softness, 0.35),
-               material.has_inertia() ? 0.6 : 1.);
+    const double       softness = std::pow(std::max(1., 0.57 / material.two_mu),
+                                     material.has_inertia() ? 0.2 : 0.35);
+    // smoothers do what keeps its volume where they can, doc/discretisation.md
+    const double relative =
+      degree > 1. && parameters.mesh.geometry != "axisymmetric" ?
+        std::min(softness, 1.6) :
+        softness;
     const double stage =
       (material.has_inertia() ? 1.4e-6 : 2e-6) * relative * n_unknowns;
     const double set_up = (dim == 2 ? 1e-5 : 2e-5) *

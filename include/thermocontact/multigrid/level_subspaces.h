@@ -3,11 +3,11 @@
 #ifndef thermocontact_multigrid_level_subspaces_h
 #define thermocontact_multigrid_level_subspaces_h
 
-#include <thermocontact/space/level_grid.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/geometry.h>
 #include <thermocontact/space/lanes.h>
+#include <thermocontact/space/level_grid.h>
 #include <thermocontact/space/level_operator.h>
 
 #include <array>

@@ -3,8 +3,8 @@
 #ifndef thermocontact_multigrid_level_transfer_h
 #define thermocontact_multigrid_level_transfer_h
 
-#include <thermocontact/space/level_grid.h>
 #include <thermocontact/space/cell_products.h>
+#include <thermocontact/space/level_grid.h>
 
 #include <array>
 #include <vector>

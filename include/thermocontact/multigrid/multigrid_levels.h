@@ -3,11 +3,11 @@
 #ifndef thermocontact_multigrid_multigrid_levels_h
 #define thermocontact_multigrid_multigrid_levels_h
 
-#include <thermocontact/space/level_matrix.h>
 #include <thermocontact/multigrid/level_subspaces.h>
 #include <thermocontact/multigrid/level_transfer.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/cell_products.h>
+#include <thermocontact/space/level_matrix.h>
 
 #include <array>
 #include <memory>

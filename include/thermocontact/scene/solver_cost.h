@@ -43,8 +43,8 @@ namespace ThermoContact
 
 
   /**
-   * Of Krylov's method with multigrid: long cells and $\nu\to1/2$ take more
-   * iterations, less so with inertia.
+   * Of Krylov's method with multigrid: $\nu\to1/2$ takes more time, less so
+   * with inertia.
    */
   SolverCost
   cost_of_iterations(const Parameters &parameters,
