@@ -400,28 +400,15 @@ def try_faults(faults, tests, journal, options):
 
 
 def next_trial(faults, tests, journal, busy, longest):
-    """The fault and the test with most hope to a second: how many faults of the room the
-    test has noticed, of those that it was tried with; of few how many of all rooms, and
-    before that dear tests look at more."""
-    noticed = collections.Counter()
-    tried = collections.Counter()
-    for (number, name), is_noticed in journal.tried.items():
-        for key in (name, (name, room(faults[number]))):
-            tried[key] += 1
-            noticed[key] += is_noticed
+    """A fault that nothing has noticed, and the cheapest test that reaches one."""
     left = set(faults) - set(journal.noticed()) - busy
-    best = 0, None, None
-    for test in tests:
-        cost = journal.costs.get(test.name, math.inf)
-        if cost > longest or cost == math.inf:
+    for test in sorted(tests, key=lambda test: journal.costs.get(test.name, math.inf)):
+        if journal.costs.get(test.name, math.inf) > longest:
             continue
-        hope = (noticed[test.name] + 2 * cost / (cost + 10)) / (tried[test.name] + 2)
-        for number in left & journal.reached[test.name]:
-            key = test.name, room(faults[number])
-            value = (noticed[key] + 2 * hope) / (tried[key] + 2) / (cost + 0.1)
-            if value > best[0] and (number, test.name) not in journal.tried:
-                best = value, number, test
-    return best[1:]
+        for number in sorted(left & journal.reached.get(test.name, set())):
+            if (number, test.name) not in journal.tried:
+                return number, test
+    return None, None
 
 
 def room(fault):

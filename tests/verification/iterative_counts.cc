@@ -101,7 +101,7 @@ namespace
               << within(counts.back(), 14) << ", grow by 2 "
               << (counts.back() <= counts.front() + 2) << std::endl;
     };
-    for (const double tau : {1e-3, 1e-2, 1e-1})
+    for (const double tau : {1e-3, 1e-1})
       report("tau = " + significant(tau, few_digits), tau, {});
     report("no inertia",
            0.1,
@@ -164,7 +164,7 @@ namespace
   /** Sets of contact nodes and Krylov iterations of a patch that grows. */
   template <int dim>
   void
-  count_sets(const std::string &name, const Overrides &overrides)
+  count_sets(const std::string &obstacle)
   {
     const Overrides body{"Dimension=" + std::to_string(dim),
                          "Mesh/Width=1",
@@ -181,7 +181,8 @@ namespace
                          "Initial values/Temperature=0*x",
                          "Initial values/Velocity=x*(0.5+y)",
                          "Boundary/Fixed end temperature=0"};
-    const Run<dim>  run(body + Overrides{"Contact/Gap=0.05"} + overrides);
+    const Run<dim>  run(body +
+                       Overrides{"Contact/Gap=0.05", "Contact/" + obstacle});
     const Run<dim>  free(body + Overrides{"Contact/Condition=none"});
     const auto      counters = run.simulation.counters();
     unsigned int    n = 0, sum = 0, largest = 0;
@@ -194,23 +195,11 @@ namespace
         }
     const unsigned int without =
       free.simulation.counters().max_linear_iterations;
-    deallog << dim << "-D, " << name << ": several steps " << (n >= 5)
+    deallog << dim << "-D, " << obstacle << ": several steps " << (n >= 5)
             << ", sets at most 4 on average " << within(sum / n, 4) << ", 8 "
             << within(largest, 8) << "; iterations at most 1.6 times + 2 "
             << (counters.max_linear_iterations <= 1.6 * without + 2.)
             << std::endl;
-  }
-
-
-
-  template <int dim>
-  void
-  count_all_sets()
-  {
-    for (const std::string compliance : {"1", "1e-6", "1e-9"})
-      count_sets<dim>("epsilon = " + compliance,
-                      {"Contact/Compliance=" + compliance});
-    count_sets<dim>("rigid", {"Contact/Condition=rigid"});
   }
 } // namespace
 
@@ -248,8 +237,14 @@ main_iterative_counts()
   count_short_stages();
 
   deallog << "sets of contact nodes" << std::endl;
-  count_all_sets<2>();
-  count_all_sets<3>();
+  for (const std::string obstacle : {"Compliance=1",
+                                     "Compliance=1e-6",
+                                     "Compliance=1e-9",
+                                     "Condition=rigid"})
+    {
+      count_sets<2>(obstacle);
+      count_sets<3>(obstacle);
+    }
 
   deallog << "what is made" << std::endl;
   count_what_is_made("normal compliance");
