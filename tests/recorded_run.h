@@ -13,11 +13,12 @@
 
 namespace ThermoContact
 {
-  /** What a run has shown: the record of each step, and its events. */
+  /** What a run has shown: the record of each step, events, counts. */
   struct RecordedRun
   {
     std::vector<StepRecord>   rows;
     std::vector<ContactEvent> events;
+    SolverCounters            counters;
   };
 
 
@@ -31,7 +32,8 @@ namespace ThermoContact
     Simulation<dim> simulation(read_parameters(file, overrides), MPI_COMM_SELF);
     simulation.run(
       {[&](const Simulation<dim> &s) { result.rows.push_back(s.record()); }});
-    result.events = simulation.events();
+    result.events   = simulation.events();
+    result.counters = simulation.counters();
     return result;
   }
 } // namespace ThermoContact

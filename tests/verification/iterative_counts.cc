@@ -16,45 +16,29 @@
 //    for a stage on average, at most 8, and no system with more than 1.6 times
 //    the iterations without obstacle + 2, for each compliance. Measured: 2 to
 //    2.5 sets, at most 3, and at most 9 iterations instead of 10.
-// 3. What is made: a strip on rollers meets its obstacle with all nodes at
-// once,
+// 3. What is made: a strip on rollers meets its obstacle with all its nodes,
 //    so that there are two sets, with contact and without: in steps of one size
 //    1 for the stage length and 1 for the set, however often contact begins.
 
 #include <thermocontact/base/number_text.h>
-#include <thermocontact/simulation/simulation.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 
-#include "../tests.h"
-
-#include "../overrides.h"
+#include "../recorded_run.h"
 
 using namespace ThermoContact;
 
 namespace
 {
-  /** A run with the iterative solver, by its records. */
   template <int dim>
-  struct Run
+  RecordedRun
+  run_iterative(const Overrides &overrides)
   {
-    explicit Run(const Overrides &overrides)
-      : simulation(read_parameters(
-                     "",
-                     overrides + Overrides{"Solver/Linear solver=iterative"}),
-                   MPI_COMM_SELF)
-    {
-      const auto observe = [this](const Simulation<dim> &s) {
-        records.push_back(s.record());
-      };
-      simulation.run({observe});
-    }
-
-    Simulation<dim>         simulation;
-    std::vector<StepRecord> records;
-  };
+    return run<dim>("",
+                    overrides + Overrides{"Solver/Linear solver=iterative"});
+  }
 
 
 
@@ -80,8 +64,7 @@ namespace
                          "Time/Step size=" + significant(tau, few_digits),
                          "Time/End time=" + significant(2. * tau, few_digits),
                          "Solver/Linear tolerance=1e-8"};
-    const Run<dim>    run(cube + overrides);
-    return run.simulation.counters().max_linear_iterations;
+    return run_iterative<dim>(cube + overrides).counters.max_linear_iterations;
   }
 
 
@@ -138,25 +121,25 @@ namespace
   void
   count_what_is_made(const std::string &condition)
   {
-    const Run<2> run({"Dimension=2",
-                      "Mesh/Width=0.25",
-                      "Mesh/Cells=8",
-                      "Mesh/Cells across=2",
-                      "Mesh/Degree=1",
-                      "Contact/Condition=" + condition,
-                      "Contact/Gap=0.02",
-                      "Initial values/Velocity=x",
-                      "Boundary/Fixed end temperature=0",
-                      "Initial values/Temperature=0*x",
-                      "Time/Scheme=sdirk2",
-                      "Time/Step size=0.02",
-                      "Time/End time=6"});
+    const RecordedRun run =
+      run_iterative<2>({"Dimension=2",
+                        "Mesh/Width=0.25",
+                        "Mesh/Cells=8",
+                        "Mesh/Cells across=2",
+                        "Mesh/Degree=1",
+                        "Contact/Condition=" + condition,
+                        "Contact/Gap=0.02",
+                        "Initial values/Velocity=x",
+                        "Boundary/Fixed end temperature=0",
+                        "Initial values/Temperature=0*x",
+                        "Time/Scheme=sdirk2",
+                        "Time/Step size=0.02",
+                        "Time/End time=6"});
     unsigned int n_begins = 0;
-    for (unsigned int i = 1; i < run.records.size(); ++i)
-      n_begins += run.records[i].in_contact && !run.records[i - 1].in_contact;
+    for (unsigned int i = 1; i < run.rows.size(); ++i)
+      n_begins += run.rows[i].in_contact && !run.rows[i - 1].in_contact;
     deallog << condition << ": contact more than once " << (n_begins > 1)
-            << ", made " << run.simulation.counters().factorizations
-            << std::endl;
+            << ", made " << run.counters.factorizations << std::endl;
   }
 
 
@@ -166,12 +149,12 @@ namespace
   void
   count_sets(const std::string &obstacle)
   {
-    const Overrides body{"Dimension=" + std::to_string(dim),
+    const Overrides   body{"Dimension=" + std::to_string(dim),
                          "Mesh/Width=1",
                          "Mesh/Degree=2",
                          dim == 2 ? "Mesh/Cells=16" : "Mesh/Cells=4",
                          dim == 2 ? "Mesh/Cells across=16" :
-                                    "Mesh/Cells across=4",
+                                      "Mesh/Cells across=4",
                          "Model/Poisson ratio=0.3",
                          "Boundary/Lateral support=free",
                          "Time/Scheme=backward euler",
@@ -181,24 +164,23 @@ namespace
                          "Initial values/Temperature=0*x",
                          "Initial values/Velocity=x*(0.5+y)",
                          "Boundary/Fixed end temperature=0"};
-    const Run<dim>  run(body +
-                       Overrides{"Contact/Gap=0.05", "Contact/" + obstacle});
-    const Run<dim>  free(body + Overrides{"Contact/Condition=none"});
-    const auto      counters = run.simulation.counters();
-    unsigned int    n = 0, sum = 0, largest = 0;
-    for (const StepRecord &r : run.records)
+    const RecordedRun run = run_iterative<dim>(
+      body + Overrides{"Contact/Gap=0.05", "Contact/" + obstacle});
+    const auto free =
+      run_iterative<dim>(body + Overrides{"Contact/Condition=none"});
+    unsigned int n = 0, sum = 0, largest = 0;
+    for (const StepRecord &r : run.rows)
       if (r.in_contact)
         {
           ++n;
           sum += r.iterations;
           largest = std::max(largest, r.iterations);
         }
-    const unsigned int without =
-      free.simulation.counters().max_linear_iterations;
+    const unsigned int without = free.counters.max_linear_iterations;
     deallog << dim << "-D, " << obstacle << ": several steps " << (n >= 5)
             << ", sets at most 4 on average " << within(sum / n, 4) << ", 8 "
             << within(largest, 8) << "; iterations at most 1.6 times + 2 "
-            << (counters.max_linear_iterations <= 1.6 * without + 2.)
+            << (run.counters.max_linear_iterations <= 1.6 * without + 2.)
             << std::endl;
   }
 } // namespace
