@@ -39,7 +39,8 @@ namespace ThermoContact
         (std::pow(degree + 3., dim - 1.) + std::pow(degree + 1., dim - 1.));
       const double n_entries =
         scene.contact.has_massless_nodes ?
-          std::pow(mesh.n_cells_across() << mesh.refinements, dim - 1.) *
+          std::pow(std::ldexp(mesh.n_cells_across(), mesh.refinements),
+                   dim - 1.) *
             degree * std::pow(degree + 1., 2. * (dim - 1.)) :
           0.;
       return n_ranks * sizeof(double) * tables + bytes_of_entry * n_entries;

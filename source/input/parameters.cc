@@ -289,8 +289,8 @@ namespace ThermoContact
              "time");
     entry("Fields cells", fields_cells, Selection("linear|Lagrange"))
       .means("linear: cells of degree p are written as p^d cells of degree 1; "
-             "Lagrange: as they are, as Lagrange cells of VTK, whose "
-             "polynomials ParaView draws.");
+             "Lagrange, for Dimension > 1: as they are, as Lagrange cells of "
+             "VTK, whose polynomials ParaView draws.");
     entry("Contact interval", contact_interval, duration)
       .means("Rows of contact.csv are written at the first step end at or "
              "after each multiple of this time, and at T; 0: every step.",
@@ -463,8 +463,8 @@ namespace ThermoContact
       .means("direct: sparse factors of the stage matrix, one set for each "
              "step size; iterative: Krylov and multigrid without matrices, for "
              "large bodies in two and three dimensions; automatic: blocks "
-             "along the rod in one dimension and one process, else what is "
-             "faster for the number of unknowns.");
+             "along the rod in one dimension and one process, else what takes "
+             "less processor time.");
     entry("Linear tolerance", linear_tolerance, NumberOrText::word("automatic"))
       .means("Residual at which the iterative solver stops, relative to the "
              "terms of the equations of a stage: at least 1e-14 and below "

@@ -130,9 +130,6 @@ namespace ThermoContact
     /** Of the diagonal, what rounding leaves of a pivot at least. */
     constexpr double smallest_pivot = 1e-5;
 
-    /** What prescribed values have in place of infinity, which times 0 is 0. */
-    constexpr double held_value = 1e30;
-
     template <typename Number>
     Band<Number>
     transposed(const Band<Number> &band)
@@ -356,15 +353,7 @@ namespace ThermoContact
     entries.resize(dim * n_nodes);
     for (unsigned int i = 0; i < values.size(); ++i)
       {
-        unsigned int node = 0;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            const std::vector<double> &x = grid.positions(d);
-            const double               below =
-              values[i].node[d] * (1. - Tolerances::rounding_of_data);
-            node += grid.strides()[d] *
-                    (std::lower_bound(x.begin(), x.end(), below) - x.begin());
-          }
+        const unsigned int node = grid.number(values[i].node);
         entries[values[i].component * n_nodes + node] =
           owned.nth_index_in_set(i);
       }
@@ -403,7 +392,7 @@ namespace ThermoContact
     shared.update_ghost_values();
     std::vector<double> diagonal;
     for (const unsigned int entry : spaces.entries)
-      diagonal.push_back(std::min(shared.local_element(entry), held_value));
+      diagonal.push_back(shared.local_element(entry));
     for (unsigned int p = 0; p < factors.size(); ++p)
       {
         const Plane &plane = spaces.planes[p];
@@ -497,7 +486,7 @@ namespace ThermoContact
               };
               double       pivot    = entry(0) + extra;
               const double smallest = smallest_pivot * pivot;
-              const bool   is_held  = extra >= held_value;
+              const bool   is_held  = extra >= Tolerances::stiffest_spring;
               for (unsigned int l = std::min(i, degree); l > 0; --l)
                 {
                   double value = entry(l);
@@ -505,7 +494,7 @@ namespace ThermoContact
                     value -= band[i * degree + m - 1] * pivots[i - m] *
                              band[(i - l) * degree + m - l - 1];
                   const double multiplier =
-                    is_held || pivots[i - l] >= held_value ?
+                    is_held || pivots[i - l] >= Tolerances::stiffest_spring ?
                       0. :
                       value / pivots[i - l];
                   band[i * degree + l - 1] = multiplier;
@@ -569,8 +558,9 @@ namespace ThermoContact
             const Spline &f         = a.splines[i / width / b.splines.size()],
                          &g         = b.splines[i / width % b.splines.size()];
             double             mass = 1., change = 0.; // across the plane
-            const unsigned int third = k + i % width;
-            if (dim == 3 && third < spaces.shape[plane.across])
+            const unsigned int third    = k + i % width;
+            const bool         is_there = third < spaces.shape[plane.across];
+            if (dim == 3 && is_there)
               {
                 const AxisElements &axis = spaces.axis(plane.across);
                 mass                     = axis.mass[third * (axis.degree + 1)];
@@ -584,7 +574,7 @@ namespace ThermoContact
                                          f.square_of_slope * g.square);
             // with three dimensions a flow is in two families
             inverse.push_back(
-              sum[i] > Tolerances::rounding_of_data * held_value ?
+              !is_there || sum[i] > Tolerances::energy_of_held ?
                 0. :
                 1. / ((dim - 1) * (stiffness * spaces.material.two_mu *
                                      (in_plane * mass + across * change) +

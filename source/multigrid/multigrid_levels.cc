@@ -10,7 +10,7 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Nodes of the coarsest level, whose factors are full. */
+    /** The coarsest level has no more where cells can become longer. */
     constexpr unsigned int max_coarse_nodes = 100;
 
 

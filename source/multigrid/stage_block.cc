@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/multigrid/stage_block.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -50,6 +50,16 @@ namespace ThermoContact
   Vector
   StageBlock<dim, Number>::diagonal() const
   {
+    return diagonal(stiffness, 1.);
+  }
+
+
+
+  template <int dim, typename Number>
+  Vector
+  StageBlock<dim, Number>::diagonal(const double stiffness,
+                                    const double at_prescribed) const
+  {
     const LevelField<dim, Number> &parts = levels.field(level, field);
     Vector                         result;
     result.reinit(parts.right.get_partitioner());
@@ -59,7 +69,7 @@ namespace ThermoContact
     for (const auto &[entry, spring] : springs)
       result.local_element(entry) += spring;
     for (const unsigned int entry : prescribed)
-      result.local_element(entry) = 1.;
+      result.local_element(entry) = at_prescribed;
     return result;
   }
 
@@ -72,20 +82,9 @@ namespace ThermoContact
     const LevelField<dim, Number> &parts = levels.field(level, field);
     if (!parts.subspaces)
       return {};
-    Vector rest = diagonal();
-    for (unsigned int i = 0; i < rest.locally_owned_size(); ++i)
-      rest.local_element(i) = mass * parts.mass.local_element(i);
-    for (const auto &[entry, spring] : springs)
-      rest.local_element(entry) += spring;
-    for (const unsigned int entry : prescribed)
-      rest.local_element(entry) = std::numeric_limits<double>::infinity();
-    return SubspaceFactors<dim, Number>(*parts.subspaces, stiffness, rest);
+    return SubspaceFactors<dim, Number>(
+      *parts.subspaces, stiffness, diagonal(0., Tolerances::stiffest_spring));
   }
-
-
-
-  // Beyond it a node is held, and single precision ends at 3e38.
-  constexpr double stiffest_spring = 1e30;
 
 
 
@@ -100,7 +99,7 @@ namespace ThermoContact
       if (rows.springs.local_element(i) > 0.)
         springs.emplace_back(i,
                              std::min(rows.springs.local_element(i) / scale,
-                                      stiffest_spring));
+                                      Tolerances::stiffest_spring));
     for (unsigned int i = 0; i < rows.held.locally_owned_size(); ++i)
       if (rows.held.local_element(i) > 0.)
         prescribed.push_back(i);

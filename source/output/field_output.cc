@@ -72,7 +72,7 @@ namespace ThermoContact
       cells.flags.time  = units.of("time")(state.time);
       cells.flags.cycle = cycle;
       cells.flags.write_higher_order_cells =
-        body.scene.parameters.output.fields_cells == "Lagrange";
+        dim > 1 && body.scene.parameters.output.fields_cells == "Lagrange";
       if (fields.has_displacement)
         {
           cells.join(first, first + dim - 1);

@@ -158,6 +158,9 @@ namespace ThermoContact
     unused.add_if(output.fields_interval == 0.,
                   {"Output/Fields cells"},
                   "Output/Fields interval = 0");
+    unused.add_if(parameters.dimension == 1,
+                  {"Output/Fields cells"},
+                  "Dimension = 1");
     unused.add_if(!parameters.study.is_active(),
                   {"Study/Reference",
                    "Study/Repetitions",

@@ -36,7 +36,7 @@ namespace ThermoContact
       explicit CellLine(const unsigned int degree)
         : nodes(QGaussLobatto<1>(degree + 1).get_points())
         // The data are no polynomials: more points than the products need.
-        , rule(degree + 3)
+        , rule(degree + 4)
         , values(rule.size(), nodes.size())
         , mass(nodes.size(), rule.size())
         , stiffness(nodes.size(), rule.size())

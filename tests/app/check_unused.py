@@ -104,8 +104,8 @@ SCENES = [
     ("Output/Contact interval = 0 and no other interval is set",
      "Output/Land on output times", QUIET, QUIET + ("Output/Contact interval=1",),
      ("Output/Fields interval=1",), QUIET + ("Output/Space-time interval=1",)),
-    ("Output/Fields interval = 0", "Output/Fields cells", QUIET,
-     ("Output/Fields interval=1",)),
+    ("Output/Fields interval = 0", "Output/Fields cells", QUIET + (PLANE,),
+     ("Output/Fields interval=1", PLANE)),
     ("Study/Vary = (empty)", """Study/Reference; Study/Repetitions; Study/Target error;
      Study/Keep files""", (), STUDY),
     ("Scales/Length = none", "Output/SI; Scales/Time unit; Scales/Temperature unit", (),

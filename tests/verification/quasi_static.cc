@@ -46,9 +46,10 @@ namespace
     const double release =
       zeta * eps / (1. + eps) * std::log((v_0 - v_e) / (g - v_e));
 
-    double       error        = 0.;
-    unsigned int n_contact    = 0;
-    const auto [rows, events] = run<1>("verification/creep-release.prm", {});
+    double       error     = 0.;
+    unsigned int n_contact = 0;
+    const auto [rows, events, counts] =
+      run<1>("verification/creep-release.prm", {});
     for (const StepRecord &r : rows)
       {
         const double u =
@@ -80,7 +81,7 @@ namespace
     const double g   = parameters.contact.gap;
 
     double error = 0.;
-    const auto [rows, events] =
+    const auto [rows, events, counts] =
       run<1>("verification/equilibrium.prm", overrides);
     for (const StepRecord &r : rows)
       {

@@ -41,6 +41,18 @@ namespace ThermoContact
     /** Of what a user writes as products, of projections, of coordinates. */
     inline constexpr double rounding_of_data = 1e-12;
 
+    /**
+     * Of contact, over the scale of a stage: beyond it a node is held, and
+     * single precision ends at 3e38.
+     */
+    inline constexpr double stiffest_spring = 1e30;
+
+    /**
+     * Energies beyond it, over that scale, are of what is not zero at such
+     * nodes: squares of its values there are larger than 1e-12.
+     */
+    inline constexpr double energy_of_held = 1e18;
+
     /** Of squares of residuals in single precision, whose unit is 6e-8. */
     inline constexpr double rounding_of_single_squares = 1e-10;
 

@@ -77,7 +77,8 @@ namespace ThermoContact
    * its direction, and flows without dilatation, the curls of products of
    * splines.
    *
-   * Ranks do it for some planes each, with whole vectors.
+   * Ranks do it for planes of one direction each, one of them in two
+   * dimensions, with whole vectors.
    */
   template <int dim, typename Number>
   class LevelSubspaces
@@ -88,6 +89,7 @@ namespace ThermoContact
     are_for(const Scene &scene, const Geometry<dim> &geometry);
 
     /**
+     * @param material borrowed
      * @param prototype of vectors of the level
      * @param values what its local part has
      */
@@ -151,8 +153,8 @@ namespace ThermoContact
     /**
      * @param spaces borrowed
      * @param stiffness its factor
-     * @param rest of the diagonal: mass and springs; infinite where values are
-     *   prescribed, which become 0
+     * @param rest of the diagonal: mass and springs, at most
+     *   Tolerances::stiffest_spring, where values are held and become 0
      */
     SubspaceFactors(const LevelSubspaces<dim, Number> &spaces,
                     const double                       stiffness,

@@ -100,6 +100,9 @@ namespace ThermoContact
     /** Local entries with the stiffness of their springs, over the scale. */
     std::vector<std::pair<unsigned int, Number>> springs;
 
+    Vector
+    diagonal(const double stiffness, const double at_prescribed) const;
+
     /** Those of the heat exchange. */
     void
     set_exchange();

@@ -13,11 +13,9 @@
 namespace ThermoContact
 {
   /**
-   * One V-cycle: Chebyshev smoothers with the diagonal, of more steps for
-   * materials that hardly change their volume, and factors of the coarsest
-   * level.
-   * Symmetric to the rounding of @p Number. Systems are solved over a scale, so that float
-   * has room for them.
+   * One V-cycle: Chebyshev smoothers, and factors of the coarsest level.
+   * Symmetric to the rounding of @p Number. Systems are solved over a scale, so
+   * that float has room for them.
    */
   template <int dim, typename Number>
   class StageMultigrid

@@ -28,9 +28,10 @@ namespace ThermoContact
 
 
   /**
-   * Products with the matrices (D1.5) of a body cell by cell, without
-   * the matrices and without constraints, by sums over one direction after the
-   * other and with several cells at a time in the lanes of SIMD instructions;
+   * Products with the matrices (D1.5) of a body without constraints: cell by
+   * cell, by sums over one direction after the other and with several cells at
+   * a time in the lanes of SIMD instructions; of degree 1 on one rank by
+   * LevelMatrix;
    * to the rounding of @p Number, float for preconditioners. For meshes whose
    * cells are boxes along the axes, as all of a Discretization are.
    *
@@ -163,7 +164,7 @@ namespace ThermoContact
 
     using OnGrid = LevelMatrix<dim, Number>;
 
-    /** Of degree 1 on one rank, for products cell by cell; else null. */
+    /** In place of sums over cells, of degree 1 on one rank; else null. */
     std::unique_ptr<const OnGrid> on_grid;
 
     /**

@@ -33,7 +33,9 @@ namespace ThermoContact
 
   /**
    * Numbers that one instruction treats together: 32 bytes of them, or 16,
-   * which every processor of 64 bits has (CMakeLists.txt).
+   * which every processor of 64 bits has (CMakeLists.txt). Functions are
+   * inlined without optimisation, too: sources for different processors are
+   * linked.
    */
   template <typename Number>
   struct Lanes
@@ -51,7 +53,7 @@ namespace ThermoContact
     }
 
     /** From numbers that may begin anywhere. */
-    static Lanes
+    [[gnu::always_inline]] static Lanes
     load(const Number *numbers)
     {
       Lanes lanes;
@@ -59,45 +61,45 @@ namespace ThermoContact
       return lanes;
     }
 
-    void
+    [[gnu::always_inline]] void
     store(Number *numbers) const
     {
       std::memcpy(numbers, &data, sizeof(data));
     }
 
-    static Lanes
+    [[gnu::always_inline]] static Lanes
     all(const Number number)
     {
       return {typename internal::LanesData<Number>::Type{} + number};
     }
 
-    Lanes &
+    [[gnu::always_inline]] Lanes &
     operator+=(const Lanes other)
     {
       data += other.data;
       return *this;
     }
 
-    Lanes &
+    [[gnu::always_inline]] Lanes &
     operator*=(const Lanes other)
     {
       data *= other.data;
       return *this;
     }
 
-    friend Lanes
+    [[gnu::always_inline]] friend Lanes
     operator+(Lanes a, const Lanes b)
     {
       return a += b;
     }
 
-    friend Lanes
+    [[gnu::always_inline]] friend Lanes
     operator*(Lanes a, const Lanes b)
     {
       return a *= b;
     }
 
-    friend Lanes
+    [[gnu::always_inline]] friend Lanes
     operator*(const Lanes a, const Number b)
     {
       return {a.data * b};

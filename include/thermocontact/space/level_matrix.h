@@ -40,8 +40,8 @@ namespace ThermoContact
     using Entries = std::array<std::vector<unsigned int>, 2>;
 
     /**
-     * Of a body: a lumped mass left out, and that of axial displacements in the
-     * last cells where contact nodes have none.
+     * Of a body, for add() alone: a lumped mass left out, and that of axial
+     * displacements in the last cells where contact nodes have none.
      */
     LevelMatrix(const Scene          &scene,
                 const Geometry<dim>  &geometry,
