@@ -138,6 +138,24 @@ namespace ThermoContact
 
   template <int dim, typename Number>
   void
+  LevelTransfer<dim, Number>::restrict_diagonal_to(
+    LevelVector<Number>       &coarse,
+    const LevelVector<Number> &fine) const
+  {
+    coarse = Number();
+    for (const Entry &entry : entries)
+      visit_weights(entry, [&](const unsigned int column, const Number weight) {
+        for (unsigned int c = 0; c < n_components; ++c)
+          coarse.local_element(column + c) +=
+            std::abs(weight) * fine.local_element(entry.rows[c]);
+      });
+    sum_over_ranks(coarse);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
   LevelTransfer<dim, Number>::inject_to(LevelVector<Number>       &coarse,
                                         const LevelVector<Number> &fine) const
   {

@@ -224,7 +224,7 @@ namespace ThermoContact
               Tolerances::rounding_of_data * fine.stiffness.local_element(i))
             exchange.local_element(i) = sums.local_element(i);
       }
-    fine.transfer.restrict_to(coarse.exchange, exchange);
+    fine.transfer.restrict_diagonal_to(coarse.exchange, exchange);
   }
 
 

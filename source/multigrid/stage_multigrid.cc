@@ -66,9 +66,7 @@ namespace ThermoContact
           const double largest = fine.springs.linfty_norm();
           for (unsigned int i = 0; i < values.locally_owned_size(); ++i)
             values.local_element(i) = fine.springs.local_element(i) / largest;
-          fine_field.transfer.restrict_to(coarse, values);
-          for (Number &spring : coarse)
-            spring = std::max(spring, Number());
+          fine_field.transfer.restrict_diagonal_to(coarse, values);
           set(result.springs, largest);
         }
       if (fine.held.size() > 0)

@@ -76,6 +76,7 @@ namespace
     parameters.mesh.cells             = 4;
     parameters.mesh.cells_across      = 2;
     parameters.mesh.width             = 0.5;
+    parameters.solver.linear_solver   = "direct"; // for its matrices
     parameters.contact.massless_nodes = "off";
     parameters.boundary.heat_exchange = 3.;
     parameters.model.poisson_ratio    = dim == 1 ? 0. : 0.3;

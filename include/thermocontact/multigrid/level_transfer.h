@@ -39,6 +39,14 @@ namespace ThermoContact
     restrict_to(LevelVector<Number>       &coarse,
                 const LevelVector<Number> &fine) const;
 
+    /**
+     * The same of a diagonal, by the absolute values of the weights: what is
+     * positive stays so. Collective.
+     */
+    void
+    restrict_diagonal_to(LevelVector<Number>       &coarse,
+                         const LevelVector<Number> &fine) const;
+
     /** The values of the nodes of the grid, in place of @p coarse. Collective.
      */
     void
