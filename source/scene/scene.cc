@@ -309,6 +309,9 @@ namespace ThermoContact
     constexpr double n_steps_of_choice  = 50.;
     constexpr double n_stages_of_choice = 250.;
 
+    /** Seconds that iterations have to save: factors are exact. */
+    constexpr double least_gain = 1.;
+
 
 
     LinearSolver
@@ -346,7 +349,8 @@ namespace ThermoContact
             return cost.seconds(n_step_sizes(parameters, n_steps_of_choice),
                                 n_stages_of_choice);
           };
-          result.is_iterative = seconds(iterations) < seconds(factors);
+          result.is_iterative =
+            seconds(iterations) + least_gain < seconds(factors);
           result.reason       = text(significant(n_unknowns, 3),
                                " unknowns, ",
                                n_stages_of_choice,
