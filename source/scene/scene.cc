@@ -309,8 +309,8 @@ namespace ThermoContact
     constexpr double n_steps_of_choice  = 50.;
     constexpr double n_stages_of_choice = 250.;
 
-    /** Seconds that iterations have to save: factors are exact. */
-    constexpr double least_gain = 1.;
+    /** Seconds that iterations have to save: factors always solve. */
+    constexpr double least_gain = 10.;
 
 
 
@@ -351,7 +351,7 @@ namespace ThermoContact
           };
           result.is_iterative =
             seconds(iterations) + least_gain < seconds(factors);
-          result.reason       = text(significant(n_unknowns, 3),
+          result.reason = text(significant(n_unknowns, 3),
                                " unknowns, ",
                                n_stages_of_choice,
                                " stages about ",

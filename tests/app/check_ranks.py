@@ -130,11 +130,11 @@ def check_memory_of_study():
         time = re.search(r"processor time: about ([\d:]+)", screen)[1].split(":")
         seconds.append(sum(int(part) * 60**i for i, part in enumerate(reversed(time))))
     print("time of a hundred times as many steps:", 50 < seconds[1] / seconds[0] < 150 or seconds)
-    # squares of degree 1: iterations save a second in 250 stages (doc/bodies.md)
+    # squares of degree 1: iterations save ten seconds in 250 stages (doc/bodies.md)
     def costs_more_by_factors(n, sizes):
         unknowns = 2 * (n + 1)**2
         stage, other = 2e-8 * unknowns**1.4, 1.4e-6 * unknowns
-        return -1 + 1e-5 * 4 / 9 * unknowns + sizes * (2e-7 * unknowns**1.5 + (n + 1) * stage) + (
+        return -10 + 1e-5 * 4 / 9 * unknowns + sizes * (2e-7 * unknowns**1.5 + (n + 1) * stage) + (
             250 * stage) > 1e-5 * unknowns + (250 + 0.1 * sizes) * other
     solvers = []
     for step, sizes in ((0.1, 1), ("automatic", 1 + 0.25 * 50)):
