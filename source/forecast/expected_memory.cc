@@ -67,9 +67,9 @@ namespace ThermoContact
 
 
 
-    /** Sets of factors of a Reset: its Equilibrium, where it is not trivial. */
-    unsigned int
-    n_equilibria(const Scene &scene)
+    /** A Reset has factors of its own: its Equilibrium is not trivial. */
+    bool
+    has_equilibrium(const Scene &scene)
     {
       const ContactLaw &law = *scene.contact.law;
       return !scene.material.has_inertia() ||
@@ -97,7 +97,7 @@ namespace ThermoContact
         n_kept_factorizations(dim, static_cast<std::size_t>(n_unknowns)) :
         1.;
     return processes + std::pow(width, dim) * matrix_bytes(dim) * n_unknowns +
-           (n_kept + n_equilibria(scene)) * factor_bytes(n_unknowns, dim);
+           (n_kept + has_equilibrium(scene)) * factor_bytes(n_unknowns, dim);
   }
 
 
@@ -107,7 +107,7 @@ namespace ThermoContact
   {
     const double n_sizes = n_step_sizes(scene.parameters, n_steps);
     return seconds_of_process +
-           scene.linear_solver.cost.seconds(n_sizes + n_equilibria(scene),
+           scene.linear_solver.cost.seconds(n_sizes + has_equilibrium(scene),
                                             n_steps * scene.scheme.n_stages);
   }
 

@@ -127,9 +127,6 @@ namespace ThermoContact
     /** $\lambda/\mu$ from where what keeps its volume is soft. */
     constexpr double stiff = 6.;
 
-    /** Of the diagonal, what rounding leaves of a pivot at least. */
-    constexpr double smallest_pivot = 1e-5;
-
     template <typename Number>
     Band<Number>
     transposed(const Band<Number> &band)
@@ -485,7 +482,7 @@ namespace ThermoContact
                                     mu * change * axis.mass[m]);
               };
               double       pivot    = entry(0) + extra;
-              const double smallest = smallest_pivot * pivot;
+              const double smallest = Tolerances::smallest_single_pivot * pivot;
               const bool   is_held  = extra >= Tolerances::stiffest_spring;
               for (unsigned int l = std::min(i, degree); l > 0; --l)
                 {

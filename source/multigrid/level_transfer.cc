@@ -88,9 +88,10 @@ namespace ThermoContact
 
 
   template <int dim, typename Number>
-  template <unsigned int n>
-  void LevelTransfer<dim, Number>::restrict(Number       *coarse,
-                                            const Number *fine) const
+  template <unsigned int n, typename OfWeight>
+  void LevelTransfer<dim, Number>::restrict(Number         *coarse,
+                                            const Number   *fine,
+                                            const OfWeight &of_weight) const
   {
     for (const Entry &entry : entries)
       {
@@ -100,9 +101,26 @@ namespace ThermoContact
         visit_weights(entry,
                       [&](const unsigned int column, const Number weight) {
                         for (unsigned int c = 0; c < n; ++c)
-                          coarse[column + c] += weight * value[c];
+                          coarse[column + c] += of_weight(weight) * value[c];
                       });
       }
+  }
+
+
+
+  template <int dim, typename Number>
+  template <typename OfWeight>
+  void
+  LevelTransfer<dim, Number>::restrict_by(const OfWeight            &of_weight,
+                                          LevelVector<Number>       &coarse,
+                                          const LevelVector<Number> &fine) const
+  {
+    coarse = Number();
+    if (n_components == 1)
+      restrict<1>(coarse.begin(), fine.begin(), of_weight);
+    else
+      restrict<dim>(coarse.begin(), fine.begin(), of_weight);
+    sum_over_ranks(coarse);
   }
 
 
@@ -126,12 +144,7 @@ namespace ThermoContact
   LevelTransfer<dim, Number>::restrict_to(LevelVector<Number>       &coarse,
                                           const LevelVector<Number> &fine) const
   {
-    coarse = Number();
-    if (n_components == 1)
-      restrict<1>(coarse.begin(), fine.begin());
-    else
-      restrict<dim>(coarse.begin(), fine.begin());
-    sum_over_ranks(coarse);
+    restrict_by([](const Number weight) { return weight; }, coarse, fine);
   }
 
 
@@ -142,14 +155,9 @@ namespace ThermoContact
     LevelVector<Number>       &coarse,
     const LevelVector<Number> &fine) const
   {
-    coarse = Number();
-    for (const Entry &entry : entries)
-      visit_weights(entry, [&](const unsigned int column, const Number weight) {
-        for (unsigned int c = 0; c < n_components; ++c)
-          coarse.local_element(column + c) +=
-            std::abs(weight) * fine.local_element(entry.rows[c]);
-      });
-    sum_over_ranks(coarse);
+    restrict_by([](const Number weight) { return std::abs(weight); },
+                coarse,
+                fine);
   }
 
 

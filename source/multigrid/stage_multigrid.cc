@@ -61,7 +61,6 @@ namespace ThermoContact
       values = Number();
       if (fine.springs.size() > 0)
         {
-          // the row sums of the product with the springs between two transfers,
           // over the largest one, so that float has room for it
           const double largest = fine.springs.linfty_norm();
           for (unsigned int i = 0; i < values.locally_owned_size(); ++i)

@@ -8,9 +8,20 @@
 
 namespace ThermoContact
 {
-  ErrorNorm::ErrorNorm(const double temperature_energy, const double heating)
+  namespace
+  {
+    /** Of errors that change from node to node, over their displacements. */
+    constexpr double strains_of_errors = 100.;
+  } // namespace
+
+
+
+  ErrorNorm::ErrorNorm(const double temperature_energy,
+                       const double heating,
+                       const double accuracy)
     : temperature_energy(temperature_energy)
     , heating(heating)
+    , accuracy(accuracy)
     , max_thermal(0.)
     , max_mechanical(0.)
     , first_thermal(0.)
@@ -43,23 +54,22 @@ namespace ThermoContact
                         const EnergyTerms &energy,
                         const double       rigid_displacement)
   {
+    const bool is_rounding =
+      std::max({max_mechanical, first_mechanical, energy.elastic}) <=
+      Tolerances::rounding_of_sum * rigid_displacement * rigid_displacement;
     // Without a scale of its own the error of a load that starts like a power
     // of t has the same relative size for every step.
     if (first_thermal == 0. && std::isfinite(energy.thermal))
       first_thermal = energy.thermal;
-    if (first_mechanical == 0. &&
+    if (first_mechanical == 0. && !is_rounding &&
         std::isfinite(energy.elastic + energy.kinetic))
       first_mechanical = std::max(energy.elastic, energy.kinetic);
     const double mechanical = mechanical_energy(energy);
     const auto   ratio      = [](const double part, const double whole) {
       return part == 0. ? 0. : part / whole;
     };
-    // of displacements that a stage solves for, in their energy, and of that
     const double smallest_elastic =
-      0.5 * std::pow(Tolerances::rounding_of_solution * rigid_displacement, 2);
-    const bool is_rounding =
-      std::max(mechanical_energy({}), energy.elastic) <=
-      Tolerances::rounding_of_sum * rigid_displacement * rigid_displacement;
+      0.5 * std::pow(strains_of_errors * accuracy * rigid_displacement, 2);
     const double elastic_error =
       is_rounding && error.elastic <= smallest_elastic ? 0. : error.elastic;
     const double thermal =

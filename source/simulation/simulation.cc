@@ -54,7 +54,11 @@ namespace ThermoContact
                  DimensionTraits<dim>::has_cheap_factors ?
                    StepLadder{4, false} :
                    StepLadder{1, true})
-    , error_norm(body_.energy.steady_profile_energy(), scene_.material.heating)
+    , error_norm(body_.energy.steady_profile_energy(),
+                 scene_.material.heating,
+                 scene_.linear_solver.is_iterative ?
+                   scene_.linear_solver.tolerance :
+                   Tolerances::rounding_of_solution)
     , energy_monitor(scene_)
     , spatial_error_monitor(scene_, discretization())
   {

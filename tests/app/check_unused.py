@@ -106,6 +106,7 @@ SCENES = [
      ("Output/Fields interval=1",), QUIET + ("Output/Space-time interval=1",)),
     ("Output/Fields interval = 0", "Output/Fields cells", QUIET + (PLANE,),
      ("Output/Fields interval=1", PLANE)),
+    ("Dimension = 1", "Output/Fields cells", (), (PLANE, "Output/Fields interval=1")),
     ("Study/Vary = (empty)", """Study/Reference; Study/Repetitions; Study/Target error;
      Study/Keep files""", (), STUDY),
     ("Scales/Length = none", "Output/SI; Scales/Time unit; Scales/Temperature unit", (),

@@ -19,6 +19,10 @@
 // 3. What is made: a strip on rollers meets its obstacle with all its nodes,
 //    so that there are two sets, with contact and without: in steps of one size
 //    1 for the stage length and 1 for the set, however often contact begins.
+// 4. A block in equilibrium that its driven end carries along: no stress, no
+// error,
+//    steps that grow by 4 from 1/512 of the time: 1 + 4 + 16 + 64 + 256 of them
+//    and the rest, 6 in all.
 
 #include <thermocontact/base/number_text.h>
 
@@ -144,6 +148,28 @@ namespace
 
 
 
+  void
+  count_steps_without_stress()
+  {
+    const auto count =
+      run_iterative<2>({"Dimension=2",
+                        "Model/Fields=displacement",
+                        "Model/Inertia=0",
+                        "Model/Viscosity=0",
+                        "Boundary/Fixed end displacement=t/100",
+                        "Boundary/Lateral support=free",
+                        "Contact/Condition=none",
+                        "Mesh/Width=1",
+                        "Mesh/Cells=8",
+                        "Mesh/Cells across=8",
+                        "Time/End time=1"})
+        .rows.size() -
+      1;
+    deallog << "carried along: steps " << count << std::endl;
+  }
+
+
+
   /** Sets of contact nodes and Krylov iterations of a patch that grows. */
   template <int dim>
   void
@@ -231,4 +257,5 @@ main_iterative_counts()
   deallog << "what is made" << std::endl;
   count_what_is_made("normal compliance");
   count_what_is_made("rigid");
+  count_steps_without_stress();
 }

@@ -53,6 +53,9 @@ namespace ThermoContact
      */
     inline constexpr double energy_of_held = 1e18;
 
+    /** Of the diagonal, what rounding to 6e-8 leaves of a pivot at least. */
+    inline constexpr double smallest_single_pivot = 1e-5;
+
     /** Of squares of residuals in single precision, whose unit is 6e-8. */
     inline constexpr double rounding_of_single_squares = 1e-10;
 

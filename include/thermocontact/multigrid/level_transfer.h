@@ -40,8 +40,10 @@ namespace ThermoContact
                 const LevelVector<Number> &fine) const;
 
     /**
-     * The same of a diagonal, by the absolute values of the weights: what is
-     * positive stays so. Collective.
+     * The same of a diagonal, by the absolute values of the weights, since
+     * those of degree 2 have both signs: what is positive stays so, and it is
+     * no less than the row sums of its product between two transfers.
+     * Collective.
      */
     void
     restrict_diagonal_to(LevelVector<Number>       &coarse,
@@ -97,8 +99,17 @@ namespace ThermoContact
     void
     prolongate(Number *fine, const Number *coarse) const;
 
-    template <unsigned int n>
-    void restrict(Number *coarse, const Number *fine) const;
+    /** @param of_weight the factor of a value that a weight makes */
+    template <unsigned int n, typename OfWeight>
+    void restrict(Number         *coarse,
+                  const Number   *fine,
+                  const OfWeight &of_weight) const;
+
+    template <typename OfWeight>
+    void
+    restrict_by(const OfWeight            &of_weight,
+                LevelVector<Number>       &coarse,
+                const LevelVector<Number> &fine) const;
   };
 } // namespace ThermoContact
 

@@ -20,8 +20,9 @@ namespace ThermoContact
    * step that moves it, until one is accepted. There is no absolute floor:
    * scaling a scene changes nothing. An error of the temperature that is
    * rounding of the temperature itself, of which $\hat\theta$ may be a tiny
-   * part, counts as none, and so does one of the displacement in a body whose
-   * end moves it so far that its elastic energy is rounding.
+   * part, counts as none, and so does one of the displacement, as large as what
+   * solutions of stages leave, in a body whose end moves it so far that its
+   * elastic energy is rounding.
    */
   class ErrorNorm
   {
@@ -29,8 +30,11 @@ namespace ThermoContact
     /**
      * @param temperature_energy $\frac12\|\theta_s\|^2$
      * @param heating $a$ of the heat equation
+     * @param accuracy of displacements that a stage solves for, over the largest
      */
-    ErrorNorm(const double temperature_energy, const double heating);
+    ErrorNorm(const double temperature_energy,
+              const double heating,
+              const double accuracy);
 
     /** Takes a state that is accepted into the maxima. */
     void
@@ -67,6 +71,7 @@ namespace ThermoContact
   private:
     const double temperature_energy;
     const double heating;
+    const double accuracy;
     double       max_thermal;
     double       max_mechanical;
 
