@@ -110,6 +110,14 @@ namespace
             << (again.model.viscosity == 0.12345678901234567) << ", same text "
             << (written.str() == written_again.str()) << ", omitted " << omitted
             << std::endl;
+    for (const std::string rear :
+         {"0.5", "none"}) // what stands behind it holds
+      ThermoContact::assign_entries({{"here", "Contact/Rear gap", rear}},
+                                    prm,
+                                    parameters);
+    deallog << "a rear stop that was taken back "
+            << (parameters.contact.rear_gap ? "is there" : "is not")
+            << std::endl;
   }
 
 
