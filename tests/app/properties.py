@@ -229,12 +229,14 @@ def check_audit(run):
             yield f"{name} falls, or does not begin at 0"
     if scene.is_euler and not scene.works and (numpy.diff(c["energy"]) > 1e-12 * scale).any():
         yield "energy of backward Euler grows"
-    if not scene.is_euler and not scene.is_wide:  # what the scheme leaves, but for impacts
+    tolerance = run.settings.get("Time/Tolerance", "automatic")
+    has_jumps = any("if(" in value for value in run.settings.values())
+    if not scene.is_euler and not (scene.is_wide and (has_jumps or tolerance == "automatic")):
+        # what the scheme leaves, but for impacts
         losses = numpy.diff(c["numerical_dissipation"])
         for time in run.events["time"] if scene.condition == "rigid" and scene.b > 0 else ():
             row = int(numpy.argmin(abs(c["time"] - time)))
             losses[max(0, row - 1):row + 1] = 0
-        tolerance = run.settings.get("Time/Tolerance", "automatic")
         yield differences(numpy.cumsum(losses), 0 * losses, LOSS if tolerance == "automatic" else
                           0.3 * float(tolerance), scale + 1e-12)
     if scene.conserves and not (scene.works and scene.is_wide):
