@@ -15,8 +15,8 @@ import re
 import sys
 from pathlib import Path
 
-import check_log  # noqa: F401 - says what it finds
-from run_files import Settings
+from check_log import tell
+from run_files import Run, Settings
 
 
 def rows_of(path):
@@ -35,6 +35,7 @@ def bytes_of(words):
 
 
 directory = Path(sys.argv[1])
+tell(Run(directory), end="; ")
 summary = json.loads((directory / "summary.json").read_text(encoding="utf-8"))
 rows = rows_of(directory / "contact.csv")
 events = rows_of(directory / "events.csv")

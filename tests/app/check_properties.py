@@ -12,6 +12,7 @@ import tempfile
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+from check_log import faults_of_log  # noqa: E402
 from falsify import falsified  # noqa: E402
 from program import for_all, run, settings  # noqa: E402
 from properties import TIMES, check  # noqa: E402
@@ -42,7 +43,7 @@ def try_scene(seed, directory):
     if status != 0:
         return ("refused" if status == 2 else f"status {status}"), message
     result = Run(directory)
-    faults = list(check.faults(result))
+    faults = [*check.faults(result), *faults_of_log(result)]
     if faults:
         return "faults", "; ".join(faults[:3])
     for name, way, other in falsified(result):

@@ -113,6 +113,11 @@ def main():
                 faults.append(f"log.txt: {found}, not {wanted}")
             if status != 0:
                 faults.append(f"{what}: {message}")
+        log = (directory / "log.txt").read_text(encoding="utf-8")
+        times = [float(row["time"]) for row in table(reference / "probes.csv")]
+        said = re.findall(r"^  resumed +at t = (\S+), step (\d+)$", log, re.M)
+        if said != [(f"{times[step]:.6g}", str(step)) for step in [*steps, len(times) - 1]]:
+            faults.append(f"log.txt: resumed at {said}")
     print("stopped several times, resumed, and resumed when it was done:"
           if len(steps) > 2 else f"stopped after steps {steps} only:",
           ", ".join(sorted(faults)) or "the same")

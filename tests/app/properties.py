@@ -3,7 +3,8 @@
 entries and from the snapshots.
 
 Ties that hold to rounding have the bound EXACT; what is read from snapshots, which are in
-single precision, SINGLE; sums over steps in place of integrals, ROUGH.
+single precision, SINGLE; sums over steps in place of integrals, ROUGH. Fixed steps of 0.01
+lose less than LOSS of the energy (measured: 4e-4), controlled ones 0.3 tolerances (0.1).
 """
 import math
 import re
@@ -14,7 +15,7 @@ from falsify import Checks
 from polynomials import equidistant, lobatto
 from run_files import differences, due, nearly
 
-EXACT, SINGLE, ROUGH = 1e-10, 2e-5, 0.1
+EXACT, SINGLE, ROUGH, LOSS = 1e-10, 2e-5, 0.1, 1e-3
 TIMES = ("set_up_seconds", "loop_seconds", "step_seconds", "factorization_seconds",
          "solve_seconds", "contact_seconds", "output_seconds", "wall_seconds")
 check = Checks()
@@ -228,6 +229,16 @@ def check_audit(run):
             yield f"{name} falls, or does not begin at 0"
     if scene.is_euler and not scene.works and (numpy.diff(c["energy"]) > 1e-12 * scale).any():
         yield "energy of backward Euler grows"
+    tolerance = run.settings.get("Time/Tolerance", "automatic")
+    has_jumps = any("if(" in value for value in run.settings.values())
+    if not scene.is_euler and not (scene.is_wide and (has_jumps or tolerance == "automatic")):
+        # what the scheme leaves, but for impacts
+        losses = numpy.diff(c["numerical_dissipation"])
+        for time in run.events["time"] if scene.condition == "rigid" and scene.b > 0 else ():
+            row = int(numpy.argmin(abs(c["time"] - time)))
+            losses[max(0, row - 1):row + 1] = 0
+        yield differences(numpy.cumsum(losses), 0 * losses, LOSS if tolerance == "automatic" else
+                          0.3 * float(tolerance), scale + 1e-12)
     if scene.conserves and not (scene.works and scene.is_wide):
         yield differences(c["numerical_dissipation"], zero, 1e-5, scale)
     if scene.is_euler and (scene.condition in ("none", "normal compliance")) and \

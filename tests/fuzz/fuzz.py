@@ -70,8 +70,11 @@ def with_entries(text, entries):
 
 def listed(name):
     """The groups of entries of a list."""
-    return [dict(entry.split("=", 1) for entry in line.split(" & "))
-            for line in (HERE / name).read_text().splitlines() if line and line[0] != "#"]
+    lines = [line for line in (HERE / name).read_text().splitlines() if line and line[0] != "#"]
+    groups = [[entry.split("=", 1) for entry in line.split(" & ")] for line in lines]
+    return [group for entries in groups for group in (
+        [dict(entries)] if len(entries) > 1 else
+        [{entries[0][0]: value} for value in entries[0][1].split(" // ")])]
 
 
 class Mutations:

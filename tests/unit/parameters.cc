@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Reading parameter files: every fault has a message with its line, and what is
-// written is read back. Number of steps and their sizes by hand:
-//   T = 1,    dt = 0.1:  10 steps of 0.1 (rounding makes no eleventh)
-//   T = 1,    dt = 0.3:  3 steps of 0.3, one of 0.1
-//   T = 0.05, dt = 0.1:  one step of 0.05
-//   T = 0:               no step
-//   T = 71711.8845, dt = 3e-4: 239039615 steps of dt, although the quotient
-//                        rounds to more
-// A law that is not linear: only the scheme that conserves its energy refuses
-// it.
+// written is read back. T = 71711.8845, dt = 3e-4: 239039615 steps of dt,
+// although the quotient rounds to more. A law that is not linear: only the
+// scheme that conserves its energy refuses it.
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/time/step_controller.h>
 
 #include <fstream>
 #include <sstream>
@@ -110,27 +103,14 @@ namespace
             << (again.model.viscosity == 0.12345678901234567) << ", same text "
             << (written.str() == written_again.str()) << ", omitted " << omitted
             << std::endl;
-  }
-
-
-
-  void
-  test_steps(const double end_time, const double step_size)
-  {
-    Parameters parameters;
-    parameters.time.end_time  = end_time;
-    parameters.time.step_size = step_size;
-    StepController controller(parameters.time, parameters.output, 1);
-    deallog << "T = " << end_time << ", dt = " << step_size << ":";
-    double time = 0.;
-    while (!controller.is_finished(time))
-      {
-        const TimeStep step = controller.propose(time);
-        deallog << ' ' << step.size;
-        time = step.end;
-        controller.accept(step, 0.);
-      }
-    deallog << "; ends at T exactly " << (time == end_time) << std::endl;
+    for (const std::string rear :
+         {"0.5", "none"}) // what stands behind it holds
+      ThermoContact::assign_entries({{"here", "Contact/Rear gap", rear}},
+                                    prm,
+                                    parameters);
+    deallog << "a rear stop that was taken back "
+            << (parameters.contact.rear_gap ? "is there" : "is not")
+            << std::endl;
   }
 
 
@@ -163,10 +143,6 @@ main_parameters()
   initlog();
   test_files();
   test_round_trip();
-  test_steps(1., 0.1);
-  test_steps(1., 0.3);
-  test_steps(0.05, 0.1);
-  test_steps(0., 0.1);
 
   TimeParameters time;
   time.end_time  = 71711.8845;

@@ -8,7 +8,8 @@
 //   e = 0:     4 (clipped): -24;     rejected, e = 16: 0.495 < 1/2: -37,
 //   then e = 0: not larger: -37;     rejected, e = 1.0001: 0.88: -33;
 //   rejected, not a number: 0.22: -41.
-// Steps of at most 0.25 to T = 0.7, landing on multiples of 0.4, 0.5 and 0.6.
+// Steps of at most 0.25 to T = 0.7, landing on multiples of 0.4, 0.5 and 0.6;
+// of 0.1 to 1, where rounding makes no eleventh, to 0.05 and to 0.
 // Smallest step 0.001: a quarter of 2^-8 is below it, so that 0.001 is tried,
 // and nothing after it. First step 0.05 tol^(1/4) = 0.005 with tolerance 1e-4:
 // -31. On a ladder of powers of two the next size is 0.75 e^(-1/4) times the
@@ -186,6 +187,12 @@ namespace
     parameters.output.land_on_times = false;
     parameters.time.step_size       = 0.3;
     print_steps("fixed", parameters);
+    parameters.time.step_size = 0.1;
+    for (const double end_time : {1., 0.05, 0.})
+      {
+        parameters.time.end_time = end_time;
+        print_steps("fixed", parameters);
+      }
     deallog << "fixed steps are not retried "
             << !make_controller(parameters).retry_smaller({0.3, 0.3})
             << std::endl;

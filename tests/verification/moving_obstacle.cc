@@ -13,7 +13,8 @@
 //    dt = 0.4 + (1 - cos 6)/30 + sin(6)/200 over [0, 2]; so has the work of
 //    the obstacle, -int p g' dt by Simpson's rule. With sdirk4 the rigid one is
 //    asked for 1e-10 of the displacement, which is rounding, and 1e-7 of the
-//    work, whose pressures are of lower order.
+//    work, whose pressures are of lower order; so where the end is held by it
+//    until an event.
 // 2. A spring and a mass, one cell, lumped, zeta = 0: k = 1, M = b/2. A rigid
 //    obstacle touches it, rests until t = 1, comes with V = 1/5 until t = 2
 //    and rests again. At t = 1 the impulse M V, then the force V (t - 1): the
@@ -271,7 +272,11 @@ main_moving_obstacle()
      {compliance, "Contact/Condition=power law"},
      w + "-0.1*" + p + "^(2/3)",
      2. / 3.},
-    {"rigid", {"Contact/Condition=rigid"}, w, 0.}};
+    {"rigid", {"Contact/Condition=rigid"}, w, 0.},
+    {"holding",
+     {"Contact/Condition=rigid", "Time/Locate contact events=true"},
+     w,
+     0.}};
   for (const Obstacle &obstacle : obstacles)
     {
       check_orders(obstacle, "backward euler", 1, 1280);
