@@ -17,16 +17,6 @@
 
 namespace ThermoContact
 {
-  /** The value of a component at a node. */
-  template <int dim>
-  struct NodalValue
-  {
-    unsigned int component;
-    Point<dim>   node;
-  };
-
-
-
   /**
    * Products with the matrices (D1.5) of a body without constraints: cell by
    * cell, by sums over one direction after the other and with several cells at
@@ -96,10 +86,6 @@ namespace ThermoContact
     /** That of contact_stiffness(), at the nodes of the contact end. */
     LevelVector<Number>
     contact_stiffness_diagonal() const;
-
-    /** Of the local part of a vector. */
-    std::vector<NodalValue<dim>>
-    nodal_values(const Field::Block field) const;
 
     static constexpr unsigned int n_lanes = Lanes<Number>::n_lanes;
 
