@@ -909,8 +909,7 @@ namespace ThermoContact
   CellProducts<dim, Number>::compute_strides()
   {
     // a FESystem numbers the components of a vertex, line, face one by one
-    const std::vector<unsigned int> lexicographic =
-      FETools::hierarchic_to_lexicographic_numbering<dim>(n - 1);
+    lexicographic = FETools::hierarchic_to_lexicographic_numbering<dim>(n - 1);
     const FE_Q<dim> fe(n - 1);
     strides.resize(n_nodes);
     for (unsigned int i = 0; i < n_nodes; ++i)
@@ -933,8 +932,6 @@ namespace ThermoContact
     const FiniteElement<dim>            &fe = discretization.finite_element();
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     cell->get_dof_indices(dofs);
-    const std::vector<unsigned int> lexicographic =
-      FETools::hierarchic_to_lexicographic_numbering<dim>(fe.degree);
     std::vector<unsigned int> positions(n_nodes);
     for (unsigned int i = 0; i < n_nodes; ++i)
       for (unsigned int c = 0; c < n_components(field); ++c)

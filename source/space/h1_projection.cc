@@ -159,7 +159,8 @@ namespace ThermoContact
 
     /**
      * Adds to @p values the solution for @p rhs, which is zero where entries are
-     * fixed, by conjugate gradients with the diagonal: once a run.
+     * fixed but not everywhere, by conjugate gradients with the diagonal: once
+     * a run.
      */
     void
     add_solution(const LinearMap                 &product,
@@ -168,8 +169,6 @@ namespace ThermoContact
                  const Vector                    &rhs,
                  Vector                          &values)
     {
-      if (rhs.linfty_norm() == 0.)
-        return;
       // interpolation may be exact but for rounding
       Vector terms(diagonal);
       terms.scale(values);
@@ -291,8 +290,6 @@ namespace ThermoContact
       interpolant.local_element(i) =
         function.value(nodal_values[i].node, first + nodal_values[i].component);
 
-    Vector rhs = discretization.make_ghosted_vector().block(
-      discretization.ghosted_block(field));
     const FiniteElement<dim>       &fe = discretization.finite_element();
     const CellLine                  constant(fe.degree, false);
     const CellLine                  varying(fe.degree, true);
@@ -304,6 +301,10 @@ namespace ThermoContact
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     std::vector<double>                  nodal, differences, part, scratch;
     const unsigned int n_components = field == Field::temperature ? 1 : dim;
+
+    Vector rhs(discretization.owned_by_block()[field],
+               discretization.relevant_by_block()[field],
+               discretization.communicator());
     for (unsigned int c = first; c < first + n_components; ++c)
       {
         CellLines<dim> lines;
@@ -377,7 +378,7 @@ namespace ThermoContact
             field == Field::temperature ? temperature : displacement;
           rhs[field] = interpolate(function, field, values);
           if constexpr (dim > 1)
-            if (products != nullptr)
+            if (products != nullptr && rhs[field].linfty_norm() > 0.)
               add_solution({[&](Vector &y, const Vector &x) {
                              products->laplacian(field, y, x);
                            }},

@@ -141,6 +141,8 @@ namespace ThermoContact
     const unsigned int         n_nodes; ///< of a cell
     const bool                 has_lumped_mass;
 
+    /** Of the nodes of a cell, which are numbered by vertices, lines, ... */
+    std::vector<unsigned int> lexicographic;
     /** From a component of a node to the next one, by lexicographic order. */
     std::vector<unsigned int> strides;
 
