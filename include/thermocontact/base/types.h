@@ -60,8 +60,8 @@ namespace ThermoContact
   constexpr types::boundary_id contact_boundary_id = 1; ///< $x=1$
 
   /**
-   * What differs in one dimension: p4est has no 1-D meshes, a face is a point,
-   * and the mesh is too small to be shared by ranks.
+   * What differs in one dimension: a face is a point, and the mesh is too small
+   * to be shared by ranks.
    */
   template <int dim>
   struct DimensionTraits
