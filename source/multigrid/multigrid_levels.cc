@@ -92,7 +92,7 @@ namespace ThermoContact
           make_field_of_body(*products, field, levels.back().fields[field]);
           for (unsigned int l = grids.size(); l > 0; --l)
             connect(grids[l - 1],
-                    l == grids.size() ? products->nodal_values(field) :
+                    l == grids.size() ? space.nodal_values(field) :
                                         nodal_values(grids[l], field),
                     l,
                     field);
@@ -166,7 +166,7 @@ namespace ThermoContact
     if (field == Field::displacement && has_subspaces())
       of_field.subspaces =
         make_subspaces(LevelGrid<dim>(body.scene.parameters.mesh),
-                       products.nodal_values(field),
+                       body.discretization.nodal_values(field),
                        of_field);
   }
 

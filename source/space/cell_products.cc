@@ -790,7 +790,7 @@ namespace ThermoContact
     for (const Field::Block field : all_fields)
       if (discretization.has_field(field))
         {
-          const auto values = nodal_values(field);
+          const auto &values = discretization.nodal_values(field);
           entries[field].resize(grid.n_nodes());
           for (unsigned int i = 0; i < values.size(); ++i)
             if (values[i].component == 0)
@@ -909,8 +909,7 @@ namespace ThermoContact
   CellProducts<dim, Number>::compute_strides()
   {
     // a FESystem numbers the components of a vertex, line, face one by one
-    const std::vector<unsigned int> lexicographic =
-      FETools::hierarchic_to_lexicographic_numbering<dim>(n - 1);
+    lexicographic = FETools::hierarchic_to_lexicographic_numbering<dim>(n - 1);
     const FE_Q<dim> fe(n - 1);
     strides.resize(n_nodes);
     for (unsigned int i = 0; i < n_nodes; ++i)
@@ -933,8 +932,6 @@ namespace ThermoContact
     const FiniteElement<dim>            &fe = discretization.finite_element();
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     cell->get_dof_indices(dofs);
-    const std::vector<unsigned int> lexicographic =
-      FETools::hierarchic_to_lexicographic_numbering<dim>(fe.degree);
     std::vector<unsigned int> positions(n_nodes);
     for (unsigned int i = 0; i < n_nodes; ++i)
       for (unsigned int c = 0; c < n_components(field); ++c)
@@ -973,40 +970,6 @@ namespace ThermoContact
               positions[first + i * n_lanes + lane] = of_cell[i];
           }
       }
-  }
-
-
-
-  template <int dim, typename Number>
-  std::vector<NodalValue<dim>>
-  CellProducts<dim, Number>::nodal_values(const Field::Block field) const
-  {
-    const FiniteElement<dim>    &fe    = discretization.finite_element();
-    const IndexSet              &owned = discretization.owned_by_block()[field];
-    std::vector<NodalValue<dim>> result(owned.n_elements());
-    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
-    const unsigned int first = discretization.first_component(field);
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          cell->get_dof_indices(dofs);
-          const Tensor<1, dim> size = size_of<dim>(cell);
-          for (unsigned int j = 0; j < dofs.size(); ++j)
-            {
-              const unsigned int c = fe.system_to_component_index(j).first;
-              if (c < first || c - first >= n_components(field))
-                continue;
-              const auto dof = dofs[j] - discretization.first_dof(field);
-              if (!owned.is_element(dof))
-                continue;
-              Point<dim> node = cell->vertex(0);
-              for (unsigned int d = 0; d < dim; ++d)
-                node[d] += fe.unit_support_point(j)[d] * size[d];
-              result[owned.index_within_set(dof)] = {c - first, node};
-            }
-        }
-    return result;
   }
 
 

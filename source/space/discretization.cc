@@ -18,12 +18,29 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /** Several ranks share the cells; p4est takes time. */
+    template <int dim>
+    std::unique_ptr<Triangulation<dim>>
+    make_triangulation(const MPI_Comm communicator)
+    {
+      if constexpr (dim > 1)
+        if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+          return std::make_unique<parallel::distributed::Triangulation<dim>>(
+            communicator);
+      return std::make_unique<Triangulation<dim>>();
+    }
+  } // namespace
+
+
+
   template <int dim>
   Discretization<dim>::Discretization(const SpatialScene &scene,
                                       const MPI_Comm      all)
     : communicator_(DimensionTraits<dim>::communicator(all))
     , geometry_(scene)
-    , triangulation(DimensionTraits<dim>::make_triangulation(communicator_))
+    , triangulation(make_triangulation<dim>(communicator_))
     , finite_element_(FE_Q<dim>(scene.mesh.degree),
                       scene.fields.n_components(dim))
     , mapping_(1)
@@ -35,6 +52,7 @@ namespace ThermoContact
     distribute_dofs(scene.fields);
     constraints_ = make_constraints(scene.has_sliding_end);
     collect_constrained();
+    collect_nodal_values();
     if constexpr (dim > 1)
       if (!scene.has_matrices)
         add_ghosts_of_cells();
@@ -82,15 +100,15 @@ namespace ThermoContact
       std::fill(field_of_component.begin() + 1, field_of_component.end(), 1);
     DoFRenumbering::component_wise(dof_handler_, field_of_component);
 
-    std::vector<types::global_dof_index> n_dofs =
-      DoFTools::count_dofs_per_fe_block(dof_handler_, field_of_component);
-    if (n_dofs.size() == 1)
-      n_dofs.insert(fields.has_temperature ? n_dofs.end() : n_dofs.begin(), 0);
+    // all components have as many
+    const types::global_dof_index n_dofs = dof_handler_.n_dofs();
+    const types::global_dof_index n_temperatures =
+      fields.has_temperature ? n_dofs / n_components() : 0;
     owned_ = dof_handler_.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dof_handler_, relevant_);
     for (const auto &[first, last] :
-         {std::pair(types::global_dof_index(0), n_dofs[0]),
-          std::pair(n_dofs[0], n_dofs[0] + n_dofs[1])})
+         {std::pair(types::global_dof_index(0), n_temperatures),
+          std::pair(n_temperatures, n_dofs)})
       {
         owned_by_block_.push_back(owned_.get_view(first, last));
         relevant_by_block_.push_back(relevant_.get_view(first, last));
@@ -190,6 +208,42 @@ namespace ThermoContact
             }
         constrained_[field].compress();
       }
+  }
+
+
+
+  template <int dim>
+  void
+  Discretization<dim>::collect_nodal_values()
+  {
+    for (const Field::Block field : all_fields)
+      nodal_values_[field].resize(owned_by_block_[field].n_elements());
+    const std::vector<Point<dim>> &points =
+      finite_element_.get_unit_support_points();
+    std::vector<types::global_dof_index> dofs(points.size());
+    for (const auto &cell : dof_handler_.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const Point<dim> &lower = cell->vertex(0);
+          const Point<dim> &upper =
+            cell->vertex(GeometryInfo<dim>::vertices_per_cell - 1);
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            if (owned_.is_element(dofs[i]))
+              {
+                const Field::Block field =
+                  all_fields[dofs[i] >= n_temperature_dofs()];
+                NodalValue<dim> &value =
+                  nodal_values_[field][owned_by_block_[field].index_within_set(
+                    dofs[i] - first_dof(field))];
+                value.component =
+                  finite_element_.system_to_component_index(i).first -
+                  first_component(field);
+                for (unsigned int d = 0; d < dim; ++d)
+                  value.node[d] =
+                    (1. - points[i][d]) * lower[d] + points[i][d] * upper[d];
+              }
+        }
   }
 
 

@@ -33,36 +33,47 @@ namespace ThermoContact
      */
     struct CellLine
     {
-      explicit CellLine(const unsigned int degree)
-        : nodes(QGaussLobatto<1>(degree + 1).get_points())
+      /** @param varies what is integrated; else one point has all of it */
+      CellLine(const unsigned int degree, const bool varies)
         // The data are no polynomials: more points than the products need.
-        , rule(degree + 4)
-        , values(rule.size(), nodes.size())
-        , mass(nodes.size(), rule.size())
-        , stiffness(nodes.size(), rule.size())
+        : rule(degree + 4)
+        , nodes(QGaussLobatto<1>(degree + 1).get_points())
+        , points(rule.get_points())
+        , mass(degree + 1, varies ? rule.size() : 1)
+        , stiffness(mass.m(), mass.n())
       {
         const auto basis = Polynomials::generate_complete_Lagrange_basis(nodes);
-        for (unsigned int i = 0; i < nodes.size(); ++i)
+        if (!varies)
+          nodes = points = {Point<1>()};
+        values.reinit(points.size(), nodes.size());
+        for (unsigned int i = 0; i < basis.size(); ++i)
           for (unsigned int q = 0; q < rule.size(); ++q)
             {
+              const unsigned int    k = varies ? q : 0;
               std::array<double, 3> derivatives;
               basis[i].value(rule.point(q)[0], 2, derivatives.data());
-              values(q, i)    = derivatives[0];
-              mass(i, q)      = rule.weight(q) * derivatives[0];
-              stiffness(i, q) = -rule.weight(q) * derivatives[2];
+              values(k, varies ? i : 0) = varies ? derivatives[0] : 1.;
+              mass(i, k) += rule.weight(q) * derivatives[0];
+              stiffness(i, k) -= rule.weight(q) * derivatives[2];
               if (q == 0)
-                stiffness(i, q) -= derivatives[1];
+                stiffness(i, k) -= derivatives[1];
               if (q + 1 == rule.size())
-                stiffness(i, q) += derivatives[1];
+                stiffness(i, k) += derivatives[1];
             }
       }
 
-      const std::vector<Point<1>> nodes;
-      const QGaussLobatto<1>      rule;
-      FullMatrix<double>          values;    ///< $\phi_i(x_q)$ by q and i
-      FullMatrix<double>          mass;      ///< $(\phi_i,f)$ from values of f
-      FullMatrix<double>          stiffness; ///< $(\phi_i',f')$ from these
+      const QGaussLobatto<1> rule;
+      std::vector<Point<1>>  nodes, points;
+      FullMatrix<double>     values;    ///< $\phi_i(x_q)$ by q and i
+      FullMatrix<double>     mass;      ///< $(\phi_i,f)$ from values of f
+      FullMatrix<double>     stiffness; ///< $(\phi_i',f')$ from these
     };
+
+
+
+    /** Along the directions of a cell. */
+    template <int dim>
+    using CellLines = std::array<const CellLine *, dim>;
 
 
 
@@ -73,12 +84,11 @@ namespace ThermoContact
                    std::vector<double>                               &array,
                    std::vector<double>                               &scratch)
     {
-      for (unsigned int d = 0; d < dim; ++d)
+      unsigned int stride = 1;
+      for (const FullMatrix<double> *const matrix : matrices)
         {
-          const FullMatrix<double> &matrix = *matrices[d];
-          const unsigned int        m = matrix.m(), n = matrix.n();
-          const unsigned int        stride  = power_of(m, d);
-          const unsigned int        n_lines = array.size() / n;
+          const unsigned int m = matrix->m(), n = matrix->n();
+          const unsigned int n_lines = array.size() / n;
           scratch.resize(n_lines * m);
           for (unsigned int line = 0; line < n_lines; ++line)
             {
@@ -88,47 +98,43 @@ namespace ThermoContact
                   double sum = 0.;
                   for (unsigned int j = 0; j < n; ++j)
                     sum +=
-                      matrix(i, j) * array[(block * n + j) * stride + inner];
+                      (*matrix)(i, j) * array[(block * n + j) * stride + inner];
                   scratch[(block * m + i) * stride + inner] = sum;
                 }
             }
           array.swap(scratch);
+          stride *= m;
         }
     }
 
 
 
-    /**
-     * Values of a component at the points of a tensor product in a cell.
-     *
-     * @param varies along a direction; else it is evaluated once there
-     */
+    /** Values of a component at the points of a tensor product in a cell. */
     template <int dim>
     void
-    evaluate(const Function<dim>         &function,
-             const unsigned int           component,
-             const std::array<bool, dim> &varies,
-             const Point<dim>            &lower,
-             const Point<dim>            &upper,
-             const std::vector<Point<1>> &points,
-             std::vector<double>         &values)
+    evaluate(const Function<dim>  &function,
+             const unsigned int    component,
+             const Point<dim>     &lower,
+             const Point<dim>     &upper,
+             const CellLines<dim> &lines,
+             std::vector<Point<1>> CellLine::*const points,
+             std::vector<double>                   &values)
     {
-      values.resize(power_of(points.size(), dim));
-      for (unsigned int q = 0; q < values.size(); ++q)
+      unsigned int n_values = 1;
+      for (const CellLine *const line : lines)
+        n_values *= (line->*points).size();
+      values.resize(n_values);
+      for (unsigned int q = 0; q < n_values; ++q)
         {
-          Point<dim>   place;
-          unsigned int same = q; // the first point with this value
-          for (unsigned int d = 0, rest = q, stride = 1; d < dim; ++d)
+          Point<dim> place;
+          for (unsigned int d = 0, rest = q; d < dim; ++d)
             {
-              const unsigned int i    = rest % points.size();
-              const double       part = points[i][0];
+              const std::vector<Point<1>> &along = lines[d]->*points;
+              const double                 part = along[rest % along.size()][0];
               place[d] = (1. - part) * lower[d] + part * upper[d];
-              same -= varies[d] ? 0 : i * stride;
-              rest /= points.size();
-              stride *= points.size();
+              rest /= along.size();
             }
-          values[q] =
-            same < q ? values[same] : function.value(place, component);
+          values[q] = function.value(place, component);
         }
     }
 
@@ -153,7 +159,8 @@ namespace ThermoContact
 
     /**
      * Adds to @p values the solution for @p rhs, which is zero where entries are
-     * fixed, by conjugate gradients with the diagonal: once a run.
+     * fixed but not everywhere, by conjugate gradients with the diagonal: once
+     * a run.
      */
     void
     add_solution(const LinearMap                 &product,
@@ -162,8 +169,6 @@ namespace ThermoContact
                  const Vector                    &rhs,
                  Vector                          &values)
     {
-      if (rhs.linfty_norm() == 0.)
-        return;
       // interpolation may be exact but for rounding
       Vector terms(diagonal);
       terms.scale(values);
@@ -174,7 +179,7 @@ namespace ThermoContact
         value = 1. / value;
       for (const unsigned int entry : fixed)
         diagonal.local_element(entry) = 1.;
-      Vector correction(rhs);
+      Vector correction(values);
       conjugate_gradients("the projection of the initial values",
                           FixedProduct{product, fixed},
                           correction,
@@ -195,6 +200,13 @@ namespace ThermoContact
     , constraints(discretization.clamped_constraints())
     , products(products)
   {
+    for (const Field::Block field : all_fields)
+      {
+        const IndexSet &owned = discretization.owned_by_block()[field];
+        for (const types::global_dof_index dof : owned)
+          if (constraints.is_constrained(dof + discretization.first_dof(field)))
+            kept_entries[field].push_back(owned.index_within_set(dof));
+      }
     if (products == nullptr)
       assemble_laplace_matrix();
   }
@@ -267,83 +279,87 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
+  Vector
   H1Projection<dim>::interpolate(const Function<dim> &function,
-                                 SystemVector        &interpolant,
-                                 SystemVector        &rhs) const
+                                 const Field::Block   field,
+                                 Vector              &interpolant) const
   {
+    const unsigned int first        = discretization.first_component(field);
+    const auto        &nodal_values = discretization.nodal_values(field);
+    for (unsigned int i = 0; i < nodal_values.size(); ++i)
+      interpolant.local_element(i) =
+        function.value(nodal_values[i].node, first + nodal_values[i].component);
+
     const FiniteElement<dim>       &fe = discretization.finite_element();
-    const CellLine                  line(fe.degree);
+    const CellLine                  constant(fe.degree, false);
+    const CellLine                  varying(fe.degree, true);
     const std::vector<unsigned int> lexicographic =
       FETools::hierarchic_to_lexicographic_numbering<dim>(fe.degree);
-    Table<2, unsigned int> rows(fe.n_components(), lexicographic.size());
-    for (unsigned int i = 0; i < fe.dofs_per_cell; ++i)
-      {
-        const auto [component, k]         = fe.system_to_component_index(i);
-        rows(component, lexicographic[k]) = i;
-      }
     const auto *const expressions =
       dynamic_cast<const ExpressionFunction<dim> *>(&function);
-    std::vector<std::array<bool, dim>> varies(fe.n_components());
-    for (unsigned int c = 0; c < fe.n_components(); ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        varies[c][d] = expressions == nullptr ||
-                       expressions->components()[c].depends_on({"xyz"[d]});
-    dealii::Vector<double>               cell_rhs(fe.dofs_per_cell);
+    std::vector<unsigned int>            rows(lexicographic.size());
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     std::vector<double>                  nodal, differences, part, scratch;
-    std::array<const FullMatrix<double> *, dim> along;
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const Point<dim> &lower = cell->vertex(0);
-          const Point<dim> &upper =
-            cell->vertex(GeometryInfo<dim>::vertices_per_cell - 1);
-          const Tensor<1, dim> size = upper - lower;
-          cell->get_dof_indices(dofs);
-          cell_rhs = 0.;
-          for (unsigned int c = 0; c < fe.n_components(); ++c)
+    const unsigned int n_components = field == Field::temperature ? 1 : dim;
+
+    Vector rhs(discretization.owned_by_block()[field],
+               discretization.relevant_by_block()[field],
+               discretization.communicator());
+    for (unsigned int c = first; c < first + n_components; ++c)
+      {
+        CellLines<dim> lines;
+        for (unsigned int d = 0; d < dim; ++d)
+          lines[d] = expressions == nullptr ||
+                         expressions->components()[c].depends_on({"xyz"[d]}) ?
+                       &varying :
+                       &constant;
+        if (std::count(lines.begin(), lines.end(), &varying) == 0)
+          continue; // it is its interpolant, as most displacements
+        for (unsigned int i = 0; i < rows.size(); ++i)
+          rows[lexicographic[i]] = fe.component_to_system_index(c, i);
+        for (const auto &cell :
+             discretization.dof_handler().active_cell_iterators())
+          if (cell->is_locally_owned())
             {
-              evaluate<dim>(
-                function, c, varies[c], lower, upper, line.nodes, nodal);
-              for (unsigned int i = 0; i < nodal.size(); ++i)
-                {
-                  const types::global_dof_index dof = dofs[rows(c, i)];
-                  if (discretization.owned().is_element(dof))
-                    interpolant(dof) = nodal[i];
-                }
-              if (expressions != nullptr &&
-                  expressions->components()[c].is_constant())
-                continue; // it is its interpolant, as most displacements
-              evaluate<dim>(function,
-                            c,
-                            varies[c],
-                            lower,
-                            upper,
-                            line.rule.get_points(),
-                            differences);
-              along.fill(&line.values);
+              const Point<dim> &lower = cell->vertex(0);
+              const Point<dim> &upper =
+                cell->vertex(GeometryInfo<dim>::vertices_per_cell - 1);
+              const auto values_at = [&](const auto           points,
+                                         std::vector<double> &values) {
+                evaluate<dim>(function, c, lower, upper, lines, points, values);
+              };
+              values_at(&CellLine::nodes, nodal);
+              values_at(&CellLine::points, differences);
+              std::array<const FullMatrix<double> *, dim> along;
+              for (unsigned int d = 0; d < dim; ++d)
+                along[d] = &lines[d]->values;
               multiply_lines<dim>(along, nodal, scratch);
               for (unsigned int q = 0; q < differences.size(); ++q)
                 differences[q] -= nodal[q];
+              cell->get_dof_indices(dofs);
               for (unsigned int e = 0; e < dim; ++e)
-                {
-                  part = differences;
-                  along.fill(&line.mass);
-                  along[e] = &line.stiffness;
-                  multiply_lines<dim>(along, part, scratch);
-                  double factor = 1. / (size[e] * size[e]);
-                  for (unsigned int d = 0; d < dim; ++d)
-                    factor *= size[d];
-                  for (unsigned int i = 0; i < part.size(); ++i)
-                    cell_rhs(rows(c, i)) += factor * part[i];
-                }
+                if (lines[e] == &varying)
+                  {
+                    part          = differences;
+                    double factor = 1.;
+                    for (unsigned int d = 0; d < dim; ++d)
+                      {
+                        const double size = upper[d] - lower[d];
+                        along[d] =
+                          d == e ? &varying.stiffness : &lines[d]->mass;
+                        factor *= d == e ? 1. / size : size;
+                      }
+                    multiply_lines<dim>(along, part, scratch);
+                    for (unsigned int i = 0; i < part.size(); ++i)
+                      rhs(dofs[rows[i]] - discretization.first_dof(field)) +=
+                        factor * part[i];
+                  }
             }
-          constraints.distribute_local_to_global(cell_rhs, dofs, rhs);
-        }
-    interpolant.compress(VectorOperation::insert);
+      }
     rhs.compress(VectorOperation::add);
+    for (const unsigned int entry : kept_entries[field])
+      rhs.local_element(entry) = 0.;
+    return rhs;
   }
 
 
@@ -354,62 +370,36 @@ namespace ThermoContact
                              Vector              &temperature,
                              Vector              &displacement)
   {
-    SystemVector projection = discretization.make_system_vector();
-    SystemVector rhs        = discretization.make_system_vector();
-    interpolate(function, projection, rhs);
-    if (products != nullptr)
-      {
-        discretization.split(projection, temperature, displacement);
-        if constexpr (dim > 1)
-          add_iteratively(rhs, temperature, displacement);
-        return;
-      }
-    SystemVector correction(rhs);
-    laplace_solver->solve(correction, rhs);
-    projection += correction;
-    discretization.split(projection, temperature, displacement);
-  }
-
-
-
-  template <int dim>
-  std::vector<unsigned int>
-  H1Projection<dim>::kept_entries(const Field::Block field) const
-  {
-    std::vector<unsigned int> entries;
-    const IndexSet           &owned = discretization.owned_by_block()[field];
-    for (const types::global_dof_index dof : owned)
-      if (constraints.is_constrained(dof + discretization.first_dof(field)))
-        entries.push_back(owned.index_within_set(dof));
-    return entries;
-  }
-
-
-
-  template <int dim>
-  void
-  H1Projection<dim>::add_iteratively(const SystemVector &rhs,
-                                     Vector             &temperature,
-                                     Vector             &displacement) const
-  {
-    if constexpr (dim > 1)
-      {
-        Vector heat     = discretization.make_vector(Field::temperature);
-        Vector momentum = discretization.make_vector(Field::displacement);
-        discretization.split(rhs, heat, momentum);
-        for (const Field::Block field : all_fields)
-          if (discretization.has_field(field))
-            {
-              const bool is_heat = field == Field::temperature;
+    std::array<Vector, 2> rhs;
+    for (const Field::Block field : all_fields)
+      if (discretization.has_field(field))
+        {
+          Vector &values =
+            field == Field::temperature ? temperature : displacement;
+          rhs[field] = interpolate(function, field, values);
+          if constexpr (dim > 1)
+            if (products != nullptr && rhs[field].linfty_norm() > 0.)
               add_solution({[&](Vector &y, const Vector &x) {
                              products->laplacian(field, y, x);
                            }},
                            products->laplacian_diagonal(field),
-                           kept_entries(field),
-                           is_heat ? heat : momentum,
-                           is_heat ? temperature : displacement);
-            }
-      }
+                           kept_entries[field],
+                           rhs[field],
+                           values);
+        }
+    if (products != nullptr)
+      return;
+    SystemVector system     = discretization.make_system_vector();
+    SystemVector correction = system;
+    discretization.join(rhs[Field::temperature],
+                        rhs[Field::displacement],
+                        system);
+    laplace_solver->solve(correction, system);
+    Vector heat     = discretization.make_vector(Field::temperature);
+    Vector momentum = discretization.make_vector(Field::displacement);
+    discretization.split(correction, heat, momentum);
+    temperature += heat;
+    displacement += momentum;
   }
 
 

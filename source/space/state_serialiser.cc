@@ -16,7 +16,11 @@ namespace ThermoContact
     std::uint64_t
     number_of(const typename DoFHandler<dim>::active_cell_iterator &cell)
     {
-      std::uint64_t number = cell->id().get_coarse_cell_id();
+      // not its id, which p4est gives to several ranks alone
+      typename Triangulation<dim>::cell_iterator coarse(cell);
+      while (coarse->level() > 0)
+        coarse = coarse->parent();
+      std::uint64_t number = coarse->index();
       for (const std::uint8_t child : cell->id().get_child_indices())
         number = (number << dim) + child;
       return number;

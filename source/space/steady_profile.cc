@@ -3,49 +3,17 @@
 #include <thermocontact/space/energy.h>
 #include <thermocontact/space/heat_system.h>
 
-#include <deal.II/base/function.h>
-
-#include <deal.II/numerics/vector_tools_interpolate.h>
-
 namespace ThermoContact
 {
-  namespace
-  {
-    /** $\theta_s$ of (M2.1) in the first component. */
-    template <int dim>
-    class LinearProfile : public Function<dim>
-    {
-    public:
-      LinearProfile(const unsigned int n_components, const SceneHeat &heat)
-        : Function<dim>(n_components)
-        , heat(heat)
-      {}
-
-      double
-      value(const Point<dim> &point, const unsigned int c) const override
-      {
-        return c == 0 ? heat.steady_temperature(point[0]) : 0.;
-      }
-
-    private:
-      const SceneHeat &heat;
-    };
-  } // namespace
-
-
-
   template <int dim>
   void
   Energy<dim>::set_steady_profile()
   {
-    Vector      &profile = steady_profile_;
-    SystemVector system  = discretization.make_system_vector();
-    VectorTools::interpolate(discretization.mapping(),
-                             discretization.dof_handler(),
-                             LinearProfile<dim>(discretization.n_components(),
-                                                heat),
-                             system);
-    discretization.split(system, profile, momentum_scratch);
+    Vector     &profile      = steady_profile_;
+    const auto &nodal_values = discretization.nodal_values(Field::temperature);
+    for (unsigned int i = 0; i < nodal_values.size(); ++i)
+      profile.local_element(i) =
+        heat.steady_temperature(nodal_values[i].node[0]);
     if (!heat.has_lateral_exchange())
       return;
 

@@ -6,7 +6,6 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 
-#include <deal.II/distributed/shared_tria.h>
 #include <deal.II/distributed/tria.h>
 
 #include <deal.II/lac/la_parallel_block_vector.h>
@@ -61,14 +60,12 @@ namespace ThermoContact
   constexpr types::boundary_id contact_boundary_id = 1; ///< $x=1$
 
   /**
-   * What differs in one dimension: p4est has no 1-D meshes, a face is a point,
-   * and the mesh is too small to be shared by ranks.
+   * What differs in one dimension: a face is a point, and the mesh is too small
+   * to be shared by ranks.
    */
   template <int dim>
   struct DimensionTraits
   {
-    using Triangulation = parallel::distributed::Triangulation<dim>;
-
     /** The ranks that share the mesh, of those that are there. */
     static MPI_Comm
     communicator(const MPI_Comm all)
@@ -78,12 +75,6 @@ namespace ThermoContact
 
     /** A factorisation costs about as much as a step, or less. */
     static constexpr bool has_cheap_factors = false;
-
-    static std::unique_ptr<Triangulation>
-    make_triangulation(const MPI_Comm communicator)
-    {
-      return std::make_unique<Triangulation>(communicator);
-    }
 
     /** Gauss-Lobatto rule on a face whose points are the nodes of FE_Q. */
     static Quadrature<dim - 1>
@@ -96,8 +87,6 @@ namespace ThermoContact
   template <>
   struct DimensionTraits<1>
   {
-    using Triangulation = parallel::shared::Triangulation<1>;
-
     /** Each rank has the whole rod: the same bits on any number of them. */
     static MPI_Comm
     communicator(const MPI_Comm)
@@ -106,15 +95,6 @@ namespace ThermoContact
     }
 
     static constexpr bool has_cheap_factors = true;
-
-    static std::unique_ptr<Triangulation>
-    make_triangulation(const MPI_Comm communicator)
-    {
-      return std::make_unique<Triangulation>(communicator,
-                                             dealii::Triangulation<1>::none,
-                                             false,
-                                             Triangulation::partition_zorder);
-    }
 
     static Quadrature<0>
     nodal_face_quadrature(const unsigned int)

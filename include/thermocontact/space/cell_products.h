@@ -17,16 +17,6 @@
 
 namespace ThermoContact
 {
-  /** The value of a component at a node. */
-  template <int dim>
-  struct NodalValue
-  {
-    unsigned int component;
-    Point<dim>   node;
-  };
-
-
-
   /**
    * Products with the matrices (D1.5) of a body without constraints: cell by
    * cell, by sums over one direction after the other and with several cells at
@@ -97,10 +87,6 @@ namespace ThermoContact
     LevelVector<Number>
     contact_stiffness_diagonal() const;
 
-    /** Of the local part of a vector. */
-    std::vector<NodalValue<dim>>
-    nodal_values(const Field::Block field) const;
-
     static constexpr unsigned int n_lanes = Lanes<Number>::n_lanes;
 
   private:
@@ -155,6 +141,8 @@ namespace ThermoContact
     const unsigned int         n_nodes; ///< of a cell
     const bool                 has_lumped_mass;
 
+    /** Of the nodes of a cell, which are numbered by vertices, lines, ... */
+    std::vector<unsigned int> lexicographic;
     /** From a component of a node to the next one, by lexicographic order. */
     std::vector<unsigned int> strides;
 

@@ -19,11 +19,22 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
 namespace ThermoContact
 {
+  /** The value of a component of a field at a node. */
+  template <int dim>
+  struct NodalValue
+  {
+    unsigned int component;
+    Point<dim>   node;
+  };
+
+
+
   /**
    * Mesh, finite element space and constraints of the body
    * $(0,1)\times(0,\text{width})^{dim-1}$.
@@ -202,6 +213,13 @@ namespace ThermoContact
       return constrained_entries_[field];
     }
 
+    /** What the entries of the local part of a vector of a field are. */
+    const std::vector<NodalValue<dim>> &
+    nodal_values(const Field::Block field) const
+    {
+      return nodal_values_[field];
+    }
+
     /**
      * A vector of zeros for one field or for the whole system. Those of a
      * field share one partitioner: their assignment is a copy. In scenes
@@ -254,24 +272,25 @@ namespace ThermoContact
           Vector             &displacement) const;
 
   private:
-    const MPI_Comm      communicator_;
-    const Geometry<dim> geometry_;
-    const std::unique_ptr<typename DimensionTraits<dim>::Triangulation>
-                                           triangulation;
-    const FESystem<dim>                    finite_element_;
-    const MappingQ<dim>                    mapping_;
-    DoFHandler<dim>                        dof_handler_;
-    AffineConstraints<double>              constraints_;
-    IndexSet                               owned_;
-    IndexSet                               relevant_;
-    std::vector<IndexSet>                  owned_by_block_;
-    std::vector<IndexSet>                  relevant_by_block_;
-    std::vector<Vector>                    prototypes;
-    SystemVector                           system_prototype;
-    std::unique_ptr<const ContactEnd<dim>> contact_end_;
-    const bool                             has_pins;
-    std::vector<IndexSet>                  constrained_;
-    std::vector<std::vector<unsigned int>> constrained_entries_;
+    const MPI_Comm                            communicator_;
+    const Geometry<dim>                       geometry_;
+    const std::unique_ptr<Triangulation<dim>> triangulation;
+    const FESystem<dim>                       finite_element_;
+    const MappingQ<dim>                       mapping_;
+    DoFHandler<dim>                           dof_handler_;
+    AffineConstraints<double>                 constraints_;
+    IndexSet                                  owned_;
+    IndexSet                                  relevant_;
+    std::vector<IndexSet>                     owned_by_block_;
+    std::vector<IndexSet>                     relevant_by_block_;
+    std::vector<Vector>                       prototypes;
+    SystemVector                              system_prototype;
+    std::unique_ptr<const ContactEnd<dim>>    contact_end_;
+    const bool                                has_pins;
+    std::vector<IndexSet>                     constrained_;
+    std::vector<std::vector<unsigned int>>    constrained_entries_;
+
+    std::array<std::vector<NodalValue<dim>>, 2> nodal_values_;
 
     /**
      * @param n_halvings how many of the refinements make the cells of the scene
@@ -297,6 +316,9 @@ namespace ThermoContact
     /** Finds the constrained degrees of freedom of each field. */
     void
     collect_constrained();
+
+    void
+    collect_nodal_values();
   };
 } // namespace ThermoContact
 

@@ -8,7 +8,9 @@
 
 #include <deal.II/base/function.h>
 
+#include <array>
 #include <memory>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -56,31 +58,24 @@ namespace ThermoContact
     const CellProducts<dim, double> *const products;
     std::unique_ptr<DirectSolver>          laplace_solver;
 
+    /** Positions of the values of the fields that are kept, in local parts. */
+    std::array<std::vector<unsigned int>, 2> kept_entries;
+
     /** Without entries; components do not act on each other. */
     SparseMatrix
     make_matrix() const;
-
-    /** Positions of the values of a field that are kept, in its local part. */
-    std::vector<unsigned int>
-    kept_entries(const Field::Block field) const;
 
     void
     assemble_laplace_matrix();
 
     /**
      * @param interpolant out: $w_h$ with the values of $w$ at the nodes
-     * @param rhs out: $(\nabla(w-w_h),\nabla\eta)$, of the correction
+     * @return $(\nabla(w-w_h),\nabla\eta)$, of the correction
      */
-    void
+    Vector
     interpolate(const Function<dim> &function,
-                SystemVector        &interpolant,
-                SystemVector        &rhs) const;
-
-    /** Adds the correction, without a matrix. */
-    void
-    add_iteratively(const SystemVector &rhs,
-                    Vector             &temperature,
-                    Vector             &displacement) const;
+                const Field::Block   field,
+                Vector              &interpolant) const;
   };
 } // namespace ThermoContact
 
