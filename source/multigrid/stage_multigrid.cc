@@ -58,10 +58,11 @@ namespace ThermoContact
         vector *= factor;
       };
       values = Number();
-      if (fine.springs.size() > 0)
+      if (const double largest =
+            fine.springs.size() > 0 ? fine.springs.linfty_norm() : 0.;
+          largest > 0.)
         {
           // over the largest one, so that float has room for it
-          const double largest = fine.springs.linfty_norm();
           for (unsigned int i = 0; i < values.locally_owned_size(); ++i)
             values.local_element(i) = fine.springs.local_element(i) / largest;
           fine_field.transfer.restrict_to(coarse, values, true);
@@ -87,7 +88,6 @@ namespace ThermoContact
     : levels(levels)
     , field(field)
     , stage_levels(levels.n_levels())
-    , coarse_values(levels.field(0, field).right.size())
   {
     const unsigned int finest = levels.n_levels() - 1;
     scale = StageBlock<dim, Number>(levels, finest, field, tau)
@@ -153,31 +153,19 @@ namespace ThermoContact
 
   template <int dim, typename Number>
   void
-  StageMultigrid<dim, Number>::solve_coarse() const
-  {
-    const LevelField<dim, Number> &vectors = levels.field(0, field);
-    std::copy(vectors.right.begin(),
-              vectors.right.begin() + coarse_values.size(),
-              coarse_values.begin());
-    (has_contact ? factors_with_contact : factors_without_contact)
-      ->solve(coarse_values);
-    std::copy(coarse_values.begin(),
-              coarse_values.end(),
-              vectors.solution.begin());
-  }
-
-
-
-  template <int dim, typename Number>
-  void
   StageMultigrid<dim, Number>::cycle(const unsigned int l) const
   {
+    const LevelField<dim, Number> &vectors = levels.field(l, field);
     if (l == 0)
       {
-        solve_coarse();
+        coarse_values.assign(vectors.right.begin(), vectors.right.end());
+        (has_contact ? factors_with_contact : factors_without_contact)
+          ->solve(coarse_values);
+        std::copy(coarse_values.begin(),
+                  coarse_values.end(),
+                  vectors.solution.begin());
         return;
       }
-    const LevelField<dim, Number> &vectors  = levels.field(l, field);
     const LevelField<dim, Number> &coarse   = levels.field(l - 1, field);
     const Level                   &level    = stage_levels[l];
     LevelVector<Number>           &residual = vectors.residual;

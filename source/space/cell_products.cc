@@ -158,6 +158,9 @@ namespace ThermoContact
     const int          n_line    = n_static > 0 ? n_static : int(n);
     const unsigned int n_point   = power_of(n_line, dim);
     Batched           *values_at = reinterpret_cast<Batched *>(scratch.begin());
+    const auto         in        = [](const AlignedVector<Number> &matrix) {
+      return Batched::in(matrix.begin());
+    };
     CellValues<dim, Number>    u;
     CellGradients<dim, Number> gradient;
     for (unsigned int c = 0; c < dim; ++c)
@@ -183,11 +186,9 @@ namespace ThermoContact
                        factors.component);
         for (int c = 0; c < n_from; ++c)
           {
-            apply_along_all<dim, n_static>(Batched::in(values.begin()),
-                                           u[c],
-                                           n_line);
+            apply_along_all<dim, n_static>(in(values), u[c], n_line);
             if constexpr (of_from == Derivatives::all)
-              differentiate<dim, n_static>(Batched::in(derivatives.begin()),
+              differentiate<dim, n_static>(in(derivatives),
                                            u[c],
                                            gradient[c],
                                            n_line);
@@ -195,8 +196,10 @@ namespace ThermoContact
         if constexpr (of_from == Derivatives::own)
           along_all<n_from>([&](const auto number) {
             constexpr int c = decltype(number)::value;
-            apply_along<dim, c, n_static, false>(
-              Batched::in(derivatives.begin()), u[c], gradient[c][c], n_line);
+            apply_along<dim, c, n_static, false>(in(derivatives),
+                                                 u[c],
+                                                 gradient[c][c],
+                                                 n_line);
           });
         CellPoint<dim, Number> point;
         point.has_axial_mass = batch.has_axial_mass;
@@ -218,22 +221,19 @@ namespace ThermoContact
         if constexpr (of_to == Derivatives::own)
           along_all<n_to>([&](const auto number) {
             constexpr int c = decltype(number)::value;
-            apply_along<dim, c, n_static, true>(
-              Batched::in(derivatives_transposed.begin()),
-              gradient[c][c],
-              u[c],
-              n_line);
+            apply_along<dim, c, n_static, true>(in(derivatives_transposed),
+                                                gradient[c][c],
+                                                u[c],
+                                                n_line);
           });
         for (int c = 0; c < n_to; ++c)
           {
             if constexpr (of_to == Derivatives::all)
-              add_transposed<dim, n_static>(Batched::in(
-                                              derivatives_transposed.begin()),
+              add_transposed<dim, n_static>(in(derivatives_transposed),
                                             gradient[c],
                                             u[c],
                                             n_line);
-            apply_along_all<dim, n_static>(
-              Batched::in(values_transposed.begin()), u[c], n_line);
+            apply_along_all<dim, n_static>(in(values_transposed), u[c], n_line);
           }
         scatter<n_to>(values_at,
                       &fields[to].positions[first],
@@ -605,15 +605,6 @@ namespace ThermoContact
             collect_lumped_mass(field, cells);
         }
     collect_faces(scene);
-    make_grid_products(scene);
-  }
-
-
-
-  template <int dim, typename Number>
-  void
-  CellProducts<dim, Number>::make_grid_products(const Scene &scene)
-  {
     const LevelGrid<dim> grid(scene.parameters.mesh);
     std::array<std::vector<unsigned int>, 2>
       entries; // of their first component

@@ -62,10 +62,6 @@ namespace ThermoContact
     void
     set_rows(const unsigned int level, const ContactRows &rows);
 
-    /** On the coarsest level. */
-    void
-    solve_coarse() const;
-
     /** Solves approximately on a level: right to solution. */
     void
     cycle(const unsigned int level) const;

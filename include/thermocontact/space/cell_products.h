@@ -196,9 +196,6 @@ namespace ThermoContact
     void
     compute_strides();
 
-    void
-    make_grid_products(const Scene &scene);
-
     /** The cells of a rank, those at the contact end last. */
     std::vector<std::vector<Cell>>
     make_batches(const bool has_massless_nodes);
